@@ -1,0 +1,83 @@
+// The arrows of the house: numbers ← learning, simulation ← blocks ← programs ← lab ← materials ← apps.
+const rooms = ['numbers', 'learning', 'simulation', 'blocks', 'programs', 'lab', 'materials']
+const mayKnow = {
+  numbers: [],
+  learning: ['numbers'],
+  simulation: ['numbers'],
+  blocks: ['learning', 'simulation'],
+  programs: ['blocks', 'learning', 'simulation', 'numbers'],
+  lab: ['programs', 'blocks', 'learning', 'simulation', 'numbers'],
+  materials: ['lab', 'programs', 'blocks', 'learning', 'simulation', 'numbers'],
+}
+const path = (room) => `^packages/${room}/`
+
+export default {
+  forbidden: [
+    {
+      name: 'no-circles',
+      severity: 'error',
+      from: {},
+      to: { circular: true, viaOnly: { dependencyTypesNot: ['type-only'] } },
+    },
+    ...rooms.map((room) => ({
+      name: `what-${room}-may-know`,
+      severity: 'error',
+      from: { path: path(room), pathNot: '\\.test\\.ts$' },
+      to: { path: '^(packages|apps|content|e2e|benchmarks)/', pathNot: [room, ...mayKnow[room]].map(path) },
+    })),
+    {
+      name: 'tests-keep-to-the-arrows',
+      severity: 'error',
+      from: { path: '^packages/.*\\.test\\.ts$' },
+      to: { path: '^(apps|e2e|benchmarks)/' },
+    },
+    { name: 'nobody-imports-an-app', severity: 'error', from: { pathNot: '^apps/' }, to: { path: '^apps/' } },
+    {
+      name: 'one-importer-of-planck',
+      severity: 'error',
+      from: { pathNot: '^packages/simulation/physics/' },
+      to: { path: 'node_modules/planck' },
+    },
+    {
+      name: 'one-importer-of-blockly',
+      severity: 'error',
+      from: { pathNot: '^apps/web/src/lib/editor/' },
+      to: { path: 'node_modules/blockly' },
+    },
+    {
+      name: 'no-screen-in-packages',
+      severity: 'error',
+      from: { path: '^packages/' },
+      to: { path: 'node_modules/(svelte|@sveltejs|blockly|jsdom)/' },
+    },
+    {
+      name: 'content-imports-nothing',
+      severity: 'error',
+      from: { path: '^content/' },
+      to: { pathNot: '^content/' },
+    },
+    {
+      name: 'drawing-is-pure',
+      severity: 'error',
+      from: { path: '^apps/web/src/lib/drawing/', pathNot: '\\.test\\.ts$' },
+      to: { path: '^apps/web/src/lib/(?!drawing/)|node_modules/svelte' },
+    },
+    {
+      name: 'resolvable',
+      severity: 'error',
+      from: {},
+      to: { couldNotResolve: true, pathNot: '^(#|\\$|virtual:|\\./\\$types)' },
+    },
+  ],
+  options: {
+    doNotFollow: { path: 'node_modules' },
+    exclude: { path: '(/build/|/generated/|\\.svelte-kit/|\\.svelte$)' },
+    tsPreCompilationDeps: true,
+    tsConfig: { fileName: 'tsconfig.json' },
+    enhancedResolveOptions: {
+      exportsFields: ['exports'],
+      conditionNames: ['import', 'node', 'default', 'types'],
+      extensions: ['.ts', '.js', '.mjs', '.svelte'],
+    },
+  },
+}

@@ -1,0 +1,201 @@
+import type {
+  Colour,
+  Degrees,
+  Hertz,
+  LedColour,
+  MotorPort,
+  Percent,
+  ReadMode,
+  Seconds,
+  SensorKind,
+  SensorPort,
+} from '@botgarten/simulation'
+
+// ---- a program as data ----
+
+/** One block. Rows are flat, as in Open Roberta: what follows a block stands after it in the same list. */
+export interface Block {
+  readonly id: string
+  readonly type: string
+  readonly fields?: { readonly [name: string]: string }
+  readonly mutation?: Mutation
+  readonly values?: { readonly [name: string]: Block }
+  readonly statements?: { readonly [name: string]: readonly Block[] }
+  readonly comment?: string
+  readonly data?: string
+  readonly hide?: readonly string[]
+  readonly disabled?: boolean
+  readonly collapsed?: boolean
+  readonly inline?: boolean
+  readonly shadow?: boolean
+  readonly flags?: { readonly [name: string]: string }
+}
+
+export interface Mutation {
+  readonly attrs: { readonly [name: string]: string }
+  readonly args?: readonly { readonly name: string; readonly type: string }[]
+}
+
+/** A block as it comes from the toolbox: without an id, with what is plugged in. */
+export type Template = Omit<Block, 'id' | 'values' | 'statements'> & {
+  readonly values?: { readonly [name: string]: Template }
+  readonly statements?: { readonly [name: string]: readonly Template[] }
+}
+
+/** Colours are `#RRGGBB` in upper case. */
+export type Value = number | string | boolean | null | Order | readonly Value[]
+
+/** What an output neuron wants done with its value. The network block carries the orders out together. */
+export type Order =
+  | { readonly order: 'motor'; readonly port: MotorPort; readonly level: number }
+  | { readonly order: 'led'; readonly colour: LedColour; readonly level: number }
+  | { readonly order: 'text'; readonly text: string; readonly level: number }
+  | { readonly order: 'sound'; readonly level: number }
+
+export type ValueType =
+  'Number' | 'String' | 'Boolean' | 'Colour' | 'InputNode' | 'OutputNode' | 'InputLayer' | 'OutputLayer'
+
+// ---- what a block may touch ----
+
+export interface Robot {
+  /** null where no such sensor is at the port. */
+  read(port: SensorPort, mode: ReadMode): number | Colour | null
+  motor(port: MotorPort, percent: Percent): void
+  /** Both wheels; with `degrees` the faster wheel turns that far and the move ends by itself. */
+  move(order: { left: Percent; right: Percent; degrees?: Degrees }): void
+  /** Has the last move with `degrees` ended? */
+  arrived(): boolean
+  stop(): void
+  led(colour: LedColour | null): void
+  /** Replaces what stands in `row` (0..) from `column` on. */
+  display(row: number, column: number, text: string): void
+  clearDisplay(): void
+  /** `seconds` null: until changed. `frequency` 0: silence. */
+  tone(frequency: Hertz, seconds: Seconds | null): void
+  readonly wheelDiameter: number
+  readonly trackWidth: number
+}
+
+export interface Context {
+  readonly robot: Robot
+  /** Seconds of simulated time since the run began. */
+  readonly now: Seconds
+  /** One run of the brain that belongs to the network block with this id. */
+  think(networkId: string, inputs: readonly number[]): readonly number[]
+}
+
+// ---- how a block runs: data in, data out ----
+
+/** One block that is being carried out. `got`: values that its inputs have given so far. */
+export interface Frame {
+  readonly block: string
+  stage: number
+  got: Value[]
+  counter?: number
+}
+
+/** What the interpreter does next. */
+export type Next =
+  /** Carry out the block in a value input; its value is added to `got`. `given` is the child's `got` at its start. */
+  | { readonly next: 'value'; readonly input: string; readonly given?: Value[] }
+  /** Carry out the blocks in a statement input, then come back. */
+  | { readonly next: 'statements'; readonly input: string }
+  /** This block is done; a value block hands up its value. */
+  | { readonly next: 'done'; readonly value?: Value }
+  /** Come back to this frame in the same tick (a loop's back edge: running.md 3). */
+  | { readonly next: 'again' }
+  /** Come back in a later tick. */
+  | { readonly next: 'wait' }
+  /** The block cannot go on: the program stops safely and the screen says why at the block. */
+  | { readonly next: 'fail'; readonly problem: string; readonly facts?: Facts }
+
+export type Facts = { readonly [name: string]: string | number }
+
+// ---- one block, one file ----
+
+export type Category = 'control' | 'action' | 'sensors' | 'logic' | 'math' | 'text' | 'network'
+
+export type FieldLook =
+  | {
+      readonly name: string
+      readonly kind: 'number'
+      readonly preset: number
+      readonly min?: number
+      readonly max?: number
+      readonly step?: number
+    }
+  | { readonly name: string; readonly kind: 'text'; readonly preset: string }
+  /** A drop-down. `words` of an option: a message key, or null where the value itself is shown ("2", "C"). `dot`: a colour shown as a ringed dot. */
+  | {
+      readonly name: string
+      readonly kind: 'choice'
+      readonly preset: string
+      readonly options: readonly {
+        readonly value: string
+        readonly words: string | null
+        readonly dot?: Colour
+      }[]
+    }
+  /** In the file, never on the block. */
+  | { readonly name: string; readonly kind: 'hidden'; readonly preset: string }
+
+export type InputLook =
+  | { readonly name: string; readonly kind: 'value'; readonly accepts: readonly ValueType[] }
+  | { readonly name: string; readonly kind: 'statements' }
+
+/** Shape as data. No functions, no sentences, no colours written out. */
+export interface Look {
+  readonly category: Category
+  /** hat: starts a program · statement: has a row before and after · value: is plugged in. */
+  readonly shape: 'hat' | 'statement' | 'value'
+  readonly output?: ValueType
+  readonly icon?: 'play' | 'network' | 'repeat'
+  readonly fields: readonly FieldLook[]
+  readonly inputs: readonly InputLook[]
+  /** A list that grows: `items` rows `ADD0…`, each with its own minus, a plus at the foot (mutation `items`). */
+  readonly items?: { readonly prefix: 'ADD'; readonly min: number; readonly max: number }
+  /** Message keys, one a row of the block; `{NAME}` in the message is where a field or an input stands. */
+  readonly rows: readonly string[]
+}
+
+/** A neuron block: what the playground writes beside its node and how it colours it. */
+export interface NeuronLook {
+  readonly layer: 'input' | 'output'
+  /** Message key; gets the block's fields as parameters. */
+  readonly label: string
+  /** Field that names the port, where there is one. */
+  readonly port?: string
+  /** `sensor` teal, `actuator` apricot, or the colour that stands in a field. */
+  readonly colour: 'sensor' | 'actuator' | { readonly field: string }
+  readonly sensor?: SensorKind
+}
+
+/** Something a child should change before the program runs. `problem` is a message key, said at the block. */
+export interface Finding {
+  readonly block: string
+  readonly problem: string
+  readonly facts?: Facts
+  /** Ways out: setting a field of the block to a value mends it. */
+  readonly fixes?: readonly { readonly field: string; readonly value: string }[]
+  /** false: the program can run all the same (a hint). */
+  readonly stops: boolean
+}
+
+/** What a check may look at: the block itself and the robot's sockets. */
+export interface CheckContext {
+  readonly sensors: { readonly [port in SensorPort]?: { readonly kind: SensorKind } }
+}
+
+export interface Definition {
+  readonly type: string
+  readonly look: Look
+  /** Message keys: `help` is one sentence for the child. */
+  readonly words: { readonly help: string; readonly name: string }
+  readonly neuron?: NeuronLook
+  check?(block: Block, context: CheckContext): readonly Omit<Finding, 'block'>[]
+  run(block: Block, frame: Frame, context: Context): Next
+  /** Does it sense, drive, show, sound or run a net? (running.md 3) */
+  readonly acts: boolean
+  /** A whole small program around the block that runs, for help and for the contract tests. */
+  readonly example: readonly Template[]
+}

@@ -1,0 +1,38 @@
+/** One neuron. Its `id` is the id of the block it stands for, so that links keep their weights while blocks are edited. */
+export interface Neuron {
+  readonly id: string
+  readonly activation: Activation
+  /** Added to the weighted sum before the activation, in the units of the sum. */
+  readonly bias: number
+}
+
+/** `identity`: output = sum. */
+export type Activation = 'identity'
+
+/** `weights[from][to]`, 0 where nothing is written. Links of removed neurons stay written, so that undo finds them. */
+export type Weights = { readonly [fromId: string]: { readonly [toId: string]: number } }
+
+/** A feed-forward, fully connected network: layers from input to output. Plain frozen data. */
+export interface Brain {
+  readonly kind: 'network'
+  readonly layers: readonly (readonly Neuron[])[]
+  readonly weights: Weights
+  /** Named weight sets of the same network. */
+  readonly sets: { readonly [name: string]: Weights }
+}
+
+/** How one output came about: a term a link, `product = input × weight`. */
+export interface Term {
+  readonly from: string
+  readonly to: string
+  readonly input: number
+  readonly weight: number
+  readonly product: number
+}
+
+/** One run of a network, opened: every term, every neuron's sum before its activation, every output after it. */
+export interface NetTrace {
+  readonly terms: readonly Term[]
+  readonly sums: { readonly [neuronId: string]: number }
+  readonly outputs: { readonly [neuronId: string]: number }
+}
