@@ -1,1 +1,3 @@
 export type * from './types.ts'
+export { forward, layOut, trace, weightOf, type Net } from './network.ts'
+export { copyWeights, emptyBrain, follow, pruneWeights, withoutWeights, withWeight } from './edit.ts'
