@@ -1,0 +1,10 @@
+/** The Markdown a card may hold, as a syntax tree (shapes of mdast). Other kinds of nodes are not shown. */
+export type MarkdownNode =
+  | { readonly type: 'text'; readonly value: string }
+  | {
+      readonly type: 'paragraph' | 'strong' | 'emphasis' | 'listItem'
+      readonly children: readonly MarkdownNode[]
+    }
+  | { readonly type: 'list'; readonly ordered?: boolean | null; readonly children: readonly MarkdownNode[] }
+
+export type Markdown = readonly MarkdownNode[]

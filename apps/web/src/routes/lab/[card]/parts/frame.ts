@@ -1,0 +1,177 @@
+import type { Snippet } from 'svelte'
+import type { Phase } from '@botgarten/lab'
+import type { Markdown } from '#lib/parts/markdown.ts'
+
+/** A pane of the lab. */
+export type PaneName = 'program' | 'world' | 'network'
+
+/** What a pane's body is told. `visible` false: it is not on the screen (draw nothing); `compact`: the small world above the network on a phone. */
+export interface PaneState {
+  readonly visible: boolean
+  readonly compact: boolean
+}
+
+/** `elsewhere`: another tab holds this project; `failed` offers to try again. */
+export type SaveState = 'saving' | 'saved' | 'failed' | 'elsewhere'
+
+export interface Goal {
+  readonly id: string
+  /** A word or two: "comes near". */
+  readonly label: string
+  readonly passed: boolean
+}
+
+export interface Task {
+  readonly title: string
+  /** The goal in one sentence. */
+  readonly sentence: string
+  /** Empty in the free lab: the strip is one line then. */
+  readonly goals: readonly Goal[]
+}
+
+/** Start poses, counted from 0. */
+export interface Starts {
+  readonly count: number
+  readonly chosen: number
+  readonly passed: readonly number[]
+}
+
+/** What is laid out under "You need" on a card. */
+export type Need = 'distanceSensors' | 'motors' | 'blueSquare'
+
+/** The front of a card. */
+export interface CardFace {
+  readonly title: string
+  /** "NN 1". */
+  readonly code: string
+  /** Address of the card's picture, or null. */
+  readonly picture: string | null
+  readonly sections: { readonly story: Markdown; readonly goal: Markdown; readonly further: Markdown }
+  readonly needs: readonly Need[]
+  readonly minutes: number
+  readonly fromGrade: number
+}
+
+/** All hints of the card, and how many the child has asked for so far. */
+export interface Hints {
+  readonly list: readonly Markdown[]
+  readonly shown: number
+}
+
+/** Something to mend, in a child's words. The first fix is the main button. */
+export interface FindingWords {
+  readonly title: string
+  readonly text?: string
+  readonly fixes: readonly { readonly label: string; readonly mend: () => void }[]
+}
+
+/** A line at the foot of the world. `help` points to the program ("A block needs help"), `info` can be put away. */
+export interface WorldNotice {
+  readonly kind: 'help' | 'info'
+  readonly text: string
+}
+
+/** All goals are green: what comes next. `start`: index of a pose not yet passed. */
+export type NextStep =
+  | { readonly kind: 'start'; readonly index: number }
+  | { readonly kind: 'card'; readonly href: string; readonly name: string }
+  | { readonly kind: 'none' }
+
+/** What the gear of the world switches. */
+export interface WorldSettings {
+  readonly rays: boolean
+  readonly trail: boolean
+}
+
+/** Where a child has dragged the pane borders, as shares 0..1 of the lab, for each arrangement of panes. */
+export interface PaneSizes {
+  readonly columns?: readonly [program: number, world: number]
+  readonly stacked?: readonly [program: number, world: number]
+  readonly rows?: readonly [world: number, upper: number]
+}
+
+/**
+ * Everything the lab's frame shows and everything a child can ask of it. The frame keeps only what is about itself:
+ * which pane fills the screen, which tab is open on a phone, which dialog or panel is open.
+ */
+export interface LabFrameProps {
+  // ---- bodies ----
+  program: Snippet<[PaneState]>
+  world: Snippet<[PaneState]>
+  network: Snippet<[PaneState]>
+  /** Further tools in a pane's head, before the fill button. */
+  networkTools?: Snippet
+
+  // ---- top bar ----
+  /** Name of the card or the project. */
+  title: string
+  saved: SaveState
+  onretrysave: () => void
+  /** null in the free lab: no Card button. */
+  card: CardFace | null
+  onopenfile: (file: File) => void
+  onsavefile: () => void
+  settings: WorldSettings
+  onsettings: (settings: WorldSettings) => void
+
+  // ---- task strip ----
+  task: Task
+  /** null where there are none: no Hint button. */
+  hints: Hints | null
+  /** The child asks for one more hint; `shown` is how many are seen then. */
+  onhint: (shown: number) => void
+  /** Set when all goals have turned green, null otherwise. Bo cheers once each time it is set. */
+  success: NextStep | null
+  /** The next step was taken (`start`) or put away. */
+  onsuccessclose: () => void
+
+  // ---- program ----
+  canUndo: boolean
+  canRedo: boolean
+  onundo: () => void
+  onredo: () => void
+  /** One thing at a time, or null. */
+  finding: FindingWords | null
+  onfindingclose: () => void
+
+  // ---- running (running.md 10: one clock, two bars) ----
+  phase: Phase
+  /** A block has to be mended first: Start is off. */
+  blocked: boolean
+  onstart: () => void
+  onstop: () => void
+  onpause: () => void
+  onresume: () => void
+  /** World: one tick · program: next block · network: next run of the net. */
+  onstep: (kind: 'tick' | 'block' | 'network') => void
+  onresetworld: () => void
+  onresetweights: () => void
+  /** Is there a network to reset and step? */
+  hasNetwork: boolean
+  /** Both given: a sound switch stands beside Start (running.md 12). */
+  sound?: boolean
+  onsound?: (on: boolean) => void
+
+  // ---- world ----
+  /** null: no chooser. */
+  starts: Starts | null
+  onchoosestart: (index: number) => void
+  notice: WorldNotice | null
+  onnoticeclose: () => void
+
+  // ---- what can go wrong ----
+  /** Another tab has saved this project meanwhile. */
+  conflict: boolean
+  onkeepcopy: () => void
+  onloadnewer: () => void
+  /** The device has no room left, or refuses to keep anything. The panel offers to save a file. */
+  storage: 'ok' | 'full' | 'refused'
+  /** A plain message with one OK: a broken project file, for instance. */
+  message: { readonly title: string; readonly text: string } | null
+  onmessageclose: () => void
+
+  // ---- pane borders ----
+  sizes?: PaneSizes
+  /** A border was dragged: keep it where you like. */
+  onsizes?: (sizes: PaneSizes) => void
+}
