@@ -1,0 +1,29 @@
+import { defineConfig } from '@playwright/test'
+import { flags } from './browser.ts'
+import { findChromium } from '../scripts/prepare/chromium.mjs'
+
+const executablePath = findChromium() ?? undefined
+const desktop = { viewport: { width: 1366, height: 768 } }
+const tablet = { viewport: { width: 1024, height: 768 }, hasTouch: true }
+
+export default defineConfig({
+  testDir: 'tests',
+  outputDir: 'test-results',
+  // Two cores: more browsers at once only wait for each other.
+  workers: 2,
+  fullyParallel: true,
+  forbidOnly: true,
+  retries: 0,
+  timeout: 60_000,
+  expect: { timeout: 10_000 },
+  reporter: 'list',
+  use: {
+    launchOptions: { executablePath, args: flags },
+    trace: 'retain-on-failure',
+    screenshot: 'only-on-failure',
+  },
+  projects: [
+    { name: 'desktop', use: desktop, testIgnore: '**/*.touch.ts', testMatch: '**/*.spec.ts' },
+    { name: 'tablet', use: tablet, testMatch: '**/*.touch.ts' },
+  ],
+})

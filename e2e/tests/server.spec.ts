@@ -1,0 +1,80 @@
+import { expect, test } from '../house.ts'
+
+/** A policy as its directives and what each allows. */
+const directivesOf = (policy = ''): { readonly [directive: string]: readonly string[] } =>
+  Object.fromEntries(
+    policy.split(/;\s*/).map((part) => {
+      const [directive = '', ...allowed] = part.split(' ')
+      return [directive, allowed]
+    }),
+  )
+
+/** What every answer promises, whatever it answers. */
+function expectGuarded(headers: { [name: string]: string }) {
+  const policy = directivesOf(headers['content-security-policy'])
+  expect(policy['frame-ancestors']).toEqual(["'self'"])
+  expect(policy['object-src']).toEqual(["'none'"])
+  expect(policy['base-uri']).toEqual(["'none'"])
+  expect(headers['x-content-type-options']).toBe('nosniff')
+  expect(headers['referrer-policy']).toBe('same-origin')
+}
+
+for (const path of ['/', '/lab/friendship', '/lab/fear']) {
+  test(`the page ${path} is served with the policy of the architecture, its script by hash`, async ({
+    request,
+  }) => {
+    const answer = await request.get(path)
+    expect(answer.status()).toBe(200)
+    expectGuarded(answer.headers())
+    const policy = directivesOf(answer.headers()['content-security-policy'])
+    expect(policy['script-src']).toEqual(["'self'", expect.stringMatching(/^'sha256-/)])
+    expect(policy['connect-src']).toEqual(["'self'"])
+    expect(policy['default-src']).toEqual(["'self'"])
+    expect(await answer.text()).toContain('http-equiv="content-security-policy"')
+  })
+}
+
+test('an unknown address answers 404 as a page, guarded like the others', async ({ request }) => {
+  const answer = await request.get('/no/such/page')
+  expect(answer.status()).toBe(404)
+  expect(answer.headers()['content-type']).toContain('text/html')
+  expectGuarded(answer.headers())
+  expect(directivesOf(answer.headers()['content-security-policy'])['script-src']).toContain("'self'")
+})
+
+test('a broken address is refused and does not end the server', async ({ request }) => {
+  const answer = await request.get('/%E0%A4%A')
+  expect(answer.status()).toBe(400)
+  expectGuarded(answer.headers())
+  expect((await request.get('/')).status()).toBe(200)
+})
+
+test('what has a hash in its name is kept for a year and comes as brotli, pages are asked for anew', async ({
+  request,
+}) => {
+  const page = await request.get('/')
+  const script = /_app\/immutable\/entry\/start\.[\w-]+\.js/.exec(await page.text())?.[0]
+  const answer = await request.get(`/${script}`, { headers: { 'accept-encoding': 'br' } })
+  expect(answer.status()).toBe(200)
+  expect(answer.headers()['cache-control']).toBe('public,max-age=31536000,immutable')
+  expect(answer.headers()['content-encoding']).toBe('br')
+  expect(page.headers()['cache-control']).toBe('no-cache')
+  expectGuarded(answer.headers())
+})
+
+test('inline script is refused by the policy', async ({ page }) => {
+  await page.goto('/')
+  const refused = page.evaluate(
+    () =>
+      new Promise<string>((done) =>
+        document.addEventListener('securitypolicyviolation', (event) => done(event.effectiveDirective)),
+      ),
+  )
+  await page.evaluate(() => {
+    const script = document.createElement('script')
+    script.textContent = 'document.title = "taken over"'
+    document.body.append(script)
+  })
+  expect(await refused).toBe('script-src-elem')
+  expect(await page.title()).not.toBe('taken over')
+})

@@ -1,0 +1,39 @@
+/** Vite's manifest of the client build: by source, which file it became and what it imports. */
+export interface Manifest {
+  readonly [key: string]: {
+    readonly file: string
+    readonly name?: string
+    readonly imports?: readonly string[]
+    readonly dynamicImports?: readonly string[]
+  }
+}
+
+export interface Script {
+  readonly file: string
+  readonly name: string
+  readonly bytes: number
+}
+
+// SvelteKit's app entry names every page of the product; a page loads its own, and says so in its HTML.
+const isTableOfPages = (name: string | undefined) => name === 'entry/app'
+
+/**
+ * Everything a page may load: the scripts in its HTML and all they import, at once or later.
+ * @param sizeOf bytes of a file on the wire
+ * @returns largest first
+ */
+export function scriptsOf(html: string, manifest: Manifest, sizeOf: (file: string) => number): Script[] {
+  const keys = new Map(Object.entries(manifest).map(([key, { file }]) => [file, key]))
+  const waiting = [...html.matchAll(/_app\/immutable\/[\w./-]+\.js/g)].map(([file]) => keys.get(file))
+  const seen = new Map<string, Script>()
+  for (let key = waiting.pop(); key !== undefined; key = waiting.pop()) {
+    const chunk = manifest[key]
+    if (chunk === undefined || seen.has(key)) continue
+    seen.set(key, { file: chunk.file, name: chunk.name ?? key, bytes: sizeOf(chunk.file) })
+    waiting.push(
+      ...(chunk.imports ?? []),
+      ...(isTableOfPages(chunk.name) ? [] : (chunk.dynamicImports ?? [])),
+    )
+  }
+  return [...seen.values()].sort((a, b) => b.bytes - a.bytes)
+}

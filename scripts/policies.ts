@@ -1,0 +1,28 @@
+import { readdirSync, readFileSync } from 'node:fs'
+import { join } from 'node:path'
+
+/** What a page's <meta> cannot say. */
+const frames = "frame-ancestors 'self'"
+
+/** For answers that are no page of ours. */
+export const baseline = `default-src 'self'; object-src 'none'; base-uri 'none'; ${frames}`
+
+const addressOf = (file: string) => `/${file.replaceAll('\\', '/').replace(/(^|\/)index\.html$|\.html$/, '')}`
+
+function policyOf(html: string) {
+  const meta = /<meta http-equiv="content-security-policy" content="([^"]*)">/.exec(html)
+  return meta?.[1] === undefined ? baseline : `${meta[1]}; ${frames}`
+}
+
+/**
+ * The Content Security Policies of prerendered pages: what stands in their <meta>, hashes included, to be sent as a header too.
+ * @returns by address, without a slash at the end
+ */
+export function readPolicies(folder: string): ReadonlyMap<string, string> {
+  const files = readdirSync(folder, { recursive: true, encoding: 'utf8' })
+  return new Map(
+    files
+      .filter((file) => file.endsWith('.html'))
+      .map((file) => [addressOf(file), policyOf(readFileSync(join(folder, file), 'utf8'))]),
+  )
+}

@@ -1,0 +1,52 @@
+import { createHash } from 'node:crypto'
+import { existsSync, readdirSync, readFileSync, writeFileSync } from 'node:fs'
+import { createRequire } from 'node:module'
+import { dirname, join, relative } from 'node:path'
+import { house, inHouse } from './house.mjs'
+import { run, Trouble } from './run.mjs'
+import { runtime } from './runtime.mjs'
+
+const web = inHouse('apps', 'web')
+const stamp = join(web, 'build', 'sources.sha256')
+const sources = ['apps/web', 'packages', 'content', 'package-lock.json']
+const made = new Set(['node_modules', 'build', '.svelte-kit', 'generated', 'test-results'])
+
+/** @param {string} path @returns {string[]} every file below, tests left out, in one order everywhere */
+export function filesBelow(path) {
+  const entries = readdirSync(path, { withFileTypes: true }).filter((entry) => !made.has(entry.name))
+  return entries
+    .sort((a, b) => (a.name < b.name ? -1 : 1))
+    .flatMap((entry) => (entry.isDirectory() ? filesBelow(join(path, entry.name)) : [join(path, entry.name)]))
+    .filter((file) => !file.endsWith('.test.ts'))
+}
+
+/** One hash over names and contents of everything that the build is made from. */
+export function hashOfSources() {
+  const hash = createHash('sha256')
+  for (const source of sources) {
+    const path = join(house, source)
+    for (const file of source.includes('.') ? [path] : filesBelow(path)) {
+      hash
+        .update(`${relative(house, file).replaceAll('\\', '/')}\0`)
+        .update(readFileSync(file))
+        .update('\0')
+    }
+  }
+  return hash.digest('hex')
+}
+
+/** Builds the web app. @param {readonly string[]} [options] of Vite */
+export async function build(options = []) {
+  const hash = hashOfSources()
+  const vite = dirname(createRequire(join(web, 'package.json')).resolve('vite/package.json'))
+  const code = await run(runtime(), [join(vite, 'bin', 'vite.js'), 'build', ...options], { cwd: web })
+  if (code !== 0) throw new Trouble('The build failed; what Vite said stands above.')
+  writeFileSync(stamp, hash)
+}
+
+/** Builds the web app when a source is not the one that was built. */
+export async function buildWhenNeeded() {
+  if (existsSync(stamp) && readFileSync(stamp, 'utf8') === hashOfSources()) return
+  console.log('Building the lab (once after every change) …')
+  await build(['--logLevel', 'warn'])
+}

@@ -1,0 +1,47 @@
+import { spawn } from 'node:child_process'
+import { house } from './house.mjs'
+
+/** A sentence for the person at the keyboard, without a stack. */
+export class Trouble extends Error {}
+
+/**
+ * Runs a program to its end with our own terminal.
+ * @param {string} program
+ * @param {readonly string[]} args
+ * @param {import('node:child_process').SpawnOptions} [options]
+ * @returns {Promise<number>} its exit code; 127 where it could not be started
+ */
+export function run(program, args, options = {}) {
+  return new Promise((done) => {
+    const child = spawn(program, args, { cwd: house, stdio: 'inherit', ...options })
+    child.once('error', () => done(127))
+    child.once('exit', (code, signal) => done(code ?? (signal === null ? 1 : 128)))
+  })
+}
+
+/**
+ * Runs npm on the Node that npm itself came with: the one brought along may be replaced by what npm does.
+ * @param {readonly string[]} args
+ * @param {import('node:child_process').SpawnOptions} [options]
+ */
+export function npm(args, options = {}) {
+  const { npm_execpath: script, npm_node_execpath: node } = process.env
+  if (script?.endsWith('.js')) return run(node ?? process.execPath, [script, ...args], options)
+  return process.platform === 'win32'
+    ? run('npm.cmd', args, { shell: true, ...options })
+    : run('npm', args, options)
+}
+
+/**
+ * Runs `work` as the whole of a script: a trouble is one line on standard error and exit 1.
+ * @param {() => Promise<number>} work gives the exit code
+ */
+export async function asScript(work) {
+  try {
+    process.exitCode = await work()
+  } catch (error) {
+    if (!(error instanceof Trouble)) throw error
+    console.error(error.message)
+    process.exitCode = 1
+  }
+}

@@ -1,0 +1,33 @@
+// The last step of `npm start`: serves the build on all addresses until it is told to stop.
+import { networkInterfaces } from 'node:os'
+import { addresses } from './addresses.ts'
+import { startServer } from './server.ts'
+
+const port = Number(process.argv[2])
+
+function explain(error: NodeJS.ErrnoException) {
+  if (error.code === 'EADDRINUSE') {
+    return `Port ${port} is taken by another program. Choose another one: npm start -- --port ${port + 1}`
+  }
+  if (error.code === 'EACCES')
+    return `Port ${port} is not ours to use. Choose one from 1024 on: npm start -- --port 4173`
+  throw error
+}
+
+try {
+  const server = await startServer({ port })
+  console.log(
+    [
+      '',
+      'Botgarten is open at',
+      ...addresses(server.port, networkInterfaces()),
+      '',
+      'Ctrl+C closes it.',
+    ].join('\n  '),
+  )
+  const stop = () => void server.close()
+  for (const signal of ['SIGINT', 'SIGTERM', 'SIGHUP'] as const) process.once(signal, stop)
+} catch (error) {
+  console.error(explain(error as NodeJS.ErrnoException))
+  process.exitCode = 1
+}

@@ -1,0 +1,60 @@
+import { once } from 'node:events'
+import { createServer } from 'node:http'
+import type { IncomingMessage, Server, ServerResponse } from 'node:http'
+import type { AddressInfo } from 'node:net'
+import { join } from 'node:path'
+import { pathToFileURL } from 'node:url'
+import { baseline, readPolicies } from './policies.ts'
+import { inHouse } from './prepare/house.mjs'
+
+type Handler = (request: IncomingMessage, response: ServerResponse, next: () => void) => void
+
+export interface RunningServer {
+  readonly port: number
+  /** How this machine reaches it. */
+  readonly url: string
+  /** Answers what was asked already, then lets go of the port. */
+  close(): Promise<void>
+}
+
+const patience = 3000
+
+async function handlerOf(build: string): Promise<Handler> {
+  const path = pathToFileURL(join(build, 'server', 'handler.js')).href
+  return ((await import(path)) as { handler: Handler }).handler
+}
+
+/** What every answer carries. SvelteKit replaces the policy on pages it renders, and the caching of what has a hash in its name. */
+function dress(response: ServerResponse, policy: string) {
+  response.setHeader('content-security-policy', policy)
+  response.setHeader('x-content-type-options', 'nosniff')
+  response.setHeader('referrer-policy', 'same-origin')
+  response.setHeader('cache-control', 'no-cache')
+}
+
+async function close(server: Server) {
+  const closed = once(server, 'close')
+  server.close()
+  const timer = setTimeout(() => server.closeAllConnections(), patience)
+  await closed
+  clearTimeout(timer)
+}
+
+/**
+ * Serves the built web app.
+ * @param options `port` 0: any free one · `host`: all addresses of the machine where none is named
+ * @throws the error of `listen`, with its `code` (EADDRINUSE …)
+ */
+export async function startServer(options: { port: number; host?: string }): Promise<RunningServer> {
+  const build = inHouse('apps', 'web', 'build')
+  const [handler, policies] = [await handlerOf(build), readPolicies(join(build, 'prerendered'))]
+  const server = createServer((request, response) => {
+    const path = (request.url ?? '/').replace(/[?#].*/, '').replace(/(?<=.)\/$/, '')
+    dress(response, policies.get(path) ?? baseline)
+    handler(request, response, () => response.writeHead(404).end())
+  })
+  server.listen({ port: options.port, host: options.host })
+  await once(server, 'listening')
+  const { port } = server.address() as AddressInfo
+  return { port, url: `http://localhost:${port}`, close: () => close(server) }
+}
