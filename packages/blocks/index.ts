@@ -1,1 +1,8 @@
+export type { BlockType } from './block-type.ts'
+export { definitions, isBlockType } from './definitions.ts'
+export { filledRows, plugged, rowCount, rowName } from './parts/rows.ts'
+export { nothing } from './parts/texts.ts'
+export { blockFrom } from './template.ts'
+export { toolbox } from './toolbox.ts'
+export type { ToolboxCategory } from './toolbox.ts'
 export type * from './types.ts'

@@ -92,12 +92,14 @@ export interface Frame {
   stage: number
   got: Value[]
   counter?: number
+  /** Of a loop: the thread's count of acts when this pass began (running.md 3). Kept by the interpreter. */
+  mark?: number
 }
 
 /** What the interpreter does next. */
 export type Next =
-  /** Carry out the block in a value input; its value is added to `got`. `given` is the child's `got` at its start. */
-  | { readonly next: 'value'; readonly input: string; readonly given?: Value[] }
+  /** Carry out the block in a value input; its value is added to `got`. `given` stands in the child's `got` at its start (copied). */
+  | { readonly next: 'value'; readonly input: string; readonly given?: readonly Value[] }
   /** Carry out the blocks in a statement input, then come back. */
   | { readonly next: 'statements'; readonly input: string }
   /** This block is done; a value block hands up its value. */
@@ -140,7 +142,13 @@ export type FieldLook =
   | { readonly name: string; readonly kind: 'hidden'; readonly preset: string }
 
 export type InputLook =
-  | { readonly name: string; readonly kind: 'value'; readonly accepts: readonly ValueType[] }
+  | {
+      readonly name: string
+      readonly kind: 'value'
+      readonly accepts: readonly ValueType[]
+      /** The block runs without it, or says itself what is missing. */
+      readonly optional?: true
+    }
   | { readonly name: string; readonly kind: 'statements' }
 
 /** Shape as data. No functions, no sentences, no colours written out. */
@@ -154,14 +162,38 @@ export interface Look {
   readonly inputs: readonly InputLook[]
   /** A list that grows: `items` rows `ADD0…`, each with its own minus, a plus at the foot (mutation `items`). */
   readonly items?: { readonly prefix: 'ADD'; readonly min: number; readonly max: number }
-  /** Message keys, one a row of the block; `{NAME}` in the message is where a field or an input stands. */
+  /** Message keys, one a row of the block; `{NAME}` in the message is where a field, an input or the {ICON} stands. */
   readonly rows: readonly string[]
+  /** What the block always writes into its mutation besides `items`: a constant, or what one of its fields says. */
+  readonly mutation?: { readonly [attribute: string]: string | { readonly field: string } }
+  /** Faces of one type, told apart by a field or an attribute of the mutation. The look itself shows the preset's face. */
+  readonly faces?: Faces
+}
+
+export interface Faces {
+  readonly by: { readonly field: string } | { readonly attribute: string }
+  readonly of: { readonly [value: string]: Face }
+}
+
+export interface Face {
+  readonly output: ValueType
+  /** Form of the plug; round where nothing is said. */
+  readonly plug?: 'pointed' | 'round'
+  /** Colour of the plug and of the list's edge. */
+  readonly tint?: 'sensor' | 'actuator'
+  readonly items?: {
+    readonly accepts: readonly ValueType[]
+    /** Message key beside the plus at the foot. */
+    readonly add: string
+    /** What a new row comes with. */
+    readonly fresh: Template
+  }
 }
 
 /** A neuron block: what the playground writes beside its node and how it colours it. */
 export interface NeuronLook {
   readonly layer: 'input' | 'output'
-  /** Message key; gets the block's fields as parameters. */
+  /** Message key; gets the block's fields as parameters, as they are shown ("2", "green"). */
   readonly label: string
   /** Field that names the port, where there is one. */
   readonly port?: string
@@ -170,13 +202,22 @@ export interface NeuronLook {
   readonly sensor?: SensorKind
 }
 
-/** Something a child should change before the program runs. `problem` is a message key, said at the block. */
+/**
+ * Something a child should change before the program runs, said at the block. `problem` is `problem.<name>`; its words
+ * are the messages `<problem>.title` and `<problem>.text` (what to try), both with `facts` as parameters.
+ */
 export interface Finding {
+  /** '' where the whole program is meant. */
   readonly block: string
   readonly problem: string
   readonly facts?: Facts
-  /** Ways out: setting a field of the block to a value mends it. */
-  readonly fixes?: readonly { readonly field: string; readonly value: string }[]
+  /** Ways out: setting a field of the block to a value mends it. `words`: message key for the button, with its facts. */
+  readonly fixes?: readonly {
+    readonly field: string
+    readonly value: string
+    readonly words: string
+    readonly facts?: Facts
+  }[]
   /** false: the program can run all the same (a hint). */
   readonly stops: boolean
 }

@@ -1,0 +1,28 @@
+import { start } from '../parts/examples.ts'
+import { hidden, rows, words } from '../parts/looks.ts'
+import { done } from '../parts/next.ts'
+import type { Definition } from '../types.ts'
+
+const type = 'actions_bricklight_off_ev3'
+
+export const actions_bricklight_off_ev3: Definition = {
+  type,
+  look: {
+    category: 'action',
+    shape: 'statement',
+    fields: [hidden('MODE', 'OFF')],
+    inputs: [],
+    rows: rows(type, 1),
+  },
+  words: words(type),
+  acts: true,
+  run(_block, _frame, { robot }) {
+    robot.led(null)
+    return done
+  },
+  example: [
+    start,
+    { type: 'actions_bricklight_on_ev3', fields: { COLOUR: 'RED', MODE: 'ON' } },
+    { type, fields: { MODE: 'OFF' } },
+  ],
+}

@@ -1,0 +1,37 @@
+import { show, start, text } from '../parts/examples.ts'
+import { rows, value, words } from '../parts/looks.ts'
+import { ask, done } from '../parts/next.ts'
+import { cut, numberAt } from '../parts/numbers.ts'
+import { afterAsking } from '../parts/steps.ts'
+import { textOf } from '../parts/texts.ts'
+import type { Definition } from '../types.ts'
+
+const type = 'robActions_display_text'
+
+// The display has 178 × 128 px, a letter 10 × 16.
+const lastRow = 7
+const lastColumn = 16
+
+export const robActions_display_text: Definition = {
+  type,
+  look: {
+    category: 'action',
+    shape: 'statement',
+    fields: [],
+    inputs: [
+      value('OUT', 'String', 'Number', 'Boolean', 'Colour'),
+      value('COL', 'Number'),
+      value('ROW', 'Number'),
+    ],
+    rows: rows(type, 2),
+  },
+  words: words(type),
+  acts: true,
+  run: afterAsking([ask('OUT'), ask('COL'), ask('ROW')], (frame, { robot }) => {
+    const column = cut(Math.round(numberAt(frame, 1)), 0, lastColumn)
+    const row = cut(Math.round(numberAt(frame, 2)), 0, lastRow)
+    robot.display(row, column, textOf(frame.got[0]))
+    return done
+  }),
+  example: [start, show(text('Hallo'))],
+}

@@ -1,0 +1,33 @@
+import { number, show, start } from '../parts/examples.ts'
+import { decide } from '../parts/decisions.ts'
+import { rows, statements, value, words } from '../parts/looks.ts'
+import { carryOut } from '../parts/next.ts'
+import type { Definition } from '../types.ts'
+
+const type = 'robControls_ifElse'
+
+export const robControls_ifElse: Definition = {
+  type,
+  look: {
+    category: 'control',
+    shape: 'statement',
+    fields: [],
+    inputs: [value('IF0', 'Boolean'), statements('DO0'), statements('ELSE')],
+    mutation: { else: '1' },
+    rows: rows(type, 4),
+  },
+  words: words(type),
+  acts: false,
+  run: decide(carryOut('ELSE')),
+  example: [
+    start,
+    {
+      type,
+      mutation: { attrs: { else: '1' } },
+      values: {
+        IF0: { type: 'logic_compare', fields: { OP: 'GT' }, values: { A: number(1), B: number(2) } },
+      },
+      statements: { DO0: [show(number(1))], ELSE: [show(number(2))] },
+    },
+  ],
+}

@@ -1,0 +1,26 @@
+import { forever, number, show, start } from '../parts/examples.ts'
+import { rows, statements, words } from '../parts/looks.ts'
+import { again, carryOut } from '../parts/next.ts'
+import type { Definition } from '../types.ts'
+
+const type = 'robControls_loopForever'
+const body = carryOut('DO')
+
+export const robControls_loopForever: Definition = {
+  type,
+  look: {
+    category: 'control',
+    shape: 'statement',
+    icon: 'repeat',
+    fields: [],
+    inputs: [statements('DO')],
+    rows: rows(type, 3),
+  },
+  words: words(type),
+  acts: false,
+  run(_block, frame) {
+    frame.stage = 1 - frame.stage
+    return frame.stage === 1 ? body : again
+  },
+  example: [start, forever(show(number(1)))],
+}

@@ -1,0 +1,49 @@
+import { number, show, start } from '../parts/examples.ts'
+import { field } from '../parts/fields.ts'
+import { choice, rows, value, worded, words } from '../parts/looks.ts'
+import { ask, fail, give } from '../parts/next.ts'
+import { numberAt } from '../parts/numbers.ts'
+import { afterAsking } from '../parts/steps.ts'
+import type { Definition, Next } from '../types.ts'
+
+const type = 'math_arithmetic'
+
+const operations: ReadonlyMap<string, (a: number, b: number) => number> = new Map([
+  ['ADD', (a, b) => a + b],
+  ['MINUS', (a, b) => a - b],
+  ['MULTIPLY', (a, b) => a * b],
+  ['DIVIDE', (a, b) => a / b],
+])
+
+function calculate(operator: string, a: number, b: number): Next {
+  if (operator === 'DIVIDE' && b === 0) return fail('divisionByZero')
+  const operation = operations.get(operator)
+  if (operation === undefined) return fail('unknownChoice')
+  const result = operation(a, b)
+  return Number.isFinite(result) ? give(result) : fail('tooBigNumber')
+}
+
+export const math_arithmetic: Definition = {
+  type,
+  look: {
+    category: 'math',
+    shape: 'value',
+    output: 'Number',
+    fields: [
+      choice('OP', [
+        worded('ADD', 'plus'),
+        worded('MINUS', 'minus'),
+        worded('MULTIPLY', 'times'),
+        worded('DIVIDE', 'dividedBy'),
+      ]),
+    ],
+    inputs: [value('A', 'Number'), value('B', 'Number')],
+    rows: rows(type, 1),
+  },
+  words: words(type),
+  acts: false,
+  run: afterAsking([ask('A'), ask('B')], (frame, _context, block) =>
+    calculate(field(block, 'OP', 'ADD'), numberAt(frame, 0), numberAt(frame, 1)),
+  ),
+  example: [start, show({ type, fields: { OP: 'MULTIPLY' }, values: { A: number(6), B: number(7) } })],
+}

@@ -1,0 +1,69 @@
+import { distanceNeuron, motorNeuron, netProgram } from '../parts/examples.ts'
+import { words } from '../parts/looks.ts'
+import { give } from '../parts/next.ts'
+import { plugged, rowCount, rowName } from '../parts/rows.ts'
+import type { Definition, Frame, Next } from '../types.ts'
+
+const type = 'ai_easy_list'
+
+/**
+ * Asks for the next row. `counter`: how many levels the list was given; the k-th filled row gets the k-th of them,
+ * and what a row gives comes behind them in `got`.
+ */
+function askRow(frame: Frame, row: number): Next {
+  const given = frame.counter ?? 0
+  const input = rowName(row)
+  const filledBefore = frame.got.length - given
+  const level = filledBefore < given ? frame.got[filledBefore] : undefined
+  return level === undefined ? { next: 'value', input } : { next: 'value', input, given: [level] }
+}
+
+/** A layer: one neuron a row. Empty rows are skipped. */
+export const ai_easy_list: Definition = {
+  type,
+  look: {
+    category: 'network',
+    shape: 'value',
+    output: 'InputLayer',
+    fields: [],
+    inputs: [],
+    items: { prefix: 'ADD', min: 1, max: 99 },
+    faces: {
+      by: { attribute: 'list_type' },
+      of: {
+        InputNode: {
+          output: 'InputLayer',
+          plug: 'pointed',
+          tint: 'sensor',
+          items: { accepts: ['InputNode'], add: `block.${type}.addInput`, fresh: distanceNeuron('2') },
+        },
+        OutputNode: {
+          output: 'OutputLayer',
+          plug: 'round',
+          tint: 'actuator',
+          items: { accepts: ['OutputNode'], add: `block.${type}.addOutput`, fresh: motorNeuron('C') },
+        },
+      },
+    },
+    rows: [],
+  },
+  words: words(type),
+  acts: false,
+  check(block) {
+    const count = rowCount(block)
+    for (let k = 0; k < count; k++) {
+      if (!plugged(block, rowName(k))) return [{ problem: 'problem.emptyRow', stops: false }]
+    }
+    return []
+  },
+  run(block, frame) {
+    if (frame.stage === 0) frame.counter = frame.got.length
+    const count = rowCount(block)
+    while (frame.stage < count) {
+      const row = frame.stage++
+      if (plugged(block, rowName(row))) return askRow(frame, row)
+    }
+    return give(frame.counter === 0 ? frame.got : frame.got.slice(frame.counter))
+  },
+  example: netProgram([distanceNeuron('2'), distanceNeuron('3')], [motorNeuron('C'), motorNeuron('B')]),
+}

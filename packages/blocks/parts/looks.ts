@@ -1,0 +1,38 @@
+import type { Colour } from '@botgarten/simulation'
+import type { BlockType } from '../block-type.ts'
+import type { FieldLook, InputLook, ValueType } from '../types.ts'
+
+type Options = Extract<FieldLook, { kind: 'choice' }>['options']
+
+export const value = (name: string, ...accepts: readonly ValueType[]): InputLook => ({
+  name,
+  kind: 'value',
+  accepts,
+})
+export const statements = (name: string): InputLook => ({ name, kind: 'statements' })
+export const hidden = (name: string, preset = ''): FieldLook => ({ name, kind: 'hidden', preset })
+
+/** The first option is the preset where none is named. */
+export const choice = (name: string, options: Options, preset = options[0]?.value ?? ''): FieldLook => ({
+  name,
+  kind: 'choice',
+  preset,
+  options,
+})
+
+/** An option with words of its own: key in the section `choice`. */
+export const worded = (value: string, words: string, dot?: Colour) => ({
+  value,
+  words: `choice.${words}`,
+  ...(dot === undefined ? {} : { dot }),
+})
+const plain = (value: string) => ({ value, words: null })
+
+export const sensorPort = (preset: string) => choice('SENSORPORT', ['1', '2', '3', '4'].map(plain), preset)
+export const motorPort = (preset: string) => choice('MOTORPORT', ['A', 'B', 'C', 'D'].map(plain), preset)
+
+/** Message keys of the rows of a block, counted from 0. */
+export const rows = (type: BlockType, count: number): readonly string[] =>
+  Array.from({ length: count }, (_, k) => `block.${type}.row${k}`)
+
+export const words = (type: BlockType) => ({ help: `block.${type}.help`, name: `block.${type}.name` })

@@ -1,0 +1,80 @@
+import type { ReadMode, SensorKind } from '@botgarten/simulation'
+import type { BlockType } from '../block-type.ts'
+import type { Block, Definition, FieldLook, Frame, Look, Value } from '../types.ts'
+import { sensorPortIn } from './fields.ts'
+import { rows, words } from './looks.ts'
+import { fail, give } from './next.ts'
+import { numberAt } from './numbers.ts'
+import { sensorAtPort } from './sensors.ts'
+
+const look = (type: BlockType, output: 'InputNode' | 'OutputNode', fields: readonly FieldLook[]): Look => ({
+  category: 'network',
+  shape: 'value',
+  output,
+  fields,
+  inputs: [],
+  rows: rows(type, 1),
+})
+
+interface InputNeuron {
+  readonly type: BlockType
+  readonly sensor: SensorKind
+  /** Field that names the port, and what stands before the port's number in it. */
+  readonly port: string
+  readonly prefix?: string
+  readonly fields: readonly FieldLook[]
+  readonly label: string
+  readonly colour: 'sensor' | { readonly field: string }
+  readonly mode: ReadMode | ((block: Block) => ReadMode)
+  /** From the sensor's reading to 0..100. */
+  readonly level: (reading: Value, block: Block) => number
+  readonly example: Definition['example']
+}
+
+/** A neuron that reads a sensor and gives 0..100. */
+export function inputNeuron(neuron: InputNeuron): Definition {
+  const { type, port, mode } = neuron
+  return {
+    type,
+    look: look(type, 'InputNode', neuron.fields),
+    words: words(type),
+    neuron: { layer: 'input', label: neuron.label, port, colour: neuron.colour, sensor: neuron.sensor },
+    acts: true,
+    check: sensorAtPort(neuron.sensor, port, neuron.prefix),
+    run(block, _frame, { robot }) {
+      const socket = sensorPortIn(block, port)
+      const how = typeof mode === 'string' ? mode : mode(block)
+      const reading = socket === undefined ? null : robot.read(socket, how)
+      return reading === null ? fail('nothingToRead') : give(neuron.level(reading, block))
+    },
+    example: neuron.example,
+  }
+}
+
+interface OutputNeuron {
+  readonly type: BlockType
+  readonly fields: readonly FieldLook[]
+  readonly label: string
+  readonly port?: string
+  readonly colour: 'actuator' | { readonly field: string }
+  readonly run: Definition['run']
+  readonly example: Definition['example']
+}
+
+/** A neuron that turns the level it is given into an order; the network block carries the orders out. */
+export function outputNeuron(neuron: OutputNeuron): Definition {
+  const { type, label, colour } = neuron
+  const port = neuron.port === undefined ? {} : { port: neuron.port }
+  return {
+    type,
+    look: look(type, 'OutputNode', neuron.fields),
+    words: words(type),
+    neuron: { layer: 'output', label, colour, ...port },
+    acts: false,
+    run: neuron.run,
+    example: neuron.example,
+  }
+}
+
+/** The level an output neuron was given. */
+export const levelOf = (frame: Frame): number => numberAt(frame, 0)

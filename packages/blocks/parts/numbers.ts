@@ -1,0 +1,19 @@
+import type { Frame } from '../types.ts'
+
+/** The k-th value of a frame as a number; 0 where it is none (the check says so before). */
+export function numberAt(frame: Frame, k: number): number {
+  const value = frame.got[k]
+  return typeof value === 'number' ? value : 0
+}
+
+export const cut = (x: number, least: number, most: number): number =>
+  x < least ? least : x > most ? most : x
+
+/** Motors take −100..100 percent. */
+export const percent = (x: number): number => cut(x, -100, 100)
+
+/** A number as a file writes it (decimal point); null where the text is none, or one without end. */
+export function numberIn(text: string): number | null {
+  const x = text.trim() === '' ? NaN : Number(text)
+  return Number.isFinite(x) ? x : null
+}
