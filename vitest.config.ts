@@ -11,6 +11,8 @@ export default defineConfig({
             'content/**/*.test.ts',
             'apps/cli/**/*.test.ts',
             'scripts/**/*.test.ts',
+            'e2e/*.test.ts',
+            'benchmarks/**/*.test.ts',
           ],
         },
       },

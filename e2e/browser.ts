@@ -1,5 +1,5 @@
 import { chromium } from '@playwright/test'
-import { ensureChromium } from '../scripts/prepare/chromium.mjs'
+import { ensureChromium } from './chromium.mjs'
 
 /** What a Chromium needs to run in a container, and to talk to nobody but us. */
 export const flags = [

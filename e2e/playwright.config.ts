@@ -1,6 +1,6 @@
 import { defineConfig } from '@playwright/test'
 import { flags } from './browser.ts'
-import { findChromium } from '../scripts/prepare/chromium.mjs'
+import { findChromium } from './chromium.mjs'
 
 const executablePath = findChromium() ?? undefined
 const desktop = { viewport: { width: 1366, height: 768 } }

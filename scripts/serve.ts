@@ -16,15 +16,8 @@ function explain(error: NodeJS.ErrnoException) {
 
 try {
   const server = await startServer({ port })
-  console.log(
-    [
-      '',
-      'Botgarten is open at',
-      ...addresses(server.port, networkInterfaces()),
-      '',
-      'Ctrl+C closes it.',
-    ].join('\n  '),
-  )
+  const open = addresses(server.port, networkInterfaces()).map((address) => `  ${address}`)
+  console.log(['', 'Botgarten is open at', ...open, 'Ctrl+C closes it.'].join('\n'))
   const stop = () => void server.close()
   for (const signal of ['SIGINT', 'SIGTERM', 'SIGHUP'] as const) process.once(signal, stop)
 } catch (error) {

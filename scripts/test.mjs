@@ -2,7 +2,7 @@
 import { mkdtempSync, readFileSync, rmSync } from 'node:fs'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
-import { ensureChromium } from './prepare/chromium.mjs'
+import { ensureChromium } from '../e2e/chromium.mjs'
 import { countOfPlaywright, countOfVitest, oneStep } from './prepare/counts.mjs'
 import { installWhenNeeded } from './prepare/install.mjs'
 import { asScript, npm } from './prepare/run.mjs'

@@ -1,15 +1,25 @@
 import { createHash } from 'node:crypto'
-import { existsSync, readdirSync, readFileSync, writeFileSync } from 'node:fs'
+import { existsSync, readdirSync, readFileSync, statSync, writeFileSync } from 'node:fs'
 import { createRequire } from 'node:module'
 import { dirname, join, relative } from 'node:path'
 import { house, inHouse } from './house.mjs'
-import { run, Trouble } from './run.mjs'
+import { run, runQuietly, Trouble } from './run.mjs'
 import { runtime } from './runtime.mjs'
 
 const web = inHouse('apps', 'web')
 const stamp = join(web, 'build', 'sources.sha256')
-const sources = ['apps/web', 'packages', 'content', 'package-lock.json']
-const made = new Set(['node_modules', 'build', '.svelte-kit', 'generated', 'test-results'])
+const sources = [
+  'apps/web/src',
+  'apps/web/static',
+  'apps/web/package.json',
+  'apps/web/project.inlang/paraglide.config.js',
+  'apps/web/project.inlang/settings.json',
+  'apps/web/vite.config.ts',
+  'content',
+  'package-lock.json',
+  'packages',
+]
+const made = new Set(['node_modules', 'generated'])
 
 /** @param {string} path @returns {string[]} every file below, tests left out, in one order everywhere */
 export function filesBelow(path) {
@@ -25,7 +35,7 @@ export function hashOfSources() {
   const hash = createHash('sha256')
   for (const source of sources) {
     const path = join(house, source)
-    for (const file of source.includes('.') ? [path] : filesBelow(path)) {
+    for (const file of statSync(path).isFile() ? [path] : filesBelow(path)) {
       hash
         .update(`${relative(house, file).replaceAll('\\', '/')}\0`)
         .update(readFileSync(file))
@@ -35,11 +45,14 @@ export function hashOfSources() {
   return hash.digest('hex')
 }
 
-/** Builds the web app. @param {readonly string[]} [options] of Vite */
-export async function build(options = []) {
+/**
+ * Builds the web app.
+ * @param {(program: string, args: string[], options: { cwd: string }) => number | Promise<number>} [start]
+ */
+export async function build(start = run) {
   const hash = hashOfSources()
   const vite = dirname(createRequire(join(web, 'package.json')).resolve('vite/package.json'))
-  const code = await run(runtime(), [join(vite, 'bin', 'vite.js'), 'build', ...options], { cwd: web })
+  const code = await start(runtime(), [join(vite, 'bin', 'vite.js'), 'build'], { cwd: web })
   if (code !== 0) throw new Trouble('The build failed; what Vite said stands above.')
   writeFileSync(stamp, hash)
 }
@@ -48,5 +61,5 @@ export async function build(options = []) {
 export async function buildWhenNeeded() {
   if (existsSync(stamp) && readFileSync(stamp, 'utf8') === hashOfSources()) return
   console.log('Building the lab (once after every change) …')
-  await build(['--logLevel', 'warn'])
+  await build(runQuietly)
 }

@@ -1,4 +1,4 @@
-import { spawn } from 'node:child_process'
+import { spawn, spawnSync } from 'node:child_process'
 import { house } from './house.mjs'
 
 /** A sentence for the person at the keyboard, without a stack. */
@@ -17,6 +17,19 @@ export function run(program, args, options = {}) {
     child.once('error', () => done(127))
     child.once('exit', (code, signal) => done(code ?? (signal === null ? 1 : 128)))
   })
+}
+
+/**
+ * Runs a program to its end and shows what it said only when it fails.
+ * @param {string} program
+ * @param {readonly string[]} args
+ * @param {import('node:child_process').SpawnSyncOptions} [options]
+ * @returns {number} its exit code
+ */
+export function runQuietly(program, args, options = {}) {
+  const { status, stdout, stderr, error } = spawnSync(program, args, { cwd: house, ...options })
+  if (status !== 0) console.error(`${stdout}${stderr}${error ?? ''}`)
+  return status ?? 1
 }
 
 /**

@@ -2,8 +2,10 @@ import { spawnSync } from 'node:child_process'
 import { existsSync } from 'node:fs'
 import { createRequire } from 'node:module'
 import { delimiter, join } from 'node:path'
-import { inHouse } from './house.mjs'
-import { run, Trouble } from './run.mjs'
+import { run, Trouble } from '../scripts/prepare/run.mjs'
+
+// Asked for late: `npm test` imports this file before anything is installed.
+const require = createRequire(import.meta.url)
 
 const commands = ['chromium', 'chromium-browser', 'google-chrome', 'google-chrome-stable', 'chrome']
 const macApps = ['Google Chrome', 'Chromium', 'Microsoft Edge']
@@ -34,7 +36,6 @@ export function usualPlaces(platform, env) {
 }
 
 function playwrightsOwn() {
-  const require = createRequire(inHouse('e2e', 'package.json'))
   return require('@playwright/test').chromium.executablePath()
 }
 
@@ -56,7 +57,7 @@ async function install() {
     await run('apt-get', [...wait, 'install', '-y', '-qq', 'chromium'], { env })
     if (findChromium() !== null) return
   }
-  const cli = createRequire(inHouse('e2e', 'package.json')).resolve('@playwright/test/cli')
+  const cli = require.resolve('@playwright/test/cli')
   await run(process.execPath, [cli, 'install', 'chromium'])
 }
 
