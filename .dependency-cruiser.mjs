@@ -33,6 +33,18 @@ export default {
     },
     { name: 'nobody-imports-an-app', severity: 'error', from: { pathNot: '^apps/' }, to: { path: '^apps/' } },
     {
+      name: 'apps-do-not-know-each-other',
+      severity: 'error',
+      from: { path: '^apps/([^/]+)/' },
+      to: { path: '^apps/', pathNot: '^apps/$1/' },
+    },
+    {
+      name: 'the-product-knows-no-tools',
+      severity: 'error',
+      from: { path: '^(packages|apps|content)/', pathNot: '\\.test\\.ts$' },
+      to: { path: '^(scripts|e2e|benchmarks)/' },
+    },
+    {
       name: 'one-importer-of-planck',
       severity: 'error',
       from: { pathNot: '^packages/simulation/physics/' },
@@ -71,7 +83,7 @@ export default {
   ],
   options: {
     doNotFollow: { path: 'node_modules' },
-    exclude: { path: '(/build/|/generated/|\\.svelte-kit/|\\.svelte$)' },
+    exclude: { path: '(/build/|/generated/|\\.svelte-kit/)' },
     tsPreCompilationDeps: true,
     tsConfig: { fileName: 'tsconfig.json' },
     enhancedResolveOptions: {
