@@ -88,7 +88,7 @@ export interface Context {
 
 /** One block that is being carried out. `got`: values that its inputs have given so far. */
 export interface Frame {
-  readonly block: string
+  block: string
   stage: number
   got: Value[]
   counter?: number

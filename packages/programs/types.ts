@@ -18,10 +18,16 @@ export interface Program {
 /** A running program. Whole state, plain data; a structured copy of it goes on the same. */
 export interface Thread {
   frames: Frame[]
-  /** Last block that was started, for the light on the screen. */
+  /** Statement block that was begun last, for the light on the screen. */
   lit: string | null
-  /** Blocks since the last back edge sensed, drove, showed, sounded or ran a net. */
-  acted: boolean
+  /** How many statement blocks have been begun so far, for stepping from block to block. */
+  started: number
+  /** How many blocks so far have sensed, driven, shown, sounded or run a net (running.md 3). */
+  acts: number
+  /** Blocks of this tick's budget that are used up. */
+  spent: number
+  /** Seconds of the tick that is over for this thread; running it again in that tick does nothing. */
+  overAt: number
   ended: boolean
   problem: (Finding & { readonly stops: true }) | null
 }

@@ -1,0 +1,17 @@
+import type { Facts } from '@botgarten/blocks'
+
+/** Why a file was refused; worded as `problem.<reason>.title` and `.text`, with the error's facts. */
+export type ProjectReason = 'notJson' | 'tooBig' | 'notAProject' | 'newerVersion'
+
+/** The only error that `parseProject` throws. `message` is for people who build and for the command line. */
+export class ProjectError extends Error {
+  override readonly name = 'ProjectError'
+  readonly reason: ProjectReason
+  readonly facts: Facts
+
+  constructor(reason: ProjectReason, message: string, facts: Facts = {}) {
+    super(message)
+    this.reason = reason
+    this.facts = facts
+  }
+}
