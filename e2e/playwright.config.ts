@@ -6,7 +6,7 @@ const executablePath = findChromium() ?? undefined
 const desktop = { viewport: { width: 1366, height: 768 } }
 const tablet = { viewport: { width: 1024, height: 768 }, hasTouch: true }
 
-export default defineConfig({
+export default defineConfig<{ hand: 'mouse' | 'finger' }>({
   testDir: 'tests',
   outputDir: 'test-results',
   // Two cores: more browsers at once only wait for each other.
@@ -24,6 +24,6 @@ export default defineConfig({
   },
   projects: [
     { name: 'desktop', use: desktop, testIgnore: '**/*.touch.ts', testMatch: '**/*.spec.ts' },
-    { name: 'tablet', use: tablet, testMatch: '**/*.touch.ts' },
+    { name: 'tablet', use: { ...tablet, hand: 'finger' }, testMatch: '**/*.touch.ts' },
   ],
 })

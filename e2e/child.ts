@@ -1,0 +1,168 @@
+import { expect, type Locator, type Page } from '@playwright/test'
+import { finger, mouse, type Hand, type Spot } from './hand.ts'
+import { say, type Language } from './words.ts'
+
+/** A neuron as a child would point at it: what it is and where it is plugged in. */
+export type Neuron =
+  | { readonly sensor: 'distance'; readonly port: string; readonly place: 'frontLeft' | 'frontRight' }
+  | { readonly motor: string; readonly place: 'left' | 'right' }
+
+export const leftEye: Neuron = { sensor: 'distance', port: '2', place: 'frontLeft' }
+export const rightEye: Neuron = { sensor: 'distance', port: '3', place: 'frontRight' }
+export const leftWheel: Neuron = { motor: 'C', place: 'left' }
+export const rightWheel: Neuron = { motor: 'B', place: 'right' }
+
+const middleOf = async (thing: Locator): Promise<Spot> => {
+  const box = await thing.boundingBox()
+  if (box === null) throw new Error('Nothing to take hold of.')
+  return { x: box.x + box.width / 2, y: box.y + box.height / 2 }
+}
+
+/** Does with the screen what a child does, and sees what a child sees, in the child's language. */
+export class Child {
+  readonly page: Page
+  readonly #hand: Hand
+  language: Language
+
+  constructor(page: Page, language: Language, hand: 'mouse' | 'finger' = 'mouse') {
+    this.page = page
+    this.language = language
+    this.#hand = hand === 'mouse' ? mouse(page) : finger(page)
+  }
+
+  /** The words of a message in the child's language. */
+  word(key: string, facts: { readonly [name: string]: string | number } = {}): string {
+    return say(this.language, key, facts)
+  }
+
+  // ---- going somewhere ----
+
+  async opensHome() {
+    await this.page.goto('/')
+    await expect(this.page.getByRole('heading', { level: 1 })).toBeVisible()
+  }
+
+  /** Opens a card or the free lab by its address, and waits for the blocks. */
+  async opensLab(card: string) {
+    await this.page.goto(`/lab/${card}`)
+    await this.seesBlocks()
+  }
+
+  async reloads() {
+    await this.page.reload()
+    await this.seesBlocks()
+  }
+
+  /** Chooses a card or the free lab on the home page. */
+  async chooses(card: 'friendship' | 'fear' | 'free') {
+    await this.page.locator(`a[href*="/lab/${card}"]`).first().click()
+    await this.seesBlocks()
+  }
+
+  async speaks(language: Language) {
+    const name = { de: 'Deutsch', en: 'English' }[language]
+    await this.page.getByRole('button', { name, exact: true }).click()
+    this.language = language
+  }
+
+  // ---- pressing ----
+
+  button(key: string, facts = {}): Locator {
+    return this.page.getByRole('button', { name: this.word(key, facts), exact: true })
+  }
+
+  async presses(key: string, facts = {}) {
+    await this.button(key, facts).first().click()
+  }
+
+  async pressesStart() {
+    await this.presses('lab.start')
+    await expect(this.button('lab.stop').first()).toBeVisible()
+  }
+
+  async pressesStop() {
+    await this.presses('lab.stop')
+    await expect(this.button('lab.start').first()).toBeVisible()
+  }
+
+  /** Looks at one part of the lab where only one fits on the screen. */
+  async turnsTo(pane: 'program' | 'world' | 'networkTab') {
+    await this.page
+      .getByRole('navigation', { name: this.word('lab.panes') })
+      .getByRole('button', { name: this.word(`lab.${pane}`), exact: true })
+      .click()
+  }
+
+  // ---- knobs ----
+
+  nameOf(neuron: Neuron): string {
+    const label =
+      'sensor' in neuron
+        ? this.word(`neuron.${neuron.sensor}`, { INPUTNODE: neuron.port })
+        : this.word('neuron.motor', { OUTPUTNODE: neuron.motor })
+    return this.word('network.name', { label, place: this.word(`network.place.${neuron.place}`) })
+  }
+
+  knob(from: Neuron, to: Neuron): Locator {
+    const name = this.word('network.weight', { from: this.nameOf(from), to: this.nameOf(to) })
+    return this.page.getByRole('slider', { name, exact: true })
+  }
+
+  /** The round button of an output neuron. */
+  output(to: Neuron & { readonly motor: string }): Locator {
+    const output = this.word('neuron.motor', { OUTPUTNODE: to.motor })
+    return this.page.getByRole('button', { name: this.word('network.showSum', { output }), exact: true })
+  }
+
+  /** Takes the knob by hand and goes along the link until the number is right. */
+  async dragsKnob(from: Neuron, to: Neuron & { readonly motor: string }, weight: number) {
+    const knob = this.knob(from, to)
+    const [start, end] = [await middleOf(knob), await middleOf(this.output(to))]
+    const now = async () => Number(await knob.getAttribute('aria-valuenow'))
+    const along = (share: number) => ({
+      x: start.x + (end.x - start.x) * share,
+      y: start.y + (end.y - start.y) * share,
+    })
+    let [low, high] = (await now()) < weight ? [0, 1] : [-4, 0]
+    await this.#hand.down(start)
+    for (let tries = 0; tries < 14 && Math.abs((await now()) - weight) > 0.005; tries += 1) {
+      const share = (low + high) / 2
+      await this.#hand.move(along(share))
+      if ((await now()) < weight) low = share
+      else high = share
+    }
+    await this.#hand.up()
+    await this.seesWeight(from, to, weight)
+  }
+
+  /** Goes to the knob and types the number. */
+  async typesWeight(from: Neuron, to: Neuron, weight: number) {
+    await this.knob(from, to).focus()
+    for (const key of weight.toLocaleString(this.language)) await this.page.keyboard.press(key)
+    await this.page.keyboard.press('Enter')
+    await this.seesWeight(from, to, weight)
+  }
+
+  async seesWeight(from: Neuron, to: Neuron, weight: number) {
+    await expect(this.knob(from, to)).toHaveAttribute('aria-valuenow', String(weight))
+  }
+
+  // ---- seeing ----
+
+  async seesBlocks() {
+    await expect(this.page.locator('.blocklyBlockCanvas .blocklyDraggable').first()).toBeVisible()
+  }
+
+  check(card: string, id: string): Locator {
+    return this.page.getByRole('listitem').filter({ hasText: this.word(`check.${card}.${id}`) })
+  }
+
+  async seesCheck(card: string, id: string, passed = true, patience = 40_000) {
+    const said = this.word(passed ? 'lab.goalPassed' : 'lab.goalOpen')
+    await expect(this.check(card, id)).toContainText(said, { timeout: patience })
+  }
+
+  async seesSaved() {
+    await expect(this.page.getByRole('status').filter({ hasText: this.word('lab.saved') })).toBeVisible()
+  }
+}

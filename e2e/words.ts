@@ -1,0 +1,18 @@
+import { readFileSync } from 'node:fs'
+
+export const languages = ['en', 'de'] as const
+export type Language = (typeof languages)[number]
+type Facts = { readonly [name: string]: string | number }
+type Tree = string | { readonly [key: string]: Tree }
+
+const read = (language: Language) =>
+  JSON.parse(readFileSync(new URL(`../content/words/${language}.json`, import.meta.url), 'utf8')) as Tree
+const words = { en: read('en'), de: read('de') }
+
+/** What the screen says for a message key (`lab.start`) in a language. Throws where nobody wrote it. */
+export function say(language: Language, key: string, facts: Facts = {}): string {
+  let found: Tree | undefined = words[language]
+  for (const part of key.split('.')) found = typeof found === 'object' ? found[part] : undefined
+  if (typeof found !== 'string') throw new Error(`No word for ${key} in ${language}`)
+  return found.replace(/\{(\w+)\}/g, (gap, name: string) => String(facts[name] ?? gap))
+}
