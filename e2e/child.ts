@@ -93,6 +93,13 @@ export class Child {
       .click()
   }
 
+  /** Opens a project file from the lab's menu. */
+  async opensFile(name: string, text: string) {
+    await this.presses('lab.menu')
+    const file = { name, mimeType: 'application/json', buffer: Buffer.from(text) }
+    await this.page.locator('input[type=file]').setInputFiles(file)
+  }
+
   // ---- knobs ----
 
   nameOf(neuron: Neuron): string {

@@ -1,0 +1,46 @@
+// `npm run pictures`: every screen in both languages at three sizes, into pictures/.
+import { mkdirSync } from 'node:fs'
+import type { Browser } from '@playwright/test'
+import { buildWhenNeeded } from '../scripts/prepare/build.mjs'
+import { inHouse } from '../scripts/prepare/house.mjs'
+import { startServer } from '../scripts/server.ts'
+import { launchBrowser } from './browser.ts'
+import { Child } from './child.ts'
+import { screens, type Screen } from './screens.ts'
+import { languages, type Language } from './words.ts'
+
+const sizes = [
+  { width: 1366, height: 768 },
+  { width: 1024, height: 768 },
+  { width: 390, height: 844 },
+]
+const folder = inHouse('pictures')
+
+interface Wish {
+  readonly screen: Screen
+  readonly language: Language
+  readonly size: { readonly width: number; readonly height: number }
+}
+
+async function take(browser: Browser, baseURL: string, { screen, language, size }: Wish) {
+  const locale = { en: 'en-GB', de: 'de-DE' }[language]
+  const context = await browser.newContext({ baseURL, locale, viewport: size, hasTouch: size.width < 1366 })
+  const page = await context.newPage()
+  await screen.show(new Child(page, language), size.width < 640)
+  await page.evaluate(() => document.fonts.ready)
+  await page.screenshot({ path: `${folder}/${screen.name}-${language}-${size.width}x${size.height}.png` })
+  await context.close()
+}
+
+await buildWhenNeeded()
+mkdirSync(folder, { recursive: true })
+const server = await startServer({ port: 0, host: '127.0.0.1' })
+const browser = await launchBrowser()
+const wanted = process.argv.slice(2)
+const wishes = screens
+  .filter(({ name }) => wanted.length === 0 || wanted.some((part) => name.includes(part)))
+  .flatMap((screen) => languages.flatMap((language) => sizes.map((size) => ({ screen, language, size }))))
+for (const wish of wishes) await take(browser, server.url, wish)
+console.log(`${wishes.length} pictures in ${folder}`)
+await browser.close()
+await server.close()

@@ -1,0 +1,81 @@
+import { expect } from '@playwright/test'
+import { leftEye, leftWheel, rightEye, rightWheel, type Child } from './child.ts'
+import { projectFile } from './projects.ts'
+
+/** One picture: how a child gets there. `phone`: one part of the lab at a time. */
+export interface Screen {
+  readonly name: string
+  show(child: Child, phone: boolean): Promise<void>
+}
+
+async function setsFriendlyWeights(child: Child, phone: boolean) {
+  if (phone) await child.turnsTo('networkTab')
+  await child.typesWeight(leftEye, leftWheel, 0.8)
+  await child.typesWeight(rightEye, rightWheel, 0.8)
+  if (phone) await child.turnsTo('world')
+}
+
+/** Drives for some seconds of the robot's time, then holds it. */
+async function drives(child: Child, seconds: number) {
+  await child.pressesStart()
+  await child.page.waitForTimeout(seconds * 1000)
+  await child.presses('lab.pause')
+}
+
+/** A project whose first sensor is at a port where nothing is plugged in. */
+const brokenProject = () =>
+  projectFile('friendship', 'start').replace('ULTRASONIC_PORT_2', 'ULTRASONIC_PORT_4')
+
+export const screens: readonly Screen[] = [
+  { name: 'home', show: (child) => child.opensHome() },
+  { name: 'friendship', show: (child) => child.opensLab('friendship') },
+  {
+    name: 'friendship-running',
+    async show(child, phone) {
+      await child.opensLab('friendship')
+      await setsFriendlyWeights(child, phone)
+      await drives(child, 3)
+    },
+  },
+  {
+    name: 'friendship-network',
+    async show(child, phone) {
+      await child.opensLab('friendship')
+      await setsFriendlyWeights(child, phone)
+      if (phone) await child.turnsTo('networkTab')
+    },
+  },
+  {
+    name: 'friendship-program',
+    async show(child, phone) {
+      await child.opensLab('friendship')
+      if (phone) await child.turnsTo('program')
+    },
+  },
+  { name: 'fear', show: (child) => child.opensLab('fear') },
+  { name: 'free', show: (child) => child.opensLab('free') },
+  {
+    name: 'card',
+    async show(child) {
+      await child.opensLab('friendship')
+      await child.presses('lab.card')
+      await expect(child.page.getByRole('dialog')).toBeVisible()
+    },
+  },
+  {
+    name: 'hint',
+    async show(child) {
+      await child.opensLab('friendship')
+      await child.presses('lab.hint')
+      await expect(child.page.getByRole('region', { name: child.word('lab.hint') })).toBeVisible()
+    },
+  },
+  {
+    name: 'help',
+    async show(child, phone) {
+      await child.opensLab('friendship')
+      await child.opensFile('broken.botgarten.json', brokenProject())
+      if (phone) await child.turnsTo('program')
+    },
+  },
+]
