@@ -1,1 +1,19 @@
 export type * from './types.ts'
+export { degreesOf, radiansOf } from './angles.ts'
+export {
+  arrived,
+  clearDisplay,
+  display,
+  freshRobot,
+  setLed,
+  setMotor,
+  startMove,
+  stopMotors,
+  tone,
+} from './body/verbs.ts'
+export { cardConfig, defaultConfig } from './configs.ts'
+export { COLOURS, colourOf } from './floor/colours.ts'
+export { paintFloor } from './floor/paint.ts'
+export { FloorError, type FloorProblem } from './floor/png.ts'
+export { createSimulation } from './simulation.ts'
+export { KEYFRAME_EVERY, TICKS_PER_SECOND } from './time.ts'

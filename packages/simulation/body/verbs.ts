@@ -1,0 +1,113 @@
+import type {
+  Degrees,
+  Hertz,
+  LedColour,
+  MotorPort,
+  Percent,
+  RobotState,
+  Seconds,
+  Simulation,
+} from '../types.ts'
+import { TICKS_PER_SECOND } from '../time.ts'
+
+/** The display holds this many rows and columns; what is written beyond is not shown. */
+export const DISPLAY_ROWS = 16
+export const DISPLAY_COLUMNS = 64
+
+const robotOf = (sim: Simulation, robot: number) => sim.state.robots[robot]!
+const driveOf = (sim: Simulation, robot: number) => sim.world.robots[robot]!.config.drive
+const held = (percent: Percent): Percent => Math.max(-100, Math.min(100, percent || 0))
+
+/**
+ * Sets a motor's speed, cut to −100..100 percent, until it is set again. A wheel that is set takes part in no move any
+ * more: the move ends, and the other wheel, which ran for it alone, stops.
+ */
+export function setMotor(sim: Simulation, robot: number, port: MotorPort, percent: Percent): void {
+  const state = robotOf(sim, robot)
+  const { left, right } = driveOf(sim, robot)
+  if (state.move && (port === left || port === right)) stopMotors(sim, robot)
+  state.motors[port].percent = held(percent)
+}
+
+/**
+ * Sets both wheels. With `degrees` the faster wheel turns that far (backwards when negative), the other in proportion,
+ * and the move ends by itself; without, they turn until set again.
+ */
+export function startMove(
+  sim: Simulation,
+  robot: number,
+  order: { readonly left: Percent; readonly right: Percent; readonly degrees?: Degrees },
+): void {
+  const state = robotOf(sim, robot)
+  const drive = driveOf(sim, robot)
+  const sign = (order.degrees ?? 0) < 0 ? -1 : 1
+  const left = held(order.left * sign)
+  const right = held(order.right * sign)
+  state.motors[drive.left].percent = left
+  state.motors[drive.right].percent = right
+  state.move = null
+  if (order.degrees !== undefined) limit(sim, robot, Math.abs(order.degrees) || 0)
+}
+
+function limit(sim: Simulation, robot: number, degrees: Degrees): void {
+  const state = robotOf(sim, robot)
+  const drive = driveOf(sim, robot)
+  const left = Math.abs(state.motors[drive.left].percent)
+  const right = Math.abs(state.motors[drive.right].percent)
+  const faster = Math.max(left, right)
+  if (faster === 0 || degrees === 0) return stopMotors(sim, robot)
+  state.move = { left: (degrees * left) / faster, right: (degrees * right) / faster }
+}
+
+/** Has the last move with `degrees` ended? */
+export function arrived(sim: Simulation, robot: number): boolean {
+  return robotOf(sim, robot).move === null
+}
+
+/** Stops both wheels at once; a move ends. Other motors go on. */
+export function stopMotors(sim: Simulation, robot: number): void {
+  const state = robotOf(sim, robot)
+  const { left, right } = driveOf(sim, robot)
+  state.motors[left].percent = 0
+  state.motors[right].percent = 0
+  state.move = null
+}
+
+export function setLed(sim: Simulation, robot: number, colour: LedColour | null): void {
+  robotOf(sim, robot).led = colour
+}
+
+/** Replaces what stands in `row` (0 at the top) from `column` (0 at the left) on. Outside the display nothing happens. */
+export function display(sim: Simulation, robot: number, row: number, column: number, text: string): void {
+  const rows = robotOf(sim, robot).display
+  const line = Math.floor(row)
+  const from = Math.floor(column)
+  if (!(line >= 0 && line < DISPLAY_ROWS && from >= 0 && from < DISPLAY_COLUMNS)) return
+  while (rows.length <= line) rows.push('')
+  rows[line] = (rows[line]!.slice(0, from).padEnd(from) + text).slice(0, DISPLAY_COLUMNS)
+}
+
+export function clearDisplay(sim: Simulation, robot: number): void {
+  robotOf(sim, robot).display = []
+}
+
+/** Sounds a tone for `seconds`; null: until it is changed. A frequency that is not above 0 is silence. */
+export function tone(sim: Simulation, robot: number, frequency: Hertz, seconds: Seconds | null): void {
+  const ticks = seconds === null ? null : Math.round(seconds * TICKS_PER_SECOND)
+  const silent = !(frequency > 0) || (ticks !== null && !(ticks > 0))
+  robotOf(sim, robot).tone = silent
+    ? null
+    : { frequency, untilTick: ticks === null ? null : sim.state.tick + ticks }
+}
+
+/** Everything but the place as at the start of a run: motors, encoders, lamp, display, sound. */
+export function freshRobot(robot: RobotState): void {
+  for (const motor of Object.values(robot.motors)) {
+    motor.percent = 0
+    motor.turned = 0
+  }
+  robot.move = null
+  robot.led = null
+  robot.display = []
+  robot.tone = null
+}

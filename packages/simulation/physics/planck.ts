@@ -1,0 +1,47 @@
+// The order of the first three imports is what this file is for: see lend-math.ts.
+import './lend-math.ts'
+import { Box, Circle, Polygon, Rot, Settings, Vec2, World } from 'planck'
+import './return-math.ts'
+import { cos, sin } from '@botgarten/numbers'
+import type { Body, Contact, Fixture } from 'planck'
+
+// Lengths are cm. The library looks for contacts inside this rim; ours are chosen by geometry/near.ts before.
+Settings.aabbExtension = 4
+Settings.maxTranslation = 50
+
+/** Does the library compute with our functions? A bundler that moved it before lend-math.ts would be found out here. */
+export function usesOurMath(): boolean {
+  const rot = Rot.identity()
+  for (let angle = 0.5; angle < 300; angle += 0.97) {
+    rot.setAngle(angle)
+    if (rot.s !== sin(angle) || rot.c !== cos(angle)) return false
+  }
+  return true
+}
+
+if (!usesOurMath())
+  throw new Error('The physics library was loaded without the functions of packages/numbers.')
+
+/** What is used here of the library's insides. They are not in its types; its version is pinned. */
+export interface InnerWorld {
+  m_contactList: InnerContact | null
+  createContact(a: unknown, b: unknown): void
+  destroyContact(contact: InnerContact): void
+  findNewContacts(): void
+}
+
+export type InnerContact = Contact & { m_next: InnerContact | null }
+
+export type InnerFixture = Fixture & { m_proxies: readonly unknown[] }
+
+export interface InnerBody {
+  m_sweep: {
+    readonly c: { x: number; y: number }
+    readonly c0: { x: number; y: number }
+    a: number
+    a0: number
+    alpha0: number
+  }
+}
+
+export { Box, Circle, Polygon, Vec2, World, type Body, type Contact, type Fixture }

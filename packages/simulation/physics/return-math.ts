@@ -1,0 +1,3 @@
+import { native } from './lend-math.ts'
+
+Object.assign(Math, native)

@@ -1,0 +1,110 @@
+import { cos, sin } from '@botgarten/numbers'
+import { degreesOf, radiansOf } from './angles.ts'
+import { bodiesWithin, gapToSide } from './geometry/gaps.ts'
+import { moveBody, type Outlines } from './geometry/outlines.ts'
+import { takeUpState, type Scene } from './scene.ts'
+import type { Cm, Pose, Radians } from './types.ts'
+
+/** Circles on which a free place is looked for lie this far apart, and so do the places on them, roughly. */
+const STEP: Cm = 0.5
+/** What is put down by hand keeps this distance. */
+const CLEAR = 0.05
+
+/**
+ * Puts a robot or an obstacle down: on the floor, and where it overlaps nothing, as near as can be to the wish (rings
+ * of half a centimetre; in a ring the first place counter-clockwise from the right). A fixed obstacle may overlap other
+ * fixed ones. Where there is no free place at all it stays where it was. Unknown ids change nothing.
+ */
+export function placeByHand(scene: Scene, id: string, wish: Pose): Pose {
+  const { world, state } = scene
+  const robot = world.robots.findIndex((placement) => placement.id === id)
+  const obstacle = state.obstacles.findIndex((thing) => thing.id === id)
+  const body = robot >= 0 ? robot : world.robots.length + obstacle
+  const thing = state.robots[robot] ?? state.obstacles[obstacle]
+  if (!thing || !isFinitePose(wish)) return wish
+  const heading = radiansOf(wish.heading)
+  const free = nearestFree(scene, body, wish.x, wish.y, heading)
+  if (free) Object.assign(thing, free, { heading })
+  if (obstacle >= 0) Object.assign(thing, { vx: 0, vy: 0, spin: 0 })
+  letGo(scene, id)
+  takeUpState(scene)
+  return { x: thing.x, y: thing.y, heading: free ? wish.heading : degreesOf(thing.heading) }
+}
+
+/** Moves what overlaps at the start to a free place: movable things first, then robots, in the world's order. */
+export function settle(scene: Scene): void {
+  const { robots, obstacles } = scene.world
+  for (const { id, pose } of [...obstacles.filter(({ fixed }) => !fixed), ...robots]) {
+    const body = scene.ids.indexOf(id)
+    if (!isFree(scene, body, -CLEAR)) placeByHand(scene, id, pose)
+  }
+}
+
+/** Nobody touches what was taken into the hand, and it touches nobody. */
+function letGo({ world, state }: Scene, id: string): void {
+  state.robots.forEach((robot, index) => {
+    const isOwn = world.robots[index]!.id === id
+    robot.touching = isOwn ? [] : robot.touching.filter((touched) => touched !== id)
+  })
+}
+
+const isFinitePose = ({ x, y, heading }: Pose) => Number.isFinite(x + y + heading)
+
+interface Place {
+  readonly x: Cm
+  readonly y: Cm
+}
+
+function nearestFree(scene: Scene, body: number, wishX: Cm, wishY: Cm, heading: Radians): Place | null {
+  const { outlines, width, height } = scene.ground
+  const room = roomFor(scene, body, heading)
+  const x = within(wishX, room.left, room.right)
+  const y = within(wishY, room.bottom, room.top)
+  for (let radius = 0; radius < width + height; radius += STEP) {
+    const places = radius === 0 ? 1 : Math.min(96, Math.max(8, Math.ceil((2 * Math.PI * radius) / STEP)))
+    for (let index = 0; index < places; index++) {
+      const angle = (index / places) * 2 * Math.PI
+      const place = { x: x + radius * cos(angle), y: y + radius * sin(angle) }
+      if (place.x !== within(place.x, room.left, room.right)) continue
+      if (place.y !== within(place.y, room.bottom, room.top)) continue
+      moveBody(outlines, body, place.x, place.y, heading)
+      if (isFree(scene, body, CLEAR)) return place
+    }
+  }
+  return null
+}
+
+/** Where the origin of a body may be so that all of it is on the floor; a body wider than the floor goes to its middle. */
+function roomFor({ ground }: Scene, body: number, heading: Radians) {
+  const { outlines, width, height } = ground
+  moveBody(outlines, body, 0, 0, heading)
+  const [left, right, bottom, top] = [0, 1, 2, 3].map((side) => {
+    const gaps = partsOf(outlines, body).map((part) => gapToSide(outlines, part, side, 0, 0))
+    return CLEAR - Math.min(...gaps)
+  }) as [Cm, Cm, Cm, Cm]
+  const isWide = left + right > width
+  const isHigh = bottom + top > height
+  return {
+    left: isWide ? width / 2 : left,
+    right: isWide ? width / 2 : width - right,
+    bottom: isHigh ? height / 2 : bottom,
+    top: isHigh ? height / 2 : height - top,
+  }
+}
+
+function partsOf({ firstPart }: Outlines, body: number): number[] {
+  const first = firstPart[body]!
+  return Array.from({ length: firstPart[body + 1]! - first }, (_, index) => first + index)
+}
+
+const within = (at: number, low: number, high: number) => Math.max(low, Math.min(high, at))
+
+/** Does a body keep `clear` from all others that it must not overlap, where it stands now? */
+function isFree({ ground }: Scene, body: number, clear: Cm): boolean {
+  const { outlines, movable } = ground
+  for (let other = 0; other < outlines.bodies; other++) {
+    if (other === body || movable[body]! + movable[other]! === 0) continue
+    if (bodiesWithin(outlines, body, other, clear)) return false
+  }
+  return true
+}

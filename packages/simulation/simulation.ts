@@ -1,0 +1,33 @@
+import { placeByHand, settle } from './place.ts'
+import { createScene, takeUpState } from './scene.ts'
+import { createReadings, raysOf, read } from './sensors/readings.ts'
+import { copyState } from './state.ts'
+import { stepScene } from './step.ts'
+import type { Floor, Simulation, World } from './types.ts'
+
+/** Sets a world in motion. Things and robots that overlap at the start are put at the nearest free place. */
+export function createSimulation(world: World, floor: Floor, seed: number): Simulation {
+  const scene = createScene(world, seed)
+  settle(scene)
+  const readings = createReadings(scene, floor)
+  return {
+    world,
+    state: scene.state,
+    step: () => {
+      stepScene(scene)
+      readings.moment++
+    },
+    read: (robot, port, mode) => read(scene, readings, robot, port, mode),
+    rays: (robot, port) => raysOf(scene, readings, robot, port),
+    place: (id, pose) => {
+      readings.moment++
+      return placeByHand(scene, id, pose)
+    },
+    keyframe: () => copyState(scene.state),
+    restore: (state) => {
+      readings.moment++
+      Object.assign(scene.state, copyState(state))
+      takeUpState(scene)
+    },
+  }
+}
