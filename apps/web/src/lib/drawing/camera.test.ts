@@ -1,0 +1,101 @@
+import fc from 'fast-check'
+import { describe, expect, test } from 'vitest'
+import {
+  aim,
+  floorCorner,
+  follow,
+  fromPane,
+  keepOnFloor,
+  needOf,
+  onFloor,
+  scaleBar,
+  scaleFor,
+  toPane,
+} from './camera.ts'
+
+const floor = { width: 600, height: 400 }
+const tall = { width: 372, height: 506 }
+const low = { width: 519, height: 210 }
+const block = { x: 300, y: 200, radius: 35 }
+
+const panes = fc.record({
+  width: fc.integer({ min: 200, max: 1600 }),
+  height: fc.integer({ min: 150, max: 1000 }),
+})
+const spots = fc.record({ x: fc.integer({ min: 12, max: 588 }), y: fc.integer({ min: 12, max: 388 }) })
+
+describe('the camera', () => {
+  test('maps the floor to the pane and back', () => {
+    const cameras = fc.record({
+      x: fc.double({ min: 0, max: 600, noNaN: true }),
+      y: fc.double({ min: 0, max: 400, noNaN: true }),
+      scale: fc.double({ min: 0.5, max: 3, noNaN: true }),
+    })
+    fc.assert(
+      fc.property(cameras, panes, spots, (camera, pane, spot) => {
+        const back = fromPane(toPane(spot, camera, pane), camera, pane)
+        expect(back.x).toBeCloseTo(spot.x, 6)
+        expect(back.y).toBeCloseTo(spot.y, 6)
+      }),
+    )
+  })
+
+  test('rule 1: y grows upwards on the floor', () => {
+    const camera = { x: 300, y: 200, scale: 2 }
+    expect(toPane({ x: 310, y: 210 }, camera, tall)).toEqual({ x: 206, y: 233 })
+    expect(onFloor({ x: 0, y: 400 }, floor, 2)).toEqual({ x: 0, y: 0 })
+    expect(floorCorner(camera, tall, floor)).toEqual({ x: -414, y: -147 })
+  })
+
+  test('shows Bo and the blue square from the start of Friendship, in a tall and in a low pane', () => {
+    const robot = { x: 300, y: 70 }
+    for (const pane of [tall, low]) {
+      const scale = scaleFor(pane, floor, needOf(robot, [block]))
+      const camera = aim(robot, [block], scale, pane, floor)
+      expect(toPane({ x: 300, y: 50 }, camera, pane).y).toBeLessThan(pane.height)
+      expect(toPane({ x: 300, y: 225 }, camera, pane).y).toBeGreaterThan(0)
+    }
+    expect(scaleFor(tall, floor, needOf(robot, [block]))).toBe(2.6)
+  })
+
+  test('shows the whole floor where Bo stays big enough', () => {
+    expect(scaleFor({ width: 1000, height: 700 }, floor, { width: 44, height: 100 })).toBeCloseTo(976 / 600)
+  })
+
+  test('keeps the robot in sight wherever it is', () => {
+    const things = fc.array(
+      fc.record({
+        x: fc.integer({ min: 0, max: 600 }),
+        y: fc.integer({ min: 0, max: 400 }),
+        radius: fc.integer({ min: 3, max: 80 }),
+      }),
+      { maxLength: 4 },
+    )
+    fc.assert(
+      fc.property(panes, spots, things, (pane, robot, others) => {
+        const scale = scaleFor(pane, floor, needOf(robot, others))
+        const at = toPane(robot, aim(robot, others, scale, pane, floor), pane)
+        expect(at.x >= 10 && at.x <= pane.width - 10 && at.y >= 10 && at.y <= pane.height - 10).toBe(true)
+      }),
+    )
+  })
+
+  test('looks no further past the edge than the frame is wide', () => {
+    const corner = keepOnFloor({ x: 0, y: 0, scale: 2 }, tall, floor)
+    expect(floorCorner(corner, tall, floor)).toEqual({ x: 12, y: tall.height - 12 - 800 })
+    expect(keepOnFloor({ x: 0, y: 0, scale: 0.5 }, tall, floor)).toEqual({ x: 300, y: 200, scale: 0.5 })
+  })
+
+  test('arrives, and two small steps are one large one', () => {
+    const start = { x: 0, y: 0, scale: 2 }
+    const target = { x: 100, y: 50, scale: 2 }
+    const twice = follow(follow(start, target, 0.1), target, 0.1)
+    expect(twice.x).toBeCloseTo(follow(start, target, 0.2).x, 9)
+    expect(follow(start, target, 0.35).x).toBeCloseTo(63.212, 3)
+    expect(follow(start, target, 5)).toBe(target)
+  })
+
+  test('the scale bar is a round length of at most 140 px', () => {
+    expect([0.9, 1.3, 2.6, 3.2, 6].map(scaleBar)).toEqual([100, 100, 50, 20, 20])
+  })
+})

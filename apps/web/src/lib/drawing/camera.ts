@@ -1,0 +1,124 @@
+import type { Point, Size } from './points.ts'
+import { clamp } from './points.ts'
+
+/** Which part of the floor is seen: `x`, `y` (cm, y up) is in the middle of the pane, `scale` is px per cm. */
+export interface Camera {
+  readonly x: number
+  readonly y: number
+  readonly scale: number
+}
+
+/** A thing the camera should keep in sight: middle and radius in cm. */
+export interface Sight extends Point {
+  readonly radius: number
+}
+
+/** Width in px of the wooden frame around the floor. */
+export const frameWidth = 12
+
+// Seconds in which the camera makes up 63 % of the way.
+const lag = 0.35
+// Cm around the robot that stay in sight.
+const elbowRoom = 22
+const nearest = 2.6
+const farthest = { smallPane: 1, largePane: 1.3, perPx: 190 }
+const wholeFloor = 3
+
+/**
+ * Px per cm for a floor (cm) in a pane (px): the whole floor where Bo stays big enough, else so close that `need` (cm),
+ * Bo and the thing next to it, just fits.
+ */
+export function scaleFor(pane: Size, floor: Size, need: Size): number {
+  const fit = ({ width, height }: Size, margin: number) =>
+    Math.min((pane.width - margin) / width, (pane.height - margin) / height)
+  const small = Math.min(pane.width, pane.height) / farthest.perPx
+  const least = clamp(small, farthest.smallPane, farthest.largePane)
+  const whole = fit(floor, 2 * frameWidth)
+  return whole >= least ? Math.min(whole, wholeFloor) : clamp(fit(need, 0), least, nearest)
+}
+
+/** Room in cm for the robot and the thing nearest to it, with elbow room around the robot. */
+export function needOf(robot: Point, things: readonly Sight[]): Size {
+  const near = nearestTo(robot, things)
+  const along = (away: number) => Math.max(2 * elbowRoom, Math.abs(away) + elbowRoom + (near?.radius ?? 0))
+  return { width: along((near?.x ?? robot.x) - robot.x), height: along((near?.y ?? robot.y) - robot.y) }
+}
+
+/** Never looks further past the edge than the frame is wide; a floor smaller than the pane stands in its middle. */
+export function keepOnFloor(camera: Camera, pane: Size, floor: Size): Camera {
+  const along = (at: number, seen: number, length: number) => {
+    const half = (seen / 2 - frameWidth) / camera.scale
+    return 2 * half >= length ? length / 2 : clamp(at, half, length - half)
+  }
+  return {
+    scale: camera.scale,
+    x: along(camera.x, pane.width, floor.width),
+    y: along(camera.y, pane.height, floor.height),
+  }
+}
+
+/**
+ * Where the camera wants to be: so that the robot and the thing nearest to it are both in sight, else on the robot.
+ * The robot always keeps its elbow room.
+ */
+export function aim(robot: Point, things: readonly Sight[], scale: number, pane: Size, floor: Size): Camera {
+  const near = nearestTo(robot, things)
+  const x = near ? leaning(near.x - robot.x, near.radius, pane.width / scale) : 0
+  const y = near ? leaning(near.y - robot.y, near.radius, pane.height / scale) : 0
+  const seen = x !== null && y !== null
+  return keepOnFloor({ scale, x: robot.x + (seen ? x : 0), y: robot.y + (seen ? y : 0) }, pane, floor)
+}
+
+/** How far to look past the robot along one axis to see a thing `away` from it; null where that cannot be. */
+function leaning(away: number, radius: number, seen: number): number | null {
+  const free = Math.max(0, seen / 2 - elbowRoom)
+  const middle = (away + Math.sign(away) * (radius - elbowRoom)) / 2
+  const lean = Math.abs(away) < elbowRoom ? away / 2 : clamp(middle, -free, free)
+  return Math.abs(away - lean) - radius < seen / 2 ? lean : null
+}
+
+function nearestTo(robot: Point, things: readonly Sight[]): Sight | undefined {
+  const gap = (thing: Sight) => Math.hypot(thing.x - robot.x, thing.y - robot.y) - thing.radius
+  return things.reduce<Sight | undefined>(
+    (best, one) => (!best || gap(one) < gap(best) ? one : best),
+    undefined,
+  )
+}
+
+/** One step of following, `seconds` after the last one. Arrives when it is less than a quarter pixel away. */
+export function follow(camera: Camera, target: Camera, seconds: number): Camera {
+  const share = 1 - Math.exp(-seconds / lag)
+  const x = camera.x + (target.x - camera.x) * share
+  const y = camera.y + (target.y - camera.y) * share
+  const left = Math.max(Math.abs(target.x - x), Math.abs(target.y - y)) * target.scale
+  return left < 0.25 ? target : { x, y, scale: target.scale }
+}
+
+/** Where the floor's top left corner lies in the pane, in px. */
+export const floorCorner = (camera: Camera, pane: Size, floor: Size): Point => ({
+  x: pane.width / 2 - camera.x * camera.scale,
+  y: pane.height / 2 - (floor.height - camera.y) * camera.scale,
+})
+
+/** Cm (y up) to px inside the floor's own box (y down from its top left corner). */
+export const onFloor = (point: Point, floor: Size, scale: number): Point => ({
+  x: point.x * scale,
+  y: (floor.height - point.y) * scale,
+})
+
+/** Px in the pane to cm on the floor. */
+export function fromPane(at: Point, camera: Camera, pane: Size): Point {
+  return {
+    x: camera.x + (at.x - pane.width / 2) / camera.scale,
+    y: camera.y - (at.y - pane.height / 2) / camera.scale,
+  }
+}
+
+/** Cm on the floor to px in the pane. */
+export const toPane = (point: Point, camera: Camera, pane: Size): Point => ({
+  x: pane.width / 2 + (point.x - camera.x) * camera.scale,
+  y: pane.height / 2 - (point.y - camera.y) * camera.scale,
+})
+
+/** Length in cm of the scale bar: the largest of 10, 20, 50, 100 that is at most 140 px long. */
+export const scaleBar = (scale: number): number => [100, 50, 20].find((cm) => cm * scale <= 140) ?? 10

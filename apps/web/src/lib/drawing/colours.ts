@@ -1,0 +1,22 @@
+const channels = (colour: string): readonly [number, number, number] => {
+  const value = Number.parseInt(colour.slice(1), 16)
+  return [(value >> 16) & 255, (value >> 8) & 255, value & 255]
+}
+
+const hex = (part: number) => Math.round(part).toString(16).padStart(2, '0')
+
+/** `#RRGGBB` mixed with another; `share` 0..1 of the other. */
+export function mix(colour: string, other: string, share: number): string {
+  const a = channels(colour)
+  const b = channels(other)
+  return `#${a.map((part, i) => hex(part + (b[i]! - part) * share)).join('')}`.toUpperCase()
+}
+
+/** Is a ring of this colour hard to see on paper? (WCAG relative luminance over one half) */
+export function isPale(colour: string): boolean {
+  const [r, g, b] = channels(colour).map((part) => {
+    const share = part / 255
+    return share <= 0.04045 ? share / 12.92 : ((share + 0.055) / 1.055) ** 2.4
+  }) as [number, number, number]
+  return 0.2126 * r + 0.7152 * g + 0.0722 * b > 0.5
+}

@@ -1,0 +1,89 @@
+import type { Point, Size } from './points.ts'
+import { clamp } from './points.ts'
+
+/** `below`: on lines under the node · `line`: on one line under it · `beside`: on the node's outer side, where rows are low. */
+export type LabelForm = 'below' | 'line' | 'beside'
+
+/** Where the nodes of a network of two layers stand, in px. */
+export interface NetworkLayout {
+  readonly radius: number
+  readonly inputs: readonly Point[]
+  readonly outputs: readonly Point[]
+  /** Size of the stage; higher than the room there is when nodes would get smaller than a finger. */
+  readonly stage: Size
+  readonly labels: LabelForm
+  readonly labelWidth: number
+  /** Room for what is said second (the place of a sensor or wheel). */
+  readonly places: boolean
+}
+
+const smallestRadius = 22
+const largestRadius = 48
+const gapBetweenRows = 12
+// The weight of a level link stands this high over the middle of its nodes.
+const overMiddle = 56
+const highestRow = 216
+const wide = 460
+const lineHeight = 18
+
+interface Labelling {
+  readonly form: LabelForm
+  readonly places: boolean
+  readonly height: number
+}
+
+/** Node places for `inputs` sensors left and `outputs` actuators right in a room of `room` px. */
+export function layoutNetwork(room: Size, inputs: number, outputs: number): NetworkLayout {
+  const rows = Math.max(inputs, outputs, 1)
+  const label = labelling(room, room.height / rows)
+  const { radius, row, above } = rowsIn(room, rows, label)
+  const height = Math.max(room.height, above + rows * row)
+  const side = sideOf(room.width, radius, label.form)
+  const column = (count: number, x: number) => {
+    const share = (rows * row) / count
+    const top = above + (height - above - rows * row) / 2
+    const middle = (share - 2 * radius - label.height) / 2 + radius
+    return Array.from({ length: count }, (_, i) => ({ x, y: top + i * share + middle }))
+  }
+  return {
+    radius,
+    stage: { width: room.width, height },
+    labels: label.form,
+    places: label.places,
+    labelWidth: label.form === 'beside' ? side - radius - 14 : 2 * side - 4,
+    inputs: column(inputs, side),
+    outputs: column(outputs, room.width - side),
+  }
+}
+
+function labelling({ width }: Size, row: number): Labelling {
+  if (width < wide) return { form: 'below', places: row >= 124, height: lineHeight * (row >= 124 ? 3 : 2) }
+  if (row < 100) return { form: 'beside', places: true, height: 0 }
+  if (row < 124) return { form: 'line', places: true, height: lineHeight + 2 }
+  return { form: 'below', places: true, height: lineHeight * 2 + 4 }
+}
+
+/** Height of a row, radius of a node, and the room over the first row that its weights need. */
+function rowsIn(room: Size, rows: number, { height, form }: Labelling) {
+  const content = height + gapBetweenRows
+  const least = 2 * smallestRadius + content
+  const largest =
+    form === 'beside' ? 26 : Math.min(largestRadius, Math.max(smallestRadius, room.width * 0.118))
+  const sized = (row: number) => clamp((row - content) / 2, smallestRadius, largest)
+  const first = clamp(room.height / rows, least, highestRow)
+  const above = Math.max(0, overMiddle - sized(first) - (first - 2 * sized(first) - height) / 2)
+  const row = clamp((room.height - above) / rows, least, highestRow)
+  return { row, above, radius: sized(row) }
+}
+
+function sideOf(width: number, radius: number, form: LabelForm): number {
+  if (form === 'beside') return 106 + radius
+  if (form === 'line') return clamp(width * 0.21, radius + 14, 140)
+  return clamp(width * 0.18, radius + 14, 130)
+}
+
+/** How much of a ring 0..1 a value fills, and which way round. */
+export const ringFill = (value: number): { readonly share: number; readonly backwards: boolean } => ({
+  share: Math.min(1, Math.abs(value) / 100),
+  backwards: value < 0,
+})

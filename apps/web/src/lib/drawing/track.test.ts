@@ -1,0 +1,120 @@
+import fc from 'fast-check'
+import { describe, expect, test } from 'vitest'
+import { layoutNetwork } from './network.ts'
+import { between, distance, type Point } from './points.ts'
+import {
+  alongMovement,
+  freeLine,
+  knobPlace,
+  linksAt,
+  linkWidth,
+  stagger,
+  weightAt,
+  type Track,
+} from './track.ts'
+
+const level = freeLine({ x: 100, y: 50 }, { x: 400, y: 50 }, 50)
+
+/** All links of a network in a room, staggered. */
+function network(width: number, height: number, inputs: number, outputs: number): readonly Track[] {
+  const layout = layoutNetwork({ width, height }, inputs, outputs)
+  const lines = layout.inputs.flatMap((a) => layout.outputs.map((b) => freeLine(a, b, layout.radius)))
+  return stagger(lines)
+}
+
+const tightest = (points: readonly Point[]) =>
+  Math.min(...points.flatMap((a, i) => points.slice(i + 1).map((b) => distance(a, b))))
+
+const point = fc.record({ x: fc.integer({ min: 0, max: 900 }), y: fc.integer({ min: 0, max: 600 }) })
+const hundredth = fc.integer({ min: 0, max: 100 }).map((part) => part / 100)
+const zero = fc.double({ min: 0.12, max: 0.46, noNaN: true })
+
+describe('the track of a link', () => {
+  test('runs from 12 % to 82 % of the free length between the nodes', () => {
+    expect(level.from.x).toBeCloseTo(149.5)
+    expect(level.to.x).toBeCloseTo(350.5)
+    expect(knobPlace(level, 0)).toEqual(between(level.from, level.to, 0.12))
+    expect(knobPlace(level, 1)).toEqual(between(level.from, level.to, 0.82))
+  })
+
+  test('weights beyond 0..1 stand at its ends', () => {
+    expect(knobPlace(level, 1.4)).toEqual(knobPlace(level, 1))
+    expect(knobPlace(level, -0.5)).toEqual(knobPlace(level, 0))
+  })
+
+  test('a weight becomes a place and the place the same weight again', () => {
+    fc.assert(
+      fc.property(point, point, zero, hundredth, (a, b, start, weight) => {
+        fc.pre(distance(a, b) > 150)
+        const track = { ...freeLine(a, b, 40), zero: start }
+        expect(weightAt(track, knobPlace(track, weight))).toBe(weight)
+      }),
+    )
+  })
+
+  test('a finger off the line means the nearest point on it', () => {
+    const knob = knobPlace(level, 0.3)
+    expect(weightAt(level, { x: knob.x, y: knob.y + 200 })).toBe(0.3)
+    expect(weightAt(level, { x: -50, y: 10 })).toBe(0)
+    expect(weightAt(level, { x: 999, y: 10 })).toBe(1)
+  })
+
+  test('a link is 3 px wide at 0 and 16 px at 1 and at -1', () => {
+    expect([linkWidth(0), linkWidth(1), linkWidth(-1), linkWidth(0.8)]).toEqual([3, 16, 16, 13.4])
+  })
+})
+
+describe('knobs at 0', () => {
+  test('keep 44 px apart in a network of two by two, on every screen', () => {
+    for (const [width, height] of [
+      [456, 416],
+      [513, 242],
+      [366, 330],
+    ] as const)
+      expect(tightest(network(width, height, 2, 2).map((track) => knobPlace(track, 0)))).toBeGreaterThan(43.5)
+  })
+
+  test('keep 38 px apart three by three in the lowest pane at 1024, and 44 px where there is room', () => {
+    expect(tightest(network(513, 242, 3, 3).map((track) => knobPlace(track, 0)))).toBeGreaterThan(38)
+    expect(tightest(network(456, 416, 3, 3).map((track) => knobPlace(track, 0)))).toBeGreaterThan(44)
+    expect(tightest(network(900, 600, 3, 3).map((track) => knobPlace(track, 0)))).toBeGreaterThan(44)
+  })
+
+  test('stay on the first half of their links, whatever the network', () => {
+    const size = fc.integer({ min: 1, max: 6 })
+    fc.assert(
+      fc.property(size, size, fc.integer({ min: 340, max: 1200 }), (inputs, outputs, width) => {
+        const tracks = network(width, 300, inputs, outputs)
+        expect(tracks).toHaveLength(inputs * outputs)
+        for (const track of tracks) expect(track.zero >= 0.12 && track.zero <= 0.47).toBe(true)
+      }),
+      { numRuns: 30 },
+    )
+  })
+})
+
+describe('a finger', () => {
+  const cross = [
+    freeLine({ x: 0, y: 0 }, { x: 400, y: 200 }, 20),
+    freeLine({ x: 0, y: 200 }, { x: 400, y: 0 }, 20),
+  ]
+
+  test('takes the nearest knob within 24 px before any line', () => {
+    const knob = knobPlace(cross[1]!, 0)
+    expect(linksAt(cross, [0, 0], { x: knob.x, y: knob.y + 20 })).toEqual([1])
+  })
+
+  test('takes the nearest line where no knob is', () => {
+    const place = between(cross[0]!.from, cross[0]!.to, 0.9)
+    expect(linksAt(cross, [0, 0], { x: place.x, y: place.y + 10 })).toEqual([0])
+    expect(linksAt(cross, [0, 0], { x: place.x, y: place.y + 60 })).toEqual([])
+  })
+
+  test('on two knobs that meet takes the link in whose direction it moves', () => {
+    const middle = (0.5 - 0.12) / 0.7
+    const both = linksAt(cross, [middle, middle], { x: 200, y: 100 })
+    expect([...both].sort()).toEqual([0, 1])
+    expect(alongMovement(cross, both, { x: 5, y: 3 })).toBe(0)
+    expect(alongMovement(cross, both, { x: 5, y: -3 })).toBe(1)
+  })
+})

@@ -1,0 +1,109 @@
+import type { Point } from './points.ts'
+import { between, clamp, distance, distanceToSegment, shareAlong } from './points.ts'
+
+/** A link as a slider: its free length from node to node, and where on it (shares) weight 0 and weight 1 lie. */
+export interface Track {
+  readonly from: Point
+  readonly to: Point
+  readonly zero: number
+  readonly one: number
+}
+
+const trackShare = { zero: 0.12, one: 0.82, latestZero: 0.46 }
+/** Touch targets keep this far apart where they can, in px. */
+export const targetGap = 44
+/** A knob is grabbed within this distance of its middle, a link within that of its line, in px. */
+export const grabWithin = { knob: 24, link: 18 }
+
+/** The free part of the line between two nodes of radius `radius`. */
+export function freeLine(source: Point, target: Point, radius: number): Track {
+  const length = distance(source, target) || 1
+  const edge = Math.min(0.49, (radius - 0.5) / length)
+  return { from: between(source, target, edge), to: between(source, target, 1 - edge), ...trackShare }
+}
+
+/** Where the knob stands for a weight; weights beyond 0..1 stand at the ends. */
+export const knobPlace = (track: Track, weight: number): Point =>
+  between(track.from, track.to, track.zero + (track.one - track.zero) * clamp(weight, 0, 1))
+
+/** The weight 0..1 of the point on the track that is nearest to `at`, in hundredths. */
+export function weightAt(track: Track, at: Point): number {
+  const share = (shareAlong(track.from, track.to, at) - track.zero) / (track.one - track.zero)
+  return Math.round(clamp(share, 0, 1) * 100) / 100
+}
+
+/**
+ * Moves the zero ends of tracks along their links until resting knobs keep 44 px apart, or as far as they can. Links keep
+ * the full track where there is room.
+ */
+export function stagger(tracks: readonly Track[]): readonly Track[] {
+  const slope = (i: number) => Math.abs(tracks[i]!.to.y - tracks[i]!.from.y)
+  const order = tracks.map((_, i) => i)
+  const steepFirst = [...order].sort((a, b) => slope(b) - slope(a))
+  const tries = [steepFirst, [...steepFirst].reverse(), order, [...order].reverse()].map((one) =>
+    settle(tracks, one),
+  )
+  const best = tries.reduce((a, b) => (b.crowding < a.crowding ? b : a))
+  return tracks.map((track, i) => ({ ...track, zero: best.zeros[i]! }))
+}
+
+/** Link after link takes the place with the least crowding, again and again while that helps. */
+function settle(tracks: readonly Track[], order: readonly number[]) {
+  const zeros = tracks.map(({ zero }) => zero)
+  const others = (i: number) => tracks.flatMap((track, j) => (j === i ? [] : [restAt(track, zeros[j]!)]))
+  for (let round = 0; round < 8; round++) {
+    const before = zeros.join()
+    for (const i of order) zeros[i] = roomiest(tracks[i]!, others(i))
+    if (zeros.join() === before) break
+  }
+  return {
+    zeros,
+    crowding: tracks.reduce((sum, track, i) => sum + crowdingAt(track, zeros[i]!, others(i)), 0),
+  }
+}
+
+const restAt = ({ from, to }: Track, zero: number) => between(from, to, zero)
+
+/** How far the others come too near, squared; the last term prefers long tracks where that makes no difference. */
+function crowdingAt(track: Track, zero: number, others: readonly Point[]): number {
+  const rest = restAt(track, zero)
+  const tight = others.reduce((sum, other) => sum + Math.max(0, targetGap - distance(rest, other)) ** 2, 0)
+  return tight + zero - trackShare.zero
+}
+
+function roomiest(track: Track, others: readonly Point[]): number {
+  let best = { zero: track.zero, crowding: Infinity }
+  for (let zero = trackShare.zero; zero <= trackShare.latestZero; zero += 0.02) {
+    const crowding = crowdingAt(track, zero, others)
+    if (crowding < best.crowding) best = { zero, crowding }
+  }
+  return best.zero
+}
+
+/** Drawn width of a link: 3 + 13·|w| px. */
+export const linkWidth = (weight: number): number => 3 + 13 * Math.min(1, Math.abs(weight))
+
+/**
+ * Which links a finger at `at` may mean: every knob within reach, nearest first; where there is none, the nearest
+ * line within reach. Indices into `tracks`.
+ */
+export function linksAt(tracks: readonly Track[], weights: readonly number[], at: Point): readonly number[] {
+  const within = (reach: number, gaps: readonly number[]) =>
+    gaps.flatMap((gap, i) => (gap <= reach ? [i] : [])).sort((a, b) => gaps[a]! - gaps[b]!)
+  const knobs = within(
+    grabWithin.knob,
+    tracks.map((track, i) => distance(knobPlace(track, weights[i] ?? 0), at)),
+  )
+  if (knobs.length > 0) return knobs
+  return within(
+    grabWithin.link,
+    tracks.map(({ from, to }) => distanceToSegment(from, to, at)),
+  ).slice(0, 1)
+}
+
+/** Of several links under the finger the one whose direction is nearest to the finger's movement. */
+export function alongMovement(tracks: readonly Track[], candidates: readonly number[], move: Point): number {
+  const turn = ({ from, to }: Track) =>
+    Math.abs((to.x - from.x) * move.y - (to.y - from.y) * move.x) / (distance(from, to) || 1)
+  return candidates.reduce((best, one) => (turn(tracks[one]!) < turn(tracks[best]!) ? one : best))
+}

@@ -1,0 +1,29 @@
+import type { NeuronOutline } from '@botgarten/programs'
+import type { RobotConfig } from '@botgarten/simulation'
+import { say } from '#lib/words/say.ts'
+import { colourOf, labelOf, placeOf } from './words.ts'
+
+/** A neuron as it is drawn. */
+export interface Neuron {
+  readonly id: string
+  readonly label: string
+  readonly place: string | null
+  /** Label and place in one, for the ear. */
+  readonly name: string
+  readonly colour: string
+  readonly missing: boolean
+}
+
+export function drawn(neuron: NeuronOutline, config: RobotConfig, problems: ReadonlySet<string>): Neuron {
+  const label = labelOf(neuron)
+  const key = placeOf(neuron, config)
+  const place = key === null ? null : say(key)
+  return {
+    id: neuron.id,
+    label,
+    place,
+    name: place === null ? label : say('network.name', { label, place }),
+    colour: colourOf(neuron),
+    missing: problems.has(neuron.id),
+  }
+}
