@@ -20,7 +20,7 @@ function calculate(operator: string, a: number, b: number): Next {
   const operation = operations.get(operator)
   if (operation === undefined) return fail('unknownChoice')
   const result = operation(a, b)
-  return Number.isFinite(result) ? give(result) : fail('tooBigNumber')
+  return Number.isFinite(result) ? give(result + 0) : fail('tooBigNumber')
 }
 
 export const math_arithmetic: Definition = {

@@ -7,13 +7,13 @@ export function numberAt(frame: Frame, k: number): number {
 }
 
 export const cut = (x: number, least: number, most: number): number =>
-  x < least ? least : x > most ? most : x
+  x <= least ? least : x > most ? most : x
 
-/** Motors take −100..100 percent. */
-export const percent = (x: number): number => cut(x, -100, 100)
+/** Motors take −100..100 percent. Never −0. */
+export const percent = (x: number): number => cut(x, -100, 100) + 0
 
 /** A number as a file writes it (decimal point); null where the text is none, or one without end. */
 export function numberIn(text: string): number | null {
   const x = text.trim() === '' ? NaN : Number(text)
-  return Number.isFinite(x) ? x : null
+  return Number.isFinite(x) ? x + 0 : null
 }

@@ -8,15 +8,18 @@ export function rowName(k: number): string {
   return names[k] ?? ''
 }
 
+/** No list is longer, whatever a file says. */
+const mostRows = 10_000
+
 /** How many rows a growing list has: what its mutation says, else one more than its last filled row. */
 export function rowCount(block: Block): number {
   const said = Number(block.mutation?.attrs.items)
-  if (said >= 0 && said <= 1000) return Math.floor(said)
+  if (said >= 0) return Math.min(Math.floor(said), mostRows)
   let count = 0
   for (const name of Object.keys(block.values ?? {})) {
-    if (/^ADD\d{1,3}$/.test(name)) count = Math.max(count, Number(name.slice(3)) + 1)
+    if (/^ADD\d+$/.test(name)) count = Math.max(count, Number(name.slice(3)) + 1)
   }
-  return count
+  return Math.min(count, mostRows)
 }
 
 /** What is plugged into an input and not switched off. */

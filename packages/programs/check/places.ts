@@ -1,4 +1,4 @@
-import { definitions, isBlockType, plugged } from '@botgarten/blocks'
+import { definitions, isBlockType, plugged, rowCount, rowName } from '@botgarten/blocks'
 import type { Block, Definition, Face, Look, ValueType } from '@botgarten/blocks'
 
 export const definitionOf = ({ type }: Block): Definition | null =>
@@ -43,7 +43,7 @@ export function holesOf(block: Block, { look }: Definition): readonly Hole[] {
 }
 
 const rowsOf = (block: Block, { items }: Look): readonly string[] =>
-  items ? Object.keys(block.values ?? {}).filter((name) => /^ADD\d+$/.test(name)) : []
+  items ? Array.from({ length: rowCount(block) }, (_, k) => rowName(k)) : []
 
 /** Names of value and statement inputs that are filled in the file and that the block does not have. */
 export function strangeInputs(block: Block, definition: Definition): readonly string[] {

@@ -1,0 +1,206 @@
+import { readdirSync, readFileSync } from 'node:fs'
+import { describe, expect, it } from 'vitest'
+import { definitions, isBlockType, toolbox } from './index.ts'
+import type { BlockType, Definition, Look, Template } from './index.ts'
+
+type Words = { readonly [key: string]: Words | string }
+
+const wordsOf = (language: string) =>
+  JSON.parse(readFileSync(new URL(`../../content/words/${language}.json`, import.meta.url), 'utf8')) as Words
+
+const languages = ['en', 'de'].map((language) => [language, wordsOf(language)] as const)
+
+function message(words: Words, key: string): string | undefined {
+  let at: Words | string | undefined = words
+  for (const part of key.split('.')) at = typeof at === 'object' ? at[part] : undefined
+  return typeof at === 'string' ? at : undefined
+}
+
+const placeholders = (text: string) => [...text.matchAll(/\{(\w+)\}/g)].map(([, name]) => name ?? '')
+
+/** In every language: the message, and the same placeholders in each. */
+function expectMessage(key: string, names?: readonly string[]) {
+  for (const [language, words] of languages) {
+    const text = message(words, key)
+    expect(text, `${key} in ${language}`).toBeTruthy()
+    if (names) expect(placeholders(text ?? '').sort(), `${key} in ${language}`).toEqual([...names].sort())
+  }
+}
+
+const families = ['control', 'action', 'sensors', 'logic', 'math', 'text', 'network']
+const files = families.flatMap((family) =>
+  readdirSync(new URL(family, import.meta.url))
+    .filter((file) => !file.endsWith('.test.ts'))
+    .map((file) => ({ family, type: file.replace(/\.ts$/, '') })),
+)
+
+describe('the folders', () => {
+  it('hold every block of the table, one file each, and nothing else', () => {
+    expect(files.map(({ type }) => type).sort()).toEqual(Object.keys(definitions).sort())
+  })
+
+  it.each(files)('$family/$type is named as its type and lies in its family', ({ family, type }) => {
+    expect(isBlockType(type)).toBe(true)
+    expect(definitions[type as BlockType].type).toBe(type)
+    expect(definitions[type as BlockType].look.category).toBe(family)
+  })
+
+  it('know no block by a name that every object has', () => {
+    expect(['toString', 'constructor', '__proto__'].filter(isBlockType)).toEqual([])
+  })
+})
+
+/** What the rows must have a place for: visible fields, named inputs, the icon. */
+function parts({ fields, inputs, icon }: Look): string[] {
+  return [
+    ...fields.filter(({ kind }) => kind !== 'hidden').map(({ name }) => name),
+    ...inputs.map(({ name }) => name),
+    ...(icon ? ['ICON'] : []),
+  ]
+}
+
+const all = Object.values(definitions).map((definition: Definition) => [definition.type, definition] as const)
+
+describe.each(all)('%s', (_type, { look, words, neuron, example }) => {
+  it('has a name and one sentence of help of at most 15 words', () => {
+    expectMessage(words.name, [])
+    expectMessage(words.help, [])
+    for (const [, language] of languages) {
+      const help = message(language, words.help) ?? ''
+      expect(help.split(/\s+/).length).toBeLessThanOrEqual(15)
+      expect(help).toMatch(/^[A-ZÄÖÜ].*\.$/)
+    }
+  })
+
+  it('has a place in its rows for every part, once', () => {
+    const [, english] = languages[0]!
+    const inRows = look.rows.flatMap((key) => placeholders(message(english, key) ?? ''))
+    expect(inRows.sort()).toEqual(parts(look).sort())
+    for (const key of look.rows) expectMessage(key, placeholders(message(english, key) ?? ''))
+  })
+
+  it('has presets that are among its options, and words for each option', () => {
+    for (const field of look.fields) {
+      if (field.kind !== 'choice') continue
+      const values = field.options.map(({ value }) => value)
+      expect(values).toContain(field.preset)
+      expect(new Set(values).size).toBe(values.length)
+      for (const { words } of field.options) if (words !== null) expectMessage(words, [])
+    }
+  })
+
+  it('writes its colours as #RRGGBB in upper case', () => {
+    for (const field of look.fields) {
+      if (field.kind !== 'choice') continue
+      for (const { dot, value } of field.options) {
+        if (dot !== undefined) expect(dot).toMatch(/^#[0-9A-F]{6}$/)
+        if (value.startsWith('#')) expect(value).toBe(dot)
+      }
+    }
+  })
+
+  it('gives a value exactly if it is a value block', () => {
+    expect(look.output !== undefined).toBe(look.shape === 'value')
+  })
+
+  it('has faces for every value that tells them apart, the first as it shows itself', () => {
+    if (!look.faces) return
+    const { by, of } = look.faces
+    expect(Object.values(of)[0]?.output).toBe(look.output)
+    if ('field' in by) {
+      const field = look.fields.find(({ name }) => name === by.field)
+      const values = field?.kind === 'choice' ? field.options.map(({ value }) => value) : []
+      expect(Object.keys(of)).toEqual(values)
+    }
+    for (const face of Object.values(of)) if (face.items) expectMessage(face.items.add, [])
+  })
+
+  it('has mutations that follow fields of its own', () => {
+    const names = look.fields.map(({ name }) => name)
+    for (const said of Object.values(look.mutation ?? {}))
+      if (typeof said === 'object') expect(names).toContain(said.field)
+  })
+
+  it('labels its neuron with its fields', () => {
+    if (!neuron) return
+    const visible = look.fields.filter(({ kind }) => kind !== 'hidden').map(({ name }) => name)
+    expectMessage(neuron.label, visible)
+    if (neuron.port !== undefined) expect(visible).toContain(neuron.port)
+    if (typeof neuron.colour === 'object') expect(visible).toContain(neuron.colour.field)
+    expect(look.output).toBe(neuron.layer === 'input' ? 'InputNode' : 'OutputNode')
+  })
+
+  it('has an example that begins with a start block', () => {
+    expect(example[0]?.type).toBe('robControls_start')
+  })
+})
+
+const templates = (template: Template): Template[] => [
+  template,
+  ...Object.values(template.values ?? {}).flatMap(templates),
+  ...Object.values(template.statements ?? {}).flatMap((rows) => rows.flatMap(templates)),
+]
+
+describe('the toolbox', () => {
+  const entries = toolbox.flatMap(({ blocks }) => blocks)
+
+  it('offers every block', () => {
+    const offered = new Set(entries.flatMap(templates).map(({ type }) => type))
+    expect([...offered].sort()).toEqual(Object.keys(definitions).sort())
+  })
+
+  it('has words for each category, in the order of the folders', () => {
+    expect(toolbox.map(({ category }) => category)).toEqual(families)
+    for (const { category } of toolbox) expectMessage(`category.${category}`, [])
+  })
+
+  it.each(entries.flatMap(templates).map((template) => [template.type, template] as const))(
+    'presets of %s are fields it has, with values they may have',
+    (type, { fields = {}, values = {} }) => {
+      const { look } = definitions[type as BlockType]
+      for (const [name, value] of Object.entries(fields)) {
+        const field = look.fields.find((candidate) => candidate.name === name)
+        expect(field, `${type}.${name}`).toBeDefined()
+        if (field?.kind === 'choice') expect(field.options.map((option) => option.value)).toContain(value)
+      }
+      const inputs = [...look.inputs.map(({ name }) => name), ...(look.items ? ['ADD0', 'ADD1'] : [])]
+      for (const name of Object.keys(values)) expect(inputs).toContain(name)
+    },
+  )
+})
+
+describe('the words', () => {
+  const [, english] = languages[0]!
+  const [, german] = languages[1]!
+
+  const keys = (words: Words, path: string): string[] =>
+    Object.entries(words).flatMap(([name, value]) =>
+      typeof value === 'string' ? [`${path}${name}`] : keys(value, `${path}${name}.`),
+    )
+
+  it.each(['block', 'category', 'choice', 'neuron', 'problem'])(
+    'of %s are the same in both languages',
+    (section) => {
+      const own = (words: Words) => keys(words[section] as Words, '')
+      expect(own(german)).toEqual(own(english))
+      for (const key of own(english)) {
+        const names = (words: Words) => placeholders(message(words, `${section}.${key}`) ?? '').sort()
+        expect(names(german), key).toEqual(names(english))
+      }
+    },
+  )
+
+  it('belong to blocks that are there', () => {
+    expect(Object.keys(english.block as Words).sort()).toEqual(Object.keys(definitions).sort())
+  })
+
+  it('use every choice', () => {
+    const used = all.flatMap(([, { look }]) =>
+      look.fields.flatMap((field) =>
+        field.kind === 'choice' ? field.options.map(({ words }) => words) : [],
+      ),
+    )
+    const there = Object.keys(english.choice as Words).map((name) => `choice.${name}`)
+    expect(there.filter((key) => !used.includes(key))).toEqual([])
+  })
+})

@@ -1,0 +1,205 @@
+import { describe, expect, it } from 'vitest'
+import type { Template } from '@botgarten/blocks'
+import { check } from '../index.ts'
+import {
+  block,
+  calculate,
+  colour,
+  compare,
+  distance,
+  forever,
+  lamp,
+  net,
+  number,
+  programOf,
+  show,
+  start,
+} from '../testing/build.ts'
+
+/** The cards' robot: colour at port 1, distance at 2 and 3. */
+const sockets = {
+  sensors: { 1: { kind: 'colour' }, 2: { kind: 'ultrasonic' }, 3: { kind: 'ultrasonic' } },
+} as const
+
+const findings = (...rows: Template[]) => check(programOf([start, ...rows]), sockets)
+const problems = (...rows: Template[]) => findings(...rows).map(({ problem }) => problem)
+
+const eye = (port: string) => block('ai_nn_input_node_ultrasonic', { INPUTNODE: `ULTRASONIC_PORT_${port}` })
+const seen = (port: string) =>
+  block('ai_nn_input_node_coloursensor_color', { COLOUR: '#00642E', SENSORPORT: port })
+const motor = block('ai_nn_output_node', { OUTPUTNODE: 'MOTORPORT_C' })
+
+describe('a sensor at the wrong port', () => {
+  it('names both ports and offers the right one: the picture of the colour neuron at port 2', () => {
+    expect(findings(net([seen('2')], [motor]))).toEqual([
+      {
+        block: 'ai_nn_input_node_coloursensor_color',
+        problem: 'problem.noColourSensorHere',
+        facts: { port: '2', other: '1' },
+        fixes: [{ field: 'SENSORPORT', value: '1', words: 'problem.fix.port', facts: { port: '1' } }],
+        stops: true,
+      },
+    ])
+  })
+
+  it('offers every right port, in the words of the field', () => {
+    const [finding] = findings(net([eye('4')], [motor]))
+    expect(finding).toMatchObject({
+      problem: 'problem.noDistanceSensorEmpty',
+      facts: { port: '4', other: '2' },
+    })
+    expect(finding?.fixes?.map(({ value }) => value)).toEqual(['ULTRASONIC_PORT_2', 'ULTRASONIC_PORT_3'])
+  })
+
+  it('says so where the robot has no such sensor at all', () => {
+    const program = programOf([start, net([seen('2')], [motor])])
+    expect(check(program, { sensors: { 2: { kind: 'ultrasonic' } } })).toMatchObject([
+      { problem: 'problem.noColourSensorAnywhere', fixes: [] },
+    ])
+  })
+
+  it('a fix mends it', () => {
+    expect(findings(net([seen('1')], [motor]))).toEqual([])
+    expect(problems(show(distance('1')))).toEqual(['problem.noDistanceSensorHere'])
+    expect(problems(show(distance('2')))).toEqual([])
+  })
+})
+
+describe('start blocks', () => {
+  it('a program needs one', () => {
+    expect(check(programOf([lamp('RED')]), sockets)).toEqual([
+      { block: '', problem: 'problem.noStart', stops: true },
+    ])
+  })
+
+  it('and not two', () => {
+    expect(check(programOf([start], [start, lamp('RED')]), sockets)).toEqual([
+      { block: 'robControls_start#2', problem: 'problem.secondStart', stops: true },
+    ])
+  })
+
+  it('blocks beside it may lie about half done', () => {
+    expect(
+      check(programOf([start], [calculate('ADD', number(1), number(1))], [show(distance('4'))]), sockets),
+    ).toEqual([])
+  })
+})
+
+describe('networks', () => {
+  it('need an input and an output', () => {
+    expect(problems(net([], [motor]))).toEqual(['problem.noInputs'])
+    expect(problems(net([eye('2')], []))).toEqual(['problem.noOutputs'])
+    expect(problems(block('ai_neural_network'))).toEqual(['problem.noInputs'])
+  })
+
+  it('run with an empty row, which is only a hint', () => {
+    expect(findings(net([eye('2'), null], [motor]))).toEqual([
+      { block: 'ai_easy_list', problem: 'problem.emptyRow', stops: false },
+    ])
+  })
+
+  it('take no output among the inputs', () => {
+    expect(findings(net([motor], [motor]))).toMatchObject([
+      { block: 'ai_nn_output_node', problem: 'problem.wrongKind' },
+    ])
+  })
+})
+
+describe('gaps and wrong blocks', () => {
+  it('a missing value is said at the block with the gap', () => {
+    expect(findings(block('robControls_wait_time'))).toEqual([
+      {
+        block: 'robControls_wait_time',
+        problem: 'problem.missingValue',
+        facts: { input: 'WAIT' },
+        stops: true,
+      },
+    ])
+  })
+
+  it('a block that is switched off leaves a gap, or is not looked at', () => {
+    const off = { ...number(1), disabled: true }
+    expect(problems(block('robControls_wait_time', {}, { WAIT: off }))).toEqual(['problem.missingValue'])
+    expect(problems({ ...block('robControls_wait_time'), disabled: true })).toEqual([])
+  })
+
+  it('a value of the wrong kind, a statement as value, a value as statement', () => {
+    expect(findings(block('robControls_wait_time', {}, { WAIT: colour('#B30006') }))).toMatchObject([
+      { block: 'robColour_picker', problem: 'problem.wrongKind' },
+    ])
+    expect(problems(block('robControls_wait_time', {}, { WAIT: lamp('RED') }))).toEqual(['problem.wrongKind'])
+    expect(problems(number(1))).toEqual(['problem.wrongKind'])
+    expect(problems(start)).toEqual(['problem.wrongKind'])
+  })
+
+  it('the colour sensor gives a colour or a number, as its mode says', () => {
+    const reading = (MODE: string) => block('robSensors_colour_getSample', { MODE, SENSORPORT: '1' })
+    const waiting = (MODE: string) => problems(block('robControls_wait_time', {}, { WAIT: reading(MODE) }))
+    expect(waiting('LIGHT')).toEqual([])
+    expect(waiting('COLOUR')).toEqual(['problem.wrongKind'])
+    expect(problems(show(reading('RGB')))).toEqual(['problem.unknownChoice'])
+  })
+
+  it('unknown blocks, choices, numbers and parts are named', () => {
+    expect(findings(block('robActions_play_file'))).toEqual([
+      { block: 'robActions_play_file', problem: 'problem.unknownBlock', stops: true },
+    ])
+    expect(problems(show(calculate('POWER', number(2), number(3))))).toEqual(['problem.unknownChoice'])
+    expect(problems(show(block('math_number', { NUM: 'zwei' })))).toEqual(['problem.notANumber'])
+    expect(problems(block('actions_bricklight_on_ev3', { COLOUR: 'RED', MODE: 'FLASH' }))).toEqual([
+      'problem.unknownPart',
+    ])
+    expect(
+      problems(
+        block(
+          'robControls_if',
+          {},
+          { IF0: compare('EQ', number(1), number(1)), IF1: compare('EQ', number(1), number(1)) },
+        ),
+      ),
+    ).toEqual(['problem.unknownPart'])
+  })
+
+  it('rows of a layer that its mutation does not count are not silently lost', () => {
+    const list = {
+      ...net([eye('2'), eye('3')], [motor]).values!.INPUT_LAYER!,
+      mutation: { attrs: { items: '1', list_type: 'InputNode' } },
+    }
+    const rest = net([], [motor]).values!.OUTPUT_LAYER!
+    expect(problems(block('ai_neural_network', {}, { INPUT_LAYER: list, OUTPUT_LAYER: rest }))).toEqual([
+      'problem.unknownPart',
+    ])
+  })
+
+  it('colours of a file may be written in either case', () => {
+    expect(problems(show(colour('#b30006')))).toEqual([])
+  })
+})
+
+describe('comparing', () => {
+  const decide = (condition: Template) => problems(block('robControls_if', {}, { IF0: condition }))
+
+  it('colours have no order and are no numbers', () => {
+    expect(decide(compare('LT', colour('#B30006'), colour('#0057A6')))).toEqual([
+      'problem.coloursHaveNoOrder',
+    ])
+    expect(decide(compare('EQ', colour('#B30006'), number(1)))).toEqual(['problem.cannotCompare'])
+    expect(decide(compare('EQ', colour('#B30006'), colour('#0057A6')))).toEqual([])
+  })
+})
+
+describe('loops', () => {
+  it('that do nothing are fine', () => {
+    expect(problems(forever())).toEqual([])
+  })
+
+  it('that never end hint at what comes after them', () => {
+    expect(findings(forever(lamp('RED')), lamp('GREEN'))).toEqual([
+      { block: 'actions_bricklight_on_ev3#2', problem: 'problem.neverReached', stops: false },
+    ])
+  })
+
+  it('are looked into', () => {
+    expect(problems(forever(forever(show(distance('4')))))).toEqual(['problem.noDistanceSensorEmpty'])
+  })
+})

@@ -1,0 +1,55 @@
+import { readdirSync, readFileSync } from 'node:fs'
+import { describe, expect, it } from 'vitest'
+
+const rooms = ['../../blocks', '..']
+
+function sources(folder: URL): string[] {
+  return readdirSync(folder, { withFileTypes: true }).flatMap((entry) => {
+    if (entry.isDirectory()) return sources(new URL(`${entry.name}/`, folder))
+    return /(?<!\.test)\.ts$/.test(entry.name) ? [readFileSync(new URL(entry.name, folder), 'utf8')] : []
+  })
+}
+
+const code = rooms.flatMap((room) => sources(new URL(`${room}/`, import.meta.url))).join('\n')
+
+interface Said {
+  readonly title: string
+  readonly text: string
+}
+
+const wordsOf = (language: string) => {
+  const url = new URL(`../../../content/words/${language}.json`, import.meta.url)
+  const { problem } = JSON.parse(readFileSync(url, 'utf8')) as { problem: { [name: string]: Said } }
+  return Object.entries(problem).filter(([name]) => name !== 'fix')
+}
+
+describe.each(['en', 'de'])('the problems in %s', (language) => {
+  it.each(wordsOf(language))(
+    '%s has a title, says what to try, and is said by some code',
+    (name, { title, text }) => {
+      expect(title).toMatch(/[.?]$/)
+      expect(text).toMatch(/[.?]$/)
+      const stem = name.replace(/(Here|Empty|Anywhere)$/, '')
+      expect(code).toMatch(new RegExp(`'(problem\\.)?${stem}'`))
+    },
+  )
+
+  it.each(wordsOf(language))('%s is said in sentences of at most twelve words', (_name, { title, text }) => {
+    for (const sentence of `${title} ${text}`.split(/(?<=[.?])\s/))
+      expect(sentence.split(/\s+/).length, sentence).toBeLessThanOrEqual(12)
+  })
+})
+
+it('every problem that some code says has words', () => {
+  const said = [...code.matchAll(/(?:fail|stop|said)\((?:[^()']*, )?'(\w+)'/g)].map(([, name]) => name ?? '')
+  const named = [...code.matchAll(/'problem\.(\w+)'/g)].map(([, name]) => name ?? '')
+  const names = wordsOf('en').map(([name]) => name)
+  for (const name of [...said, ...named]) {
+    if (name === 'fix') continue
+    expect(
+      names.some((known) => known.startsWith(name)),
+      name,
+    ).toBe(true)
+  }
+  expect(said.length).toBeGreaterThan(10)
+})

@@ -1,0 +1,267 @@
+import fc from 'fast-check'
+import { describe, expect, it } from 'vitest'
+import { randomPrograms } from '../testing/random-programs.ts'
+import { parseProject, ProjectError, writeProject, type Project, type ProjectReason } from '../index.ts'
+
+const sha256 = '0'.repeat(64)
+
+const project: Project = {
+  botgarten: 1,
+  name: 'Freundschaft',
+  card: 'friendship',
+  programs: {
+    main: {
+      stacks: [
+        {
+          x: 20,
+          y: 24.5,
+          blocks: [
+            {
+              id: 'a',
+              type: 'robControls_start',
+              fields: { DEBUG: 'FALSE' },
+              mutation: { attrs: { declare: 'false' } },
+            },
+            {
+              id: 'b',
+              type: 'robActions_somethingNew',
+              values: { X: { id: 'c', type: 'math_number', fields: { NUM: '1' } } },
+            },
+          ],
+        },
+      ],
+      config: { stacks: [] },
+    },
+  },
+  world: {
+    size: { width: 200, height: 150 },
+    floor: { asset: 'content:worlds/friendship/floor.png' },
+    areas: [
+      {
+        id: 'area',
+        shape: { kind: 'circle', radius: 5 },
+        pose: { x: 1, y: 2, heading: 3 },
+        colour: '#00642E',
+      },
+    ],
+    lines: [
+      {
+        id: 'line',
+        points: [
+          { x: 0, y: 0 },
+          { x: 10, y: 10 },
+        ],
+        width: 2,
+        colour: '#000000',
+      },
+    ],
+    obstacles: [
+      {
+        id: 'square',
+        shape: { kind: 'rectangle', width: 40, height: 40 },
+        pose: { x: 100, y: 100, heading: 0 },
+        fixed: true,
+        colour: '#0057A6',
+        look: 'crate',
+      },
+    ],
+    robots: [
+      {
+        id: 'bo',
+        pose: { x: 50, y: 50, heading: 90 },
+        program: 'main',
+        brain: '',
+        config: {
+          wheelDiameter: 5.6,
+          trackWidth: 18,
+          sensors: {
+            1: { kind: 'colour', x: 9, y: 0, angle: 0 },
+            2: { kind: 'ultrasonic', x: 10, y: 5, angle: 20 },
+          },
+          drive: { left: 'C', right: 'B' },
+          noise: 5,
+        },
+      },
+    ],
+  },
+  brains: {
+    net: {
+      kind: 'network',
+      layers: [
+        [{ id: 'in', activation: 'identity', bias: 0 }],
+        [{ id: 'out', activation: 'identity', bias: 0 }],
+      ],
+      weights: { in: { out: 0.8 } },
+      sets: { fear: { in: { out: -0.8 } } },
+    },
+  },
+  assets: { [sha256]: { type: 'image/png', base64: 'iVBORw0KGgo=' } },
+  progress: { starts: [0, 2], hints: 1 },
+}
+
+function reasonOf(source: unknown): ProjectReason | 'accepted' {
+  try {
+    parseProject(source)
+    return 'accepted'
+  } catch (error) {
+    if (error instanceof ProjectError) return error.reason
+    throw error
+  }
+}
+
+describe('a project file', () => {
+  it('comes back the same, blocks of unknown type included', () => {
+    expect(parseProject(writeProject(project))).toEqual(project)
+  })
+
+  it('may be data already', () => {
+    expect(parseProject(project)).toEqual(project)
+    expect(parseProject(project)).not.toBe(project)
+  })
+
+  it('holds any program', () => {
+    fc.assert(
+      fc.property(randomPrograms, (main) => {
+        const whole = { ...project, programs: { main } }
+        expect(parseProject(writeProject(whole))).toEqual(JSON.parse(JSON.stringify(whole)))
+      }),
+      { numRuns: 100 },
+    )
+  })
+
+  it('leaves out what nobody knows', () => {
+    expect(parseProject({ ...project, extra: 1 })).toEqual(project)
+  })
+})
+
+describe('what is refused, and why', () => {
+  it.each([
+    ['', 'notJson'],
+    ['{', 'notJson'],
+    ['<xml/>', 'notJson'],
+    ['null', 'notAProject'],
+    ['[]', 'notAProject'],
+    ['{}', 'notAProject'],
+    ['"hello"', 'notAProject'],
+    ['{"botgarten":2}', 'newerVersion'],
+    ['{"botgarten":1e999}', 'newerVersion'],
+    ['{"botgarten":0}', 'notAProject'],
+    ['{"botgarten":"1"}', 'notAProject'],
+  ] as const)('%s: %s', (text, reason) => {
+    expect(reasonOf(text)).toBe(reason)
+  })
+
+  it('a newer version is named', () => {
+    expect(() => parseProject('{"botgarten":7}')).toThrow(
+      new ProjectError('newerVersion', 'The project has version 7; this Botgarten reads up to 1.', {
+        version: 7,
+      }),
+    )
+  })
+
+  it('the message says where', () => {
+    const smaller = replaced(project, ['world', 'size', 'width'], -1)
+    expect(() => parseProject(smaller)).toThrow(/world\.size\.width/)
+  })
+
+  it.each([
+    ['two blocks with one id', 'programs.main.stacks.0.blocks.1.id', 'a'],
+    ['an id that reaches into every object', 'programs.main.stacks.0.blocks.1.id', '__proto__'],
+    ['two things with one id', 'world.areas.0.id', 'bo'],
+    ['a robot without its program', 'world.robots.0.program', 'other'],
+    ['a robot whose program is a word of every object', 'world.robots.0.program', 'toString'],
+    ['a picture outside the product', 'world.floor.asset', 'content:../../etc/passwd'],
+    ['a picture from elsewhere', 'world.floor.asset', 'https://example.org/x.png'],
+    ['an asset that is no base64', `assets.${sha256}.base64`, '<svg>'],
+    ['a noise above 100', 'world.robots.0.config.noise', 101],
+    ['a world without size', 'world.size.width', 0],
+  ])('%s', (_what, path, value) => {
+    expect(reasonOf(replaced(project, path.split('.'), value))).toBe('notAProject')
+  })
+
+  it('numbers without end', () => {
+    expect(reasonOf(writeProject(project).replace('0.8', '1e999'))).toBe('notAProject')
+  })
+})
+
+describe('hostile files', () => {
+  it('of more than 5 MB are too big, in bytes', () => {
+    expect(reasonOf(' '.repeat(5 * 1024 * 1024 + 1))).toBe('tooBig')
+    expect(reasonOf(JSON.stringify('ä'.repeat(2.6 * 1024 * 1024)))).toBe('tooBig')
+    expect(reasonOf(['x'.repeat(3e6), 'x'.repeat(3e6)])).toBe('tooBig')
+  })
+
+  it('of a million parts are too big', () => {
+    expect(reasonOf(`[${'0,'.repeat(1_000_000)}0]`)).toBe('tooBig')
+  })
+
+  it('nested without end are refused, not followed', () => {
+    expect(reasonOf('['.repeat(100_000) + ']'.repeat(100_000))).toBe('notAProject')
+    const round: { self?: unknown } = {}
+    round.self = round
+    expect(reasonOf(round)).toBe('notAProject')
+  })
+
+  it('blocks in blocks may go as deep as the limit', () => {
+    const nest = (depth: number): object =>
+      depth === 0 ? { id: 'n0', type: 'x' } : { id: `n${depth}`, type: 'x', values: { A: nest(depth - 1) } }
+    const program = (depth: number) => ({
+      stacks: [{ x: 0, y: 0, blocks: [nest(depth)] }],
+      config: { stacks: [] },
+    })
+    expect(reasonOf({ ...project, programs: { main: program(290) } })).toBe('accepted')
+    expect(reasonOf({ ...project, programs: { main: program(310) } })).toBe('notAProject')
+  })
+
+  it.each(['__proto__', 'constructor', 'prototype'])('change no object by a key %s', (key) => {
+    const text = writeProject(project).replace('"main":{', `"${key}":{"polluted":true},"main":{`)
+    expect(reasonOf(text)).toBe('notAProject')
+    expect(({} as { polluted?: boolean }).polluted).toBeUndefined()
+  })
+
+  it('of any JSON are accepted or refused with a reason, nothing else', () => {
+    fc.assert(
+      fc.property(fc.jsonValue({ maxDepth: 6 }), (value) => {
+        expect(['accepted', 'notAProject', 'newerVersion']).toContain(reasonOf(JSON.stringify(value)))
+      }),
+    )
+  })
+
+  it('with any one part replaced by anything are accepted or refused with a reason, nothing else', () => {
+    const paths = pathsIn(project, [])
+    const foreign = fc.oneof(fc.jsonValue({ maxDepth: 3 }), fc.constantFrom('__proto__', -1, 1e308, {}, []))
+    fc.assert(
+      fc.property(fc.constantFrom(...paths), foreign, (path, value) => {
+        expect(['accepted', 'notAProject', 'newerVersion']).toContain(
+          reasonOf(JSON.stringify(replaced(project, path, value))),
+        )
+      }),
+      { numRuns: 1000 },
+    )
+  })
+
+  it('of any text are refused with a reason', () => {
+    fc.assert(
+      fc.property(fc.string({ unit: 'binary' }), (text) => {
+        expect(['notJson', 'notAProject']).toContain(reasonOf(text))
+      }),
+    )
+  })
+})
+
+type Path = readonly string[]
+
+function pathsIn(value: unknown, path: Path): Path[] {
+  const below =
+    typeof value === 'object' && value !== null
+      ? Object.entries(value).flatMap(([name, child]) => pathsIn(child, [...path, name]))
+      : []
+  return [path, ...below]
+}
+
+function replaced(data: unknown, [name, ...rest]: Path, value: unknown): unknown {
+  if (name === undefined) return value
+  const copy = structuredClone(data) as { [name: string]: unknown }
+  copy[name] = replaced(copy[name], rest, value)
+  return copy
+}
