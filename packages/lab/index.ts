@@ -1,1 +1,5 @@
 export type * from './types.ts'
+export { createLab } from './lab.ts'
+export { Pace } from './clock/pace.ts'
+export { kinds } from './checks/kinds.ts'
+export { brainsFor } from './robots/brains.ts'

@@ -1,7 +1,8 @@
-import type { NetTrace } from '@botgarten/learning/neural-network'
+import type { Brain, NetTrace } from '@botgarten/learning/neural-network'
 import type { Finding } from '@botgarten/blocks'
-import type { Program, Project, Thread } from '@botgarten/programs'
-import type { Floor, LedColour, Pose, Ray, SensorPort, SimulationState, World } from '@botgarten/simulation'
+import type { Project } from '@botgarten/programs'
+import type { Floor, LedColour, Pose, Ray, SensorPort } from '@botgarten/simulation'
+import type { Moment } from './run.ts'
 
 /** What a lab runs: the parts of a project that behave. */
 export type Document = Pick<Project, 'programs' | 'world' | 'brains'>
@@ -26,35 +27,22 @@ export type Phase = 'ready' | 'running' | 'paused' | 'ended'
 /** Inputs of a tick (running.md 2): together with the start state and the seed they are the whole run. */
 export type Input =
   | { readonly kind: 'place'; readonly id: string; readonly pose: Pose }
-  | {
-      readonly kind: 'weight'
-      readonly brain: string
-      readonly from: string
-      readonly to: string
-      readonly weight: number
-    }
+  | { readonly kind: 'brain'; readonly brain: string; readonly value: Brain }
   | { readonly kind: 'key'; readonly key: DriveKey; readonly down: boolean }
 
 export type DriveKey = 'up' | 'down' | 'left' | 'right'
-
-/** Everything that decides how the run goes on. Plain data. */
-export interface LabState {
-  readonly tick: number
-  readonly simulation: SimulationState
-  readonly threads: readonly Thread[]
-  readonly weights: {
-    readonly [brain: string]: { readonly [from: string]: { readonly [to: string]: number } }
-  }
-  readonly keys: readonly DriveKey[]
-  readonly checks: readonly unknown[]
-  readonly hash: readonly [number, number]
-}
 
 export interface TrailPoint {
   readonly t: number
   readonly x: number
   readonly y: number
   readonly heading: number
+}
+
+export interface Tone {
+  readonly t: number
+  /** Hertz; 0 = silence begins. */
+  readonly frequency: number
 }
 
 export interface RobotView {
@@ -68,6 +56,7 @@ export interface RobotView {
   readonly touching: readonly string[]
   readonly rays: { readonly [port in SensorPort]?: readonly Ray[] }
   readonly trail: readonly TrailPoint[]
+  readonly tones: readonly Tone[]
   readonly lit: string | null
 }
 
@@ -86,26 +75,39 @@ export interface View {
 
 /** One running lab. Every verb is synchronous; the app owns speed and frames. */
 export interface Lab {
-  load(document: Document, floor: Floor, options: { seed: number; checks: readonly Check[] }): void
-  /** Blocks were edited: threads begin anew where the robot stands, the timeline ends (running.md 9). */
-  edit(programs: { readonly [id: string]: Program }, brains: Document['brains']): void
+  /** Takes a document up and stands ready. @throws RangeError for a check of an unknown kind. */
+  load(
+    document: Document,
+    floor: Floor,
+    options: { readonly seed: number; readonly checks: readonly Check[] },
+  ): void
+  /** Blocks were edited: brains follow them. While it runs, programs begin anew where the robots stand (running.md 9). */
+  edit(programs: Document['programs']): void
   start(): void
   stop(): void
   pause(): void
   resume(): void
   /** `tick`: one tick · `block`: until the next block is lit · `network`: until the next run of a net (running.md 10). */
-  step(kind: 'tick' | 'block' | 'network'): void
+  step(kind: StepKind): void
+  /** Lets time pass: the run, or a robot that is driven by hand while no program runs. */
   advance(ticks: number): void
   setWeight(brain: string, from: string, to: string, weight: number): void
-  place(id: string, pose: Pose): void
+  /** Puts another brain in a network's place: reset, undo, weights of duplicated neurons. */
+  setBrain(brain: string, value: Brain): void
+  /** Moves a robot or an obstacle by hand; while no run is on, that is where it starts from. Returns where it came to stand. */
+  place(id: string, pose: Pose): Pose
   press(key: DriveKey, down: boolean): void
-  /** Back or forth inside the recorded run: nearest keyframe, then replay (running.md 8). */
+  /** Back or forth inside the run: nearest keyframe, then replay (running.md 8). The run is paused there. */
   goTo(tick: number): void
-  /** Back to the start pose (world reset, running.md 10). */
+  /** Everything back to its start pose (running.md 10). */
   reset(): void
-  state(): LabState
+  /** The present moment as plain data. */
+  state(): Moment
   view(): View
-  document(): { world: World; brains: Document['brains'] }
-  /** 16 hexadecimal digits over x, y, heading of all robots at every tick so far. */
+  /** The document with the weights and start poses of now. */
+  document(): Document
+  /** 16 hexadecimal digits over x, y, heading (float64) of all robots at every tick of this run. */
   hash(): string
 }
+
+export type StepKind = 'tick' | 'block' | 'network'

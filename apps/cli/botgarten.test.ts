@@ -1,0 +1,110 @@
+import { spawnSync } from 'node:child_process'
+import { mkdtempSync, readFileSync, writeFileSync } from 'node:fs'
+import { tmpdir } from 'node:os'
+import { join } from 'node:path'
+import { Ajv2020 } from 'ajv/dist/2020.js'
+import { describe, expect, it } from 'vitest'
+
+const folder = mkdtempSync(join(tmpdir(), 'botgarten-'))
+const program = join(import.meta.dirname, 'botgarten.ts')
+
+/** Calls the command line as a teacher would. */
+function botgarten(...args: string[]) {
+  const { status, stdout, stderr } = spawnSync(process.execPath, [program, ...args], { encoding: 'utf8' })
+  return { status, stdout, stderr, json: () => JSON.parse(stdout) as { [key: string]: unknown } }
+}
+
+function file(name: string, text: string): string {
+  const path = join(folder, name)
+  writeFileSync(path, text)
+  return path
+}
+
+const schema = (name: string) =>
+  JSON.parse(readFileSync(join(import.meta.dirname, 'schemas', name), 'utf8')) as object
+
+function expectToFit(value: unknown, name: string) {
+  const fits = new Ajv2020().compile(schema(name))
+  fits(value)
+  expect(fits.errors).toBeNull()
+}
+
+describe('botgarten cards', () => {
+  it('lists the cards as one line of JSON that fits its schema', () => {
+    const { status, stdout, json } = botgarten('cards', '--json')
+    expect(status).toBe(0)
+    expect(stdout.trim()).not.toContain('\n')
+    expectToFit(json(), 'cards.json')
+    expect(json()).toMatchObject([{ id: 'friendship' }, { id: 'fear' }])
+  })
+
+  it('lists them for people, a line each', () => {
+    expect(botgarten('cards').stdout).toMatch(/^friendship .*Friendship \/ Freundschaft\nfear .*\n$/)
+  })
+})
+
+describe('botgarten run', () => {
+  it('runs a card as it starts: nothing has been taught, nothing is green', () => {
+    const { status, json } = botgarten('run', 'friendship', '--json')
+    expect(status).toBe(0)
+    expectToFit(json(), 'run.json')
+    expect(json()).toMatchObject({ seconds: 60, pose: { x: 430, y: 110, heading: expect.closeTo(120, 9) as number } })
+    expect(json()['checks']).toContainEqual({ id: 'near', passed: false, at: null })
+  })
+
+  it('runs the solution from another start pose; the same call gives the same line', () => {
+    const once = botgarten('run', 'friendship', '--solution', '--start', '1', '--seconds', '30', '--json')
+    expectToFit(once.json(), 'run.json')
+    expect((once.json()['trail'] as unknown[]).length).toBe(300)
+    expect(
+      botgarten('run', 'friendship', '--solution', '--start', '1', '--seconds', '30', '--json').stdout,
+    ).toBe(once.stdout)
+  })
+
+  it('takes weights from a file', () => {
+    const weights = file('weights.json', '{"eyeLeft":{"wheelLeft":0.8},"eyeRight":{"wheelRight":0.8}}')
+    const given = botgarten('run', 'friendship', '--weights', weights, '--json').json()
+    expect(given['hash']).toBe(botgarten('run', 'friendship', '--solution', '--json').json()['hash'])
+  })
+
+  it('says in words what it says in JSON', () => {
+    expect(botgarten('run', 'friendship', '--solution').stdout).toMatch(/passed {2}near at \d/)
+  })
+
+  const fileAtFault: [string, string[]][] = [
+    ['a file that is not JSON', ['run', file('broken.json', '{"botgarten": 1,')]],
+    ['a file that is no project', ['run', file('list.json', '[1, 2, 3]')]],
+    ['a project of a later version', ['run', file('later.json', '{"botgarten": 99}')]],
+    ['weights of another net', ['run', 'friendship', '--weights', file('other.json', '{"a":{"b":1}}')]],
+    [
+      'weights that are no numbers',
+      ['run', 'friendship', '--weights', file('words.json', '{"eyeLeft":{"wheelLeft":"big"}}')],
+    ],
+    ['weights that are not there', ['run', 'friendship', '--weights', join(folder, 'nothing.json')]],
+  ]
+  it.each(fileAtFault)('%s: exit 1 and one clear line', (_, args) => {
+    const { status, stdout, stderr } = botgarten(...args)
+    expect({ status, stdout }).toEqual({ status: 1, stdout: '' })
+    expect(stderr).toMatch(/^botgarten: .+\n$/)
+  })
+
+  const callAtFault: [string, string[]][] = [
+    ['no verb', []],
+    ['an unknown verb', ['dance']],
+    ['a verb that is only inherited', ['constructor']],
+    ['no card', ['run']],
+    ['an unknown card', ['run', 'friendshap']],
+    ['an unknown option', ['run', 'friendship', '--fast']],
+    ['a start pose that is not there', ['run', 'friendship', '--start', '3']],
+    ['a wrong answer that is not there', ['run', 'friendship', '--wrong', '0']],
+    ['a solution and a wrong answer', ['run', 'friendship', '--solution', '--wrong', '1']],
+    ['seconds that are no number', ['run', 'friendship', '--seconds', 'long']],
+    ['seconds below zero', ['run', 'friendship', '--seconds=-1']],
+    ['half a seed', ['run', 'friendship', '--seed', '1.5']],
+  ]
+  it.each(callAtFault)('%s: exit 2 and one clear line', (_, args) => {
+    const { status, stdout, stderr } = botgarten(...args)
+    expect({ status, stdout }).toEqual({ status: 2, stdout: '' })
+    expect(stderr).toMatch(/^botgarten: .+\n$/)
+  })
+})

@@ -1,0 +1,24 @@
+import { basename } from 'node:path'
+import { allCards, textOf, wrongAnswers } from './content.ts'
+import { CallError, options } from './errors.ts'
+
+/** `botgarten cards [--json]`: every card, its start poses, checks and typical wrong answers. */
+export function cards(args: string[]): string {
+  const { values, positionals } = options(args, { json: { type: 'boolean' } })
+  if (positionals.length > 0) throw new CallError(`"cards" takes no names, but there is "${positionals[0]}".`)
+  const list = allCards().map(({ folder, card }) => ({
+    id: card.id,
+    code: card.code,
+    title: { en: textOf(folder, 'en').title, de: textOf(folder, 'de').title },
+    playground: card.playground,
+    grades: card.grades,
+    minutes: card.minutes,
+    starts: card.starts,
+    checks: card.checks.map(({ id, kind, seconds }) => ({ id, kind, seconds })),
+    wrong: wrongAnswers(folder).map((file) => basename(file, '.json')),
+  }))
+  if (values.json) return JSON.stringify(list)
+  return list
+    .map(({ id, code, title }) => `${id.padEnd(16)}${code.padEnd(8)}${title.en} / ${title.de}`)
+    .join('\n')
+}

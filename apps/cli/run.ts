@@ -1,0 +1,128 @@
+import { existsSync, readFileSync } from 'node:fs'
+import { createLab, type Check, type Document, type Lab } from '@botgarten/lab'
+import { cardDocument } from '@botgarten/materials'
+import { check, parseProject, ProjectError } from '@botgarten/programs'
+import { TICKS_PER_SECOND } from '@botgarten/simulation'
+import { findCard, floorOf, programOf, worldOf, wrongAnswers, type FoundCard } from './content.ts'
+import { CallError, FileError, numberIn, options, wholeNumberIn } from './errors.ts'
+import { withWeights } from './weights.ts'
+
+const known = {
+  solution: { type: 'boolean' },
+  wrong: { type: 'string' },
+  weights: { type: 'string' },
+  start: { type: 'string' },
+  seconds: { type: 'string' },
+  seed: { type: 'string' },
+  json: { type: 'boolean' },
+} as const
+
+type Values = ReturnType<typeof options<typeof known>>['values']
+
+interface Runnable {
+  readonly document: Document
+  readonly floor: ReturnType<typeof floorOf>
+  readonly checks: readonly Check[]
+}
+
+/** `botgarten run FILE|CARD …`: a project or a card without a screen. */
+export function run(args: string[]): string {
+  const { values, positionals } = options(args, known)
+  const [what, ...more] = positionals
+  if (!what || more.length > 0) throw new CallError('"run" takes one project file or one card.')
+  const runnable = withGivenWeights(find(what, values), values)
+  const seconds = numberIn('seconds', values.seconds, presetSeconds(runnable.checks), 0, 86_400)
+  const seed = wholeNumberIn('seed', values.seed, 1, 0, 4_294_967_295)
+  refuseWhatCannotRun(runnable.document)
+  const lab = createLab()
+  lab.load(runnable.document, runnable.floor, { seed, checks: runnable.checks })
+  lab.start()
+  lab.advance(Math.round(seconds * TICKS_PER_SECOND))
+  const report = reportOf(lab, seed)
+  return values.json ? JSON.stringify(report) : sentenceOf(report)
+}
+
+/** A card's checks say how long it takes; a free project runs a minute. */
+const presetSeconds = (checks: readonly Check[]) => Math.max(60, ...checks.map(({ seconds }) => seconds))
+
+function find(what: string, values: Values): Runnable {
+  const found = findCard(what)
+  if (found) return cardRun(found, values)
+  if (!existsSync(what)) throw new CallError(`There is no card and no file called "${what}".`)
+  if (values.solution || values.wrong)
+    throw new CallError('--solution and --wrong belong to a card, not to a file.')
+  return fileRun(what, values)
+}
+
+function cardRun({ folder, card }: FoundCard, values: Values): Runnable {
+  const start = wholeNumberIn('start', values.start, 0, 0, card.starts.length - 1)
+  const document = cardDocument(worldOf(card), card, programOf(folder, fileFor(folder, values)), start)
+  return { document, floor: floorOf(document.world), checks: card.checks }
+}
+
+function fileFor(folder: string, values: Values): string {
+  if (values.solution && values.wrong) throw new CallError('Either --solution or --wrong N, not both.')
+  if (values.solution) return 'solution.json'
+  if (values.wrong === undefined) return 'start.json'
+  const files = wrongAnswers(folder)
+  return `wrong/${files[wholeNumberIn('wrong', values.wrong, 1, 1, files.length) - 1]}`
+}
+
+function fileRun(path: string, values: Values): Runnable {
+  const project = readProject(path)
+  const found = project.card === undefined ? undefined : findCard(project.card)
+  if (values.start !== undefined && !found)
+    throw new CallError('--start belongs to a card; this project has none.')
+  const document = found
+    ? values.start === undefined
+      ? project
+      : cardDocument(
+          project.world,
+          found.card,
+          project,
+          wholeNumberIn('start', values.start, 0, 0, found.card.starts.length - 1),
+        )
+    : project
+  return { document, floor: floorOf(document.world, project.assets), checks: found?.card.checks ?? [] }
+}
+
+function readProject(path: string) {
+  try {
+    return parseProject(readFileSync(path, 'utf8'))
+  } catch (error) {
+    if (error instanceof ProjectError)
+      throw new FileError(`"${path}" is not a project that can be opened: ${error.message}`)
+    throw new FileError(`"${path}" cannot be read: ${(error as Error).message}`)
+  }
+}
+
+function withGivenWeights(runnable: Runnable, { weights }: Values): Runnable {
+  if (weights === undefined) return runnable
+  return { ...runnable, document: withWeights(runnable.document, weights) }
+}
+
+function refuseWhatCannotRun({ programs, world }: Document): void {
+  for (const robot of world.robots) {
+    const program = programs[robot.program]
+    const finding = program && check(program, robot.config).find(({ stops }) => stops)
+    if (finding)
+      throw new FileError(`The program cannot run: ${finding.problem} at block "${finding.block}".`)
+  }
+}
+
+function reportOf(lab: Lab, seed: number) {
+  const { seconds, robots, checks, problem } = lab.view()
+  const [robot] = robots
+  if (!robot) throw new FileError('There is no robot in this world.')
+  const { pose, trail, led, display, tones } = robot
+  return { seconds, seed, pose, trail, led, display, tones, checks, problem, hash: lab.hash() }
+}
+
+function sentenceOf({ seconds, pose, checks, hash }: ReturnType<typeof reportOf>): string {
+  const place = `${pose.x.toFixed(1)} cm, ${pose.y.toFixed(1)} cm, heading ${pose.heading.toFixed(1)}°`
+  const results = checks.map(
+    ({ id, passed, at }) =>
+      `  ${passed ? 'passed' : 'not yet'}  ${id}${at === null ? '' : ` at ${at.toFixed(1)} s`}`,
+  )
+  return [`${seconds} s: the robot stands at ${place} (hash ${hash})`, ...results].join('\n')
+}

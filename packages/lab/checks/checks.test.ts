@@ -1,0 +1,114 @@
+import { cardConfig, createSimulation, paintFloor, type World } from '@botgarten/simulation'
+import { describe, expect, it } from 'vitest'
+import type { Check } from '../types.ts'
+import { observe, results, watch } from './checks.ts'
+
+const world: World = {
+  size: { width: 400, height: 400 },
+  floor: { colour: '#FFFFFF' },
+  areas: [],
+  lines: [],
+  obstacles: [
+    {
+      id: 'square',
+      shape: { kind: 'rectangle', width: 50, height: 50 },
+      pose: { x: 200, y: 200, heading: 0 },
+      fixed: true,
+      colour: '#0057A6',
+    },
+  ],
+  robots: [
+    { id: 'bo', pose: { x: 200, y: 60, heading: 90 }, program: 'main', brain: '', config: cardConfig },
+  ],
+}
+
+/** Lets the checks look at a robot that somebody moves by hand: a pose and what it touches a second. */
+function watching(checks: readonly Check[]) {
+  const { state } = createSimulation(world, paintFloor(world), 1)
+  const robot = state.robots[0]!
+  const watches = watch(checks)
+  let tick = 0
+  return {
+    stands(
+      y: number,
+      seconds: number,
+      { touching = [], percent = 0 }: { touching?: string[]; percent?: number } = {},
+    ) {
+      Object.assign(robot, { y, touching })
+      robot.motors.B.percent = robot.motors.C.percent = percent
+      for (const end = tick + seconds * 60; tick < end;) observe(checks, watches, ++tick / 60, world, state)
+      return Object.fromEntries(results(checks, watches).map(({ id, passed }) => [id, passed]))
+    },
+    results: () => results(checks, watches),
+  }
+}
+
+// The square's near side is at y = 175, the robot's front edge 10 cm before its axle: at y = 165 the gap is 0.
+const near: Check = { id: 'near', kind: 'near', numbers: { obstacle: 'square', cm: 8 }, seconds: 30 }
+const stays: Check = {
+  id: 'stays',
+  kind: 'stays',
+  numbers: { obstacle: 'square', cm: 8, percent: 3 },
+  seconds: 5,
+}
+const never: Check = {
+  id: 'never',
+  kind: 'neverTouches',
+  numbers: { obstacle: 'square', until: 'stays' },
+  seconds: 5,
+}
+const away: Check = {
+  id: 'away',
+  kind: 'turnsAway',
+  numbers: { obstacle: 'square', near: 60, far: 80 },
+  seconds: 2,
+}
+
+describe('checks', () => {
+  it('near: measured from the front edge, to the outline, and it stays passed', () => {
+    const lab = watching([near])
+    expect(lab.stands(156.9, 1)).toEqual({ near: false })
+    expect(lab.stands(157.1, 1)).toEqual({ near: true })
+    expect(lab.stands(50, 1)).toEqual({ near: true })
+    expect(lab.results()[0]!.at).toBeCloseTo(1 + 1 / 60, 9)
+  })
+
+  it('stays: slower than 3 percent for five seconds without a break', () => {
+    const lab = watching([stays])
+    expect(lab.stands(160, 4.9, { percent: 2.9 })).toEqual({ stays: false })
+    expect(lab.stands(160, 0.5, { percent: 3 })).toEqual({ stays: false })
+    expect(lab.stands(160, 4.9, { percent: 2.9 })).toEqual({ stays: false })
+    expect(lab.stands(160, 0.1, { percent: 2.9 })).toEqual({ stays: true })
+    expect(lab.stands(100, 0.1)).toEqual({ stays: false })
+  })
+
+  it('neverTouches: one touch is one too many, but only until the task is done', () => {
+    const clumsy = watching([stays, never])
+    expect(clumsy.stands(165, 1, { touching: ['square'] })).toMatchObject({ never: false })
+    expect(clumsy.stands(160, 6)).toMatchObject({ never: false })
+    const gentle = watching([stays, never])
+    expect(gentle.stands(160, 6, { touching: ['edge'] })).toMatchObject({ stays: true, never: true })
+    expect(gentle.stands(160, 1, { touching: ['square'] })).toMatchObject({ never: true })
+  })
+
+  it('neverTouches: is not yet passed before its seconds are over', () => {
+    expect(watching([never]).stands(60, 4.9)).toEqual({ never: false })
+  })
+
+  it('turnsAway: first near, then far for two seconds', () => {
+    const lab = watching([away])
+    expect(lab.stands(60, 5)).toEqual({ away: false })
+    expect(lab.stands(110, 1)).toEqual({ away: false })
+    expect(lab.stands(84, 1.9)).toEqual({ away: false })
+    expect(lab.stands(84, 0.1)).toEqual({ away: true })
+    expect(lab.stands(110, 1)).toEqual({ away: true })
+  })
+
+  it('an obstacle that is gone passes nothing, a kind that does not exist is refused by name', () => {
+    const gone = watching(
+      [near, stays].map((check) => ({ ...check, numbers: { ...check.numbers, obstacle: 'nothing' } })),
+    )
+    expect(gone.stands(160, 6)).toEqual({ near: false, stays: false })
+    expect(() => watch([{ ...near, kind: 'constructor' }])).toThrow('constructor')
+  })
+})

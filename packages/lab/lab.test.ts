@@ -1,0 +1,273 @@
+import type { Block } from '@botgarten/blocks'
+import type { Program } from '@botgarten/programs'
+import { cardConfig, paintFloor, type World } from '@botgarten/simulation'
+import fc from 'fast-check'
+import { describe, expect, it } from 'vitest'
+import { createLab, type Check, type Document } from './index.ts'
+
+const world: World = {
+  size: { width: 400, height: 400 },
+  floor: { colour: '#FFFFFF' },
+  areas: [],
+  lines: [],
+  obstacles: [
+    {
+      id: 'box',
+      shape: { kind: 'rectangle', width: 30, height: 30 },
+      pose: { x: 200, y: 260, heading: 10 },
+      fixed: false,
+      colour: '#B30006',
+    },
+    {
+      id: 'square',
+      shape: { kind: 'rectangle', width: 50, height: 50 },
+      pose: { x: 330, y: 330, heading: 0 },
+      fixed: true,
+      colour: '#0057A6',
+    },
+  ],
+  robots: [
+    { id: 'bo', pose: { x: 200, y: 100, heading: 90 }, program: 'main', brain: '', config: cardConfig },
+  ],
+}
+const floor = paintFloor(world)
+
+const block = (id: string, type: string, rest: Partial<Block> = {}): Block => ({ id, type, ...rest })
+const number = (id: string, value: number) => block(id, 'math_number', { fields: { NUM: String(value) } })
+const list = (id: string, kind: string, items: readonly Block[]) =>
+  block(id, 'ai_easy_list', {
+    mutation: { attrs: { items: String(items.length), list_type: kind } },
+    values: Object.fromEntries(items.map((item, index) => [`ADD${index}`, item])),
+  })
+const eye = (id: string, port: number) =>
+  block(id, 'ai_nn_input_node_ultrasonic', { fields: { INPUTNODE: `ULTRASONIC_PORT_${port}` } })
+const wheel = (id: string, port: string) =>
+  block(id, 'ai_nn_output_node', { fields: { OUTPUTNODE: `MOTORPORT_${port}` } })
+const net = block('net', 'ai_neural_network', {
+  values: {
+    INPUT_LAYER: list('inputs', 'InputNode', [eye('eyeLeft', 2), eye('eyeRight', 3)]),
+    OUTPUT_LAYER: list('outputs', 'OutputNode', [wheel('wheelLeft', 'C'), wheel('wheelRight', 'B')]),
+  },
+})
+const forever = (...blocks: Block[]) =>
+  block('forever', 'robControls_loopForever', { statements: { DO: blocks } })
+const drive = (id: string, power: number, cm: number) =>
+  block(id, 'robActions_motorDiff_on_for', {
+    fields: { DIRECTION: 'FOREWARD' },
+    values: { POWER: number(`${id}P`, power), DISTANCE: number(`${id}D`, cm) },
+  })
+const turn = (id: string, power: number, degrees: number) =>
+  block(id, 'robActions_motorDiff_turn_for', {
+    fields: { DIRECTION: 'LEFT' },
+    values: { POWER: number(`${id}P`, power), DEGREE: number(`${id}D`, degrees) },
+  })
+const program = (...blocks: Block[]): Program => ({
+  stacks: [{ x: 0, y: 0, blocks: [block('start', 'robControls_start'), ...blocks] }],
+  config: { stacks: [] },
+})
+
+const documentOf = (main: Program): Document => ({ programs: { main }, world, brains: {} })
+function labWith(main: Program, checks: readonly Check[] = []) {
+  const lab = createLab()
+  lab.load(documentOf(main), floor, { seed: 1, checks })
+  return lab
+}
+const robotIn = (lab: ReturnType<typeof createLab>) => lab.view().robots[0]!
+/** Straight links, both wheels as fast as the eyes see far. */
+function taught(lab: ReturnType<typeof createLab>) {
+  lab.setWeight('net', 'eyeLeft', 'wheelLeft', 0.5)
+  lab.setWeight('net', 'eyeRight', 'wheelRight', 0.5)
+  return lab
+}
+
+describe('a lab', () => {
+  it('stands still until it is started, and stops where it is', () => {
+    const lab = labWith(program(drive('far', 50, 500)))
+    lab.advance(60)
+    expect(robotIn(lab).pose).toEqual({ x: 200, y: 100, heading: 90 })
+    lab.start()
+    lab.advance(60)
+    const { pose } = robotIn(lab)
+    expect(pose.y).toBeCloseTo(100 + 17.6, 0)
+    lab.stop()
+    lab.advance(60)
+    expect(robotIn(lab).pose).toEqual(pose)
+    expect(lab.view().phase).toBe('ready')
+    lab.reset()
+    expect(robotIn(lab).pose).toEqual({ x: 200, y: 100, heading: 90 })
+  })
+
+  it('rule 3: a program that ends stops the motors, and the clock once no check needs it any more', () => {
+    const lab = labWith(program(drive('short', 100, 10)))
+    lab.start()
+    lab.advance(600)
+    expect(lab.view()).toMatchObject({ phase: 'ended' })
+    expect(lab.view().seconds).toBeLessThan(1)
+    expect(robotIn(lab).motors).toMatchObject({ B: 0, C: 0 })
+    const watched = labWith(program(drive('short', 100, 10)), [
+      { id: 'stays', kind: 'stays', numbers: { obstacle: 'box', cm: 400, percent: 3 }, seconds: 5 },
+    ])
+    watched.start()
+    watched.advance(600)
+    expect(watched.view().checks).toMatchObject([{ id: 'stays', passed: true }])
+  })
+
+  it('shows what a net would give while it stands, and what it gave while it runs', () => {
+    const lab = taught(labWith(program(forever(net))))
+    const { terms, outputs } = lab.view().networks['net']!
+    expect(terms).toHaveLength(4)
+    expect(outputs['eyeLeft']).toBeGreaterThan(0)
+    expect(outputs['wheelLeft']).toBeCloseTo(outputs['eyeLeft']! * 0.5, 12)
+    lab.start()
+    lab.advance(1)
+    expect(lab.view().networks['net']!.outputs['wheelRight']).toBeCloseTo(robotIn(lab).motors['B']!, 12)
+  })
+
+  it('a knob that is moved while it runs is another speed in the next tick', () => {
+    const lab = taught(labWith(program(forever(net))))
+    lab.start()
+    lab.advance(10)
+    lab.setWeight('net', 'eyeLeft', 'wheelLeft', 0)
+    lab.advance(1)
+    expect(robotIn(lab).motors['C']).toBe(0)
+    expect(robotIn(lab).motors['B']).toBeGreaterThan(0)
+  })
+
+  it('rule 10: steps by tick, by block and by net, and goes on from there', () => {
+    const lab = labWith(program(forever(net, turn('turn', 50, 5))))
+    lab.step('tick')
+    expect(lab.view()).toMatchObject({ phase: 'paused', tick: 1 })
+    const seen = [1, 2, 3, 4].map(() => {
+      lab.step('block')
+      return robotIn(lab).lit
+    })
+    expect(new Set(seen)).toEqual(new Set(['net', 'turn', 'forever'].filter((id) => seen.includes(id))))
+    expect(seen).toContain('net')
+    const before = lab.view().tick
+    lab.step('network')
+    expect(lab.view().tick).toBeGreaterThan(before)
+    lab.resume()
+    lab.advance(60)
+    expect(lab.view().tick).toBeGreaterThan(before + 60)
+  })
+
+  it('rule 10: a run that was stepped block by block is the run that was not', () => {
+    const main = program(forever(net, turn('turn', 50, 5), drive('bit', 30, 2)))
+    const stepped = taught(labWith(main))
+    for (let step = 0; step < 100; step++) stepped.step('block')
+    const whole = taught(labWith(main))
+    whole.start()
+    whole.advance(stepped.view().tick)
+    expect(whole.hash()).toBe(stepped.hash())
+  })
+
+  it('rule 9: blocks that are edited while it runs begin anew where the robot stands', () => {
+    const lab = labWith(program(forever(drive('a', 50, 1))))
+    lab.start()
+    lab.advance(120)
+    const { y } = robotIn(lab).pose
+    lab.edit({ main: program(forever(turn('b', 50, 1))) })
+    lab.advance(60)
+    expect(lab.view().phase).toBe('running')
+    expect(robotIn(lab).pose.y).toBeCloseTo(y, 6)
+    expect(robotIn(lab).pose.heading).not.toBeCloseTo(90, 0)
+  })
+
+  it('blocks that are only laid out differently change nothing of the run', () => {
+    const main = program(forever(net))
+    const lab = taught(labWith(main))
+    lab.start()
+    lab.advance(30)
+    lab.edit({ main: { ...main, stacks: main.stacks.map((stack) => ({ ...stack, x: 300 })) } })
+    expect(lab.view().tick).toBe(30)
+  })
+
+  it('arrow keys drive it with and without a program', () => {
+    const lab = labWith(program(forever(turn('turn', 30, 5))))
+    lab.press('up', true)
+    lab.advance(60)
+    lab.press('up', false)
+    expect(robotIn(lab).pose.y).toBeGreaterThan(110)
+    const { pose } = robotIn(lab)
+    lab.advance(60)
+    expect(robotIn(lab).pose).toEqual(pose)
+    lab.start()
+    lab.press('up', true)
+    lab.advance(30)
+    expect(robotIn(lab).pose.heading).toBeCloseTo(90, 6)
+    lab.press('up', false)
+    lab.advance(30)
+    expect(robotIn(lab).pose.heading).not.toBeCloseTo(90, 0)
+  })
+
+  it('a robot that was set down by hand starts from there, one that was moved while it ran does not', () => {
+    const lab = labWith(program(forever(net)))
+    const came = lab.place('bo', { x: 60, y: 60, heading: 0 })
+    lab.reset()
+    expect(robotIn(lab).pose).toEqual(came)
+    lab.start()
+    lab.place('bo', { x: 300, y: 100, heading: 0 })
+    expect(robotIn(lab).pose).toMatchObject({ x: 300, y: 100 })
+    lab.reset()
+    expect(robotIn(lab).pose).toEqual(came)
+  })
+})
+
+describe('rules 2, 7, 8: the same start state, seed and inputs are the same run', () => {
+  /** What a hand does in between, by tick. */
+  type Hand = { readonly at: number; readonly weight: number; readonly x: number; readonly key: boolean }
+  const hands: fc.Arbitrary<Hand[]> = fc.array(
+    fc.record({
+      at: fc.nat(900),
+      weight: fc.double({ min: 0, max: 1, noNaN: true }),
+      x: fc.double({ min: 30, max: 370, noNaN: true }),
+      key: fc.boolean(),
+    }),
+    { maxLength: 12 },
+  )
+
+  function play(lab: ReturnType<typeof createLab>, given: readonly Hand[], ticks: number) {
+    lab.start()
+    for (let tick = 0; tick < ticks; tick++) {
+      for (const { at, weight, x, key } of given) {
+        if (at !== tick) continue
+        lab.setWeight('net', 'eyeLeft', 'wheelRight', weight)
+        lab.place('box', { x, y: 200, heading: 0 })
+        lab.press('left', key)
+      }
+      lab.advance(1)
+    }
+    return lab
+  }
+
+  it('played twice it has one hash, and going back to any tick and on again has it too', () => {
+    fc.assert(
+      fc.property(hands, fc.nat(999), (given, back) => {
+        const main = program(forever(net))
+        const once = play(taught(labWith(main)), given, 1000)
+        const end = once.hash()
+        expect(play(taught(labWith(main)), given, 1000).hash()).toBe(end)
+        const there = play(taught(labWith(main)), given, back)
+        once.goTo(back)
+        expect(once.view().tick).toBe(back)
+        expect(once.hash()).toBe(there.hash())
+        expect(once.state()).toEqual(there.state())
+        once.goTo(1000)
+        expect(once.hash()).toBe(end)
+      }),
+      { numRuns: 15 },
+    )
+  })
+
+  it('being looked at changes nothing', () => {
+    const quiet = taught(labWith(program(forever(net))))
+    const watched = taught(labWith(program(forever(net))))
+    for (const lab of [quiet, watched]) lab.start()
+    for (let tick = 0; tick < 700; tick++) {
+      for (const lab of [quiet, watched]) lab.advance(1)
+      watched.view()
+      watched.state()
+    }
+    expect(watched.hash()).toBe(quiet.hash())
+  })
+})

@@ -1,0 +1,55 @@
+import {
+  emptyBrain,
+  follow,
+  forward,
+  layOut,
+  type Brain,
+  type Net,
+  type Weights,
+} from '@botgarten/learning/neural-network'
+import { networks, type Program } from '@botgarten/programs'
+import type { RobotPlacement } from '@botgarten/simulation'
+
+export type Brains = { readonly [networkId: string]: Brain }
+
+/** Brains for every network block of these programs; their neurons follow the blocks, their weights stay (running.md 11). */
+export function brainsFor(programs: { readonly [id: string]: Program }, brains: Brains): Brains {
+  const next: { [id: string]: Brain } = { ...brains }
+  for (const { id, inputs, outputs } of Object.values(programs).flatMap(networks)) {
+    const ids = (neurons: typeof inputs) => neurons.map((neuron) => neuron.id)
+    next[id] = follow(brains[id] ?? emptyBrain, ids(inputs), ids(outputs))
+  }
+  return next
+}
+
+/** The weights a robot drives with: those on the knobs, or one named set. */
+export const weightsFor = (brain: Brain, placement: RobotPlacement): Weights =>
+  (placement.brain !== '' && brain.sets[placement.brain]) || brain.weights
+
+/** The networks of one robot, ready to run, with the inputs of each one's last run. */
+export class RobotBrains {
+  readonly #placement: RobotPlacement
+  readonly #nets = new Map<string, Net>()
+  /** Inputs of the last run, by network block. */
+  readonly lastInputs = new Map<string, readonly number[]>()
+  /** How many runs there have been, for stepping from run to run. */
+  runs = 0
+
+  constructor(placement: RobotPlacement, brains: Brains) {
+    this.#placement = placement
+    for (const [id, brain] of Object.entries(brains)) this.use(id, brain)
+  }
+
+  /** A brain with other weights or neurons takes the place of the one before. */
+  use(id: string, brain: Brain): void {
+    this.#nets.set(id, layOut(brain, weightsFor(brain, this.#placement)))
+  }
+
+  /** One run of a network. Unknown networks give nothing. */
+  think(id: string, inputs: readonly number[]): readonly number[] {
+    const net = this.#nets.get(id)
+    this.runs++
+    this.lastInputs.set(id, inputs.slice())
+    return net ? forward(net, inputs) : []
+  }
+}

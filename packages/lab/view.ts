@@ -1,0 +1,71 @@
+import { trace, type NetTrace } from '@botgarten/learning/neural-network'
+import { evaluate } from '@botgarten/programs'
+import { degreesOf, type Pose, type SensorPort } from '@botgarten/simulation'
+import { results } from './checks/checks.ts'
+import { weightsFor } from './robots/brains.ts'
+import type { RobotRun, Run } from './run.ts'
+import type { Phase, RobotView, View } from './types.ts'
+
+type Placed = { readonly x: number; readonly y: number; readonly heading: number }
+
+const poseOf = ({ x, y, heading }: Placed): Pose => ({ x, y, heading: degreesOf(heading) })
+
+/** What the screen shows of a run at this moment. */
+export function viewOf(run: Run, phase: Phase): View {
+  return {
+    phase,
+    tick: run.tick,
+    seconds: run.seconds,
+    robots: run.robots.map((robot, index) => robotView(run, robot, index, phase)),
+    obstacles: run.simulation.state.obstacles.map((obstacle) => ({
+      id: obstacle.id,
+      pose: poseOf(obstacle),
+    })),
+    networks: networksOf(run, phase),
+    checks: results(run.checks, run.watches),
+    problem: run.robots.find(({ thread }) => thread.problem)?.thread.problem ?? null,
+  }
+}
+
+function robotView(run: Run, robot: RobotRun, index: number, phase: Phase): RobotView {
+  const state = run.simulation.state.robots[index]!
+  const placement = run.simulation.world.robots[index]!
+  const ports = Object.keys(placement.config.sensors) as SensorPort[]
+  const isDistance = (port: SensorPort) => placement.config.sensors[port]?.kind === 'ultrasonic'
+  return {
+    id: placement.id,
+    pose: poseOf(state),
+    motors: Object.fromEntries(Object.entries(state.motors).map(([port, { percent }]) => [port, percent])),
+    led: state.led,
+    display: state.display,
+    frequency: state.tone?.frequency ?? null,
+    touching: state.touching,
+    rays: Object.fromEntries(
+      ports.filter(isDistance).map((port) => [port, run.simulation.rays(index, port)]),
+    ),
+    trail: robot.trail,
+    tones: robot.tones,
+    lit: phase === 'running' || phase === 'paused' ? robot.thread.lit : null,
+  }
+}
+
+/** The first robot's networks: their last run, or what a run would give now while no program runs. */
+function networksOf(run: Run, phase: Phase): View['networks'] {
+  const robot = run.robots[0]
+  const placement = run.simulation.world.robots[0]
+  const opened: { [id: string]: NetTrace } = {}
+  if (!robot || !placement) return opened
+  const live = phase === 'ready' || phase === 'ended'
+  for (const [id, brain] of Object.entries(run.brains)) {
+    const inputs = live ? inputsNow(robot, id) : (robot.brains.lastInputs.get(id) ?? [])
+    opened[id] = trace(brain, inputs, weightsFor(brain, placement))
+  }
+  return opened
+}
+
+/** Reads a network's inputs as its next run would. Only while no program runs: a reading may draw noise. */
+function inputsNow({ index, context }: RobotRun, networkId: string): readonly number[] {
+  const layer = index.blocks.get(networkId)?.block.values?.['INPUT_LAYER']
+  const values = layer ? evaluate(index, layer.id, context) : null
+  return Array.isArray(values) ? values.map(Number) : []
+}

@@ -1,0 +1,34 @@
+import { kinds, type Check } from '@botgarten/lab'
+import * as v from 'valibot'
+import type { Card } from './types.ts'
+
+const pose = v.strictObject({ x: v.number(), y: v.number(), heading: v.number() })
+
+const check: v.GenericSchema<unknown, Check> = v.pipe(
+  v.strictObject({
+    id: v.string(),
+    kind: v.picklist(Object.keys(kinds)),
+    numbers: v.record(v.string(), v.union([v.number(), v.string()])),
+    seconds: v.pipe(v.number(), v.minValue(0)),
+  }),
+  v.check(
+    ({ kind, numbers }) => kinds[kind]!.needs.every((name) => Object.hasOwn(numbers, name)),
+    'A number that this kind of check needs is missing.',
+  ),
+)
+
+const card = v.strictObject({
+  id: v.pipe(v.string(), v.regex(/^[a-z][a-z0-9-]*$/)),
+  code: v.string(),
+  playground: v.literal('network'),
+  grades: v.tuple([v.number(), v.number()]),
+  minutes: v.number(),
+  starts: v.pipe(v.array(pose), v.minLength(1)),
+  needs: v.array(v.picklist(['distanceSensors', 'motors', 'blueSquare'])),
+  world: v.string(),
+  checks: v.pipe(v.array(check), v.minLength(1)),
+  next: v.nullable(v.string()),
+})
+
+/** Reads `card.json`. @throws ValiError that names the place where the file is wrong. */
+export const readCard = (json: unknown): Card => v.parse(card, json)

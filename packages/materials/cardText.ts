@@ -1,0 +1,65 @@
+import type { Nodes, Root, RootContent } from 'mdast'
+import { fromMarkdown } from 'mdast-util-from-markdown'
+import type { CardText, MarkdownNode } from './types.ts'
+
+/**
+ * Reads a card's words: `# Title`, then the sections Story, Goal, Hint 1 to 3 and Further (named so in every language).
+ * @throws SyntaxError that names what is missing or not allowed.
+ */
+export function readCardText(markdown: string): CardText {
+  const root = fromMarkdown(markdown)
+  const sections = sectionsOf(root)
+  const section = (name: string) => {
+    const nodes = sections.get(name)
+    if (!nodes?.length) throw new SyntaxError(`The section "${name}" is missing.`)
+    return nodes.map(allowed)
+  }
+  const title = root.children[0]
+  if (title?.type !== 'heading' || title.depth !== 1)
+    throw new SyntaxError('The first line must be "# Title".')
+  return {
+    title: plain(title),
+    story: section('Story'),
+    goal: goalOf(sections.get('Goal')),
+    hints: [section('Hint 1'), section('Hint 2'), section('Hint 3')],
+    further: section('Further'),
+  }
+}
+
+function sectionsOf(root: Root): Map<string, RootContent[]> {
+  const sections = new Map<string, RootContent[]>()
+  let open: RootContent[] = []
+  for (const node of root.children.slice(1)) {
+    if (node.type !== 'heading') open.push(node)
+    else sections.set(plain(node), (open = []))
+  }
+  return sections
+}
+
+/** `**Call** Sentence.` */
+function goalOf(nodes: readonly RootContent[] | undefined): CardText['goal'] {
+  const paragraph = nodes?.[0]
+  const call = paragraph?.type === 'paragraph' ? paragraph.children[0] : undefined
+  if (paragraph?.type !== 'paragraph' || call?.type !== 'strong')
+    throw new SyntaxError('The section "Goal" must be "**Call** Sentence."')
+  return { call: plain(call), sentence: paragraph.children.slice(1).map(plain).join('').trim() }
+}
+
+const plain = (node: Nodes): string =>
+  'value' in node ? node.value : 'children' in node ? node.children.map(plain).join('') : ''
+
+function allowed(node: Nodes): MarkdownNode {
+  switch (node.type) {
+    case 'text':
+      return { type: 'text', value: node.value }
+    case 'strong':
+    case 'emphasis':
+    case 'paragraph':
+    case 'listItem':
+      return { type: node.type, children: node.children.map(allowed) }
+    case 'list':
+      return { type: 'list', ordered: node.ordered ?? false, children: node.children.map(allowed) }
+    default:
+      throw new SyntaxError(`Line ${node.position?.start.line}: "${node.type}" is not allowed in a card.`)
+  }
+}

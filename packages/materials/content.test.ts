@@ -1,0 +1,98 @@
+import { existsSync, globSync, readdirSync, readFileSync } from 'node:fs'
+import { basename, dirname, join } from 'node:path'
+import { createLab, type CheckResult } from '@botgarten/lab'
+import { check, parseProject } from '@botgarten/programs'
+import { paintFloor, TICKS_PER_SECOND, type World } from '@botgarten/simulation'
+import { describe, expect, it } from 'vitest'
+import { cardDocument, cardProject, readCard, readCardText, type CardProgram } from './index.ts'
+
+// Every card and every world is held to the same rules merely because it is there.
+const content = join(import.meta.dirname, '../../content')
+const read = (...path: string[]): unknown => JSON.parse(readFileSync(join(...path), 'utf8'))
+
+const folders = globSync(join(content, 'cards/*/*/card.json')).sort().map(dirname)
+const ids = folders.map((folder) => basename(folder).replace(/^\d+-/, ''))
+const languages = globSync(join(content, 'words/*.json')).map((file) => basename(file, '.json'))
+type Words = { readonly [id: string]: { readonly [check: string]: string } | undefined }
+
+function runOf(folder: string, file: string, start: number): readonly CheckResult[] {
+  const card = readCard(read(folder, 'card.json'))
+  const world = read(content, 'worlds', card.world, 'world.json') as World
+  const document = cardDocument(world, card, read(folder, file) as CardProgram, start)
+  const lab = createLab()
+  lab.load(document, floorOf(world), { seed: 1, checks: card.checks })
+  lab.start()
+  lab.advance(60 * TICKS_PER_SECOND)
+  return lab.view().checks
+}
+
+function floorOf(world: World) {
+  if (!('asset' in world.floor)) return paintFloor(world)
+  return paintFloor(world, readFileSync(join(content, world.floor.asset.replace('content:', ''))))
+}
+
+describe.each(folders)('the card in %s', (folder) => {
+  const card = readCard(read(folder, 'card.json'))
+  const world = read(content, 'worlds', card.world, 'world.json') as World
+  const starts = card.starts.map((_, start) => start)
+  const wrong = readdirSync(join(folder, 'wrong'))
+
+  it('is named like its folder, and its next card is there', () => {
+    expect(basename(folder)).toMatch(new RegExp(`^\\d\\d-${card.id}$`))
+    if (card.next !== null) expect(ids).toContain(card.next)
+  })
+
+  it.each(languages)('has all its words in "%s"', (language) => {
+    const { title, hints } = readCardText(readFileSync(join(folder, `${language}.md`), 'utf8'))
+    expect(title.length).toBeGreaterThan(0)
+    expect(hints).toHaveLength(3)
+    const words = (read(content, 'words', `${language}.json`) as { check: Words }).check[card.id]
+    expect(Object.keys(words ?? {})).toEqual(expect.arrayContaining(card.checks.map(({ id }) => id)))
+  })
+
+  it.each(['start.json', 'solution.json', ...wrong.map((file) => join('wrong', file))])(
+    '%s is a project that can run',
+    (file) => {
+      const project = cardProject(world, card, read(folder, file) as CardProgram, card.id)
+      expect(parseProject(JSON.parse(JSON.stringify(project)) as unknown)).toMatchObject({ card: card.id })
+      const robot = project.world.robots[0]!
+      expect(check(project.programs[robot.program]!, robot.config).filter(({ stops }) => stops)).toEqual([])
+    },
+  )
+
+  it.each(starts)('the solution passes every check from start pose %i', (start) => {
+    expect(runOf(folder, 'solution.json', start).filter(({ passed }) => !passed)).toEqual([])
+  })
+
+  it('has at least three typical wrong answers', () => expect(wrong.length).toBeGreaterThanOrEqual(3))
+
+  it.each(wrong)('the wrong answer %s is refused: already from the first start pose', (file) => {
+    expect(runOf(folder, join('wrong', file), 0).every(({ passed }) => passed)).toBe(false)
+  })
+
+  it('the start is not solved yet', () => {
+    for (const start of starts)
+      expect(runOf(folder, 'start.json', start).every(({ passed }) => passed)).toBe(false)
+  })
+})
+
+describe.each(globSync(join(content, 'worlds/*/world.json')))('the world in %s', (path) => {
+  const world = read(path) as World
+
+  it('has a floor that is there and can be read', () => {
+    const floor = floorOf(world)
+    expect(floor.width / floor.height).toBeCloseTo(world.size.width / world.size.height, 3)
+  })
+
+  it('has its things on the floor and ids that name one thing each', () => {
+    const things = [...world.obstacles, ...world.robots]
+    expect(new Set(things.map(({ id }) => id)).size).toBe(things.length)
+    for (const { pose } of things) {
+      expect(pose.x > 0 && pose.x < world.size.width && pose.y > 0 && pose.y < world.size.height).toBe(true)
+    }
+  })
+
+  it('keeps the drawing from which its floor was made', () => {
+    expect(existsSync(join(dirname(path), 'floor.svg'))).toBe(true)
+  })
+})

@@ -1,0 +1,52 @@
+import type { Check } from '@botgarten/lab'
+import type { Project } from '@botgarten/programs'
+import type { Pose, World } from '@botgarten/simulation'
+
+/** `card.json` of a card's folder. */
+export interface Card {
+  readonly id: string
+  /** Printed on the card: way of learning and number, "NN 5". */
+  readonly code: string
+  readonly playground: 'network'
+  /** Youngest and oldest grade. */
+  readonly grades: readonly [number, number]
+  readonly minutes: number
+  /** Start poses from each of which the solution holds. */
+  readonly starts: readonly Pose[]
+  /** What is laid out under "You need". */
+  readonly needs: readonly Need[]
+  /** Folder under `content/worlds`. */
+  readonly world: string
+  readonly checks: readonly Check[]
+  /** Id of the card that comes next. */
+  readonly next: string | null
+}
+
+export type Need = 'distanceSensors' | 'motors' | 'blueSquare'
+
+/** Programs and brains of a start, a solution or a typical wrong answer. */
+export type CardProgram = Pick<Project, 'programs' | 'brains'>
+
+/** A world as content: what every robot of it starts from is said by the card. */
+export type WorldFile = World
+
+/** The part of Markdown that a card may hold, as a syntax tree (shapes of mdast); nothing else passes the reader. */
+export type MarkdownNode =
+  | { readonly type: 'text'; readonly value: string }
+  | {
+      readonly type: 'paragraph' | 'strong' | 'emphasis' | 'listItem'
+      readonly children: readonly MarkdownNode[]
+    }
+  | { readonly type: 'list'; readonly ordered: boolean; readonly children: readonly MarkdownNode[] }
+
+export type Markdown = readonly MarkdownNode[]
+
+/** A card in one language. */
+export interface CardText {
+  readonly title: string
+  readonly story: Markdown
+  /** A short call in bold, then the goal in one sentence. */
+  readonly goal: { readonly call: string; readonly sentence: string }
+  readonly hints: readonly Markdown[]
+  readonly further: Markdown
+}
