@@ -1,0 +1,37 @@
+/** A project that lies on this device. */
+export interface RecentProject {
+  readonly href: string
+  readonly name: string
+  /** When it was saved last, in ms since 1970. */
+  readonly when: number
+  /** Address of a small picture of its world, or null. */
+  readonly picture: string | null
+}
+
+/** Start places from which all goals were reached. */
+export interface Level {
+  readonly passed: number
+  readonly of: number
+}
+
+export interface HomeProps {
+  /** Newest first; empty on the first visit. */
+  recent: readonly RecentProject[]
+  progress: { readonly friendship: Level; readonly fear: Level }
+  onopenfile: (file: File) => void
+}
+
+const units = [
+  ['day', 86_400_000],
+  ['hour', 3_600_000],
+  ['minute', 60_000],
+] as const
+
+/** "2 minutes ago" in the child's language. */
+export function ago(when: number, now: number, locale: string): string {
+  const words = new Intl.RelativeTimeFormat(locale, { numeric: 'auto' })
+  const past = Math.max(0, now - when)
+  for (const [unit, length] of units)
+    if (past >= length) return words.format(-Math.floor(past / length), unit)
+  return words.format(0, 'minute')
+}
