@@ -1,0 +1,30 @@
+import { launchBrowser } from '../e2e/browser.ts'
+import { trafficOf } from '../e2e/traffic.ts'
+import { buildWhenNeeded } from '../scripts/prepare/build.mjs'
+import { startServer } from '../scripts/server.ts'
+import type { Table } from './bench.ts'
+
+const pages = ['/', '/lab/friendship', '/lab/free']
+
+/** What a page costs on the wire when it is opened for the first time. */
+export default async function load(): Promise<Table> {
+  await buildWhenNeeded()
+  const server = await startServer({ port: 0, host: '127.0.0.1' })
+  const browser = await launchBrowser()
+  const rows = []
+  for (const path of pages) {
+    const page = await browser.newPage({ baseURL: server.url })
+    const { requests, bytes } = await trafficOf(page, path)
+    await page.close()
+    rows.push([path, requests, `${(bytes / 1000).toFixed(0)} kB`])
+  }
+  await browser.close()
+  await server.close()
+  return {
+    title: 'First load of a page',
+    how: 'Chromium with an empty cache, until nothing more is asked for; bytes on the wire with brotli, headers included.',
+    columns: ['page', 'requests', 'transfer'],
+    rows,
+    notes: ['Goal for the lab: at most 30 requests and 600 kB.'],
+  }
+}

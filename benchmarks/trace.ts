@@ -1,0 +1,32 @@
+/** An event of Chromium's trace; `dur` in microseconds. */
+interface Event {
+  readonly name: string
+  readonly ph: string
+  readonly pid: number
+  readonly tid: number
+  readonly dur?: number
+  readonly args?: { readonly name?: string }
+}
+
+export interface MainThread {
+  /** Milliseconds of every task, in order. */
+  readonly tasks: readonly number[]
+  /** Frames in which the page ran its own code for a frame. */
+  readonly frames: number
+}
+
+/** The main thread of the busiest page in a trace. */
+export function mainThreadOf(trace: string): MainThread {
+  const { traceEvents: events } = JSON.parse(trace) as { traceEvents: Event[] }
+  const threads = events.filter(({ name, args }) => name === 'thread_name' && args?.name === 'CrRendererMain')
+  const own = threads.map(({ pid, tid }) => events.filter((event) => event.pid === pid && event.tid === tid))
+  const found = own.map((mine) => ({
+    tasks: mine.filter(isTask).map(({ dur = 0 }) => dur / 1000),
+    frames: mine.filter(({ name }) => name === 'FireAnimationFrame').length,
+  }))
+  const [busiest] = found.sort((a, b) => b.frames - a.frames)
+  if (busiest === undefined) throw new Error('The trace has no page in it.')
+  return busiest
+}
+
+const isTask = ({ name, ph }: Event) => name === 'RunTask' && ph === 'X'

@@ -1,0 +1,22 @@
+// Draws the floor that sensors read from each content/worlds/*/floor.svg: its groups `floor` and `scenery`, 2 pixels a cm.
+// Run after a drawing has changed: npm run floors
+import { globSync, readFileSync, writeFileSync } from 'node:fs'
+import { launchBrowser } from '../e2e/browser.ts'
+import { house } from './prepare/house.mjs'
+
+const PIXELS_PER_CM = 2
+const look = 'body{margin:0}svg{display:block;width:100vw;height:100vh}#obstacles,#over{display:none}'
+
+const browser = await launchBrowser()
+for (const file of globSync(`${house}/content/worlds/*/floor.svg`)) {
+  const svg = readFileSync(file, 'utf8')
+  const [, width, height] = /viewBox="0 0 (\d+) (\d+)"/.exec(svg)?.map(Number) ?? []
+  if (width === undefined || height === undefined) throw new Error(`${file} does not say how large it is.`)
+  const viewport = { width: width * PIXELS_PER_CM, height: height * PIXELS_PER_CM }
+  const page = await browser.newPage({ viewport })
+  await page.setContent(`<style>${look}</style>${svg}`)
+  const picture = await page.screenshot()
+  writeFileSync(file.replace('.svg', '.png'), picture)
+  console.log(`${file}: ${picture.length} bytes`)
+}
+await browser.close()
