@@ -12,7 +12,7 @@ export function takeFrame(free: FreeFrames, block: string): Frame {
 export function resetFrame(frame: Frame, block: string): Frame {
   frame.block = block
   frame.stage = 0
-  frame.got.length = 0
+  while (frame.got.length > 0) frame.got.pop()
   frame.counter = undefined
   frame.mark = undefined
   return frame

@@ -60,20 +60,32 @@ describe('rule 1: the first stack under a start block runs', () => {
 })
 
 describe('rule 3: 1,000 blocks a tick', () => {
-  it('the start block and 333 times (lamp without waiting) fit, what follows is for the next tick', () => {
-    // start 1, then a calculation shown = 1 + 1 (sum) + 2 (its numbers) + 2 (column, row) = 6 each.
+  /** The lamp is block n of the run: start, repeat, its number, n − 4 further turns, the lamp. */
+  const lampAs = (n: number) => run([repeat(number(n - 3)), lamp('RED')]).log
+
+  it.each([
+    [1000, 0],
+    [1001, 1],
+    [2000, 1],
+    [2001, 2],
+  ])('block %s comes in tick %s', (n, tick) => {
+    expect(lampAs(n)).toEqual([[tick, 'led', 'red']])
+  })
+
+  it('value blocks count: six a sum that is shown', () => {
     const sum = show(calculate('ADD', number(1), number(1)))
     const { log } = run(Array.from({ length: 200 }, () => sum))
     const inTick = (tick: number) => log.filter(([t]) => t === tick).length
     expect([inTick(0), inTick(1)]).toEqual([166, 34])
   })
 
-  it('a loop that does nothing goes round 1,000 times a tick and never freezes', () => {
-    const { thread, log } = run([repeat(number(2500)), lamp('GREEN')], 10)
-    // start, repeat, its number and 2,499 turns: 2,502; the lamp is number 2,503.
-    expect(log).toEqual([[2, 'led', 'green']])
-    expect(thread.ended).toBe(true)
-    expect(run([forever()], 10).thread.ended).toBe(false)
+  it('a loop that does nothing never freezes', () => {
+    const { thread, endedIn } = run([forever()], 10)
+    expect([thread.ended, endedIn]).toEqual([false, 9])
+  })
+
+  it('a wait costs nothing while it lasts', () => {
+    expect(run([wait(100), repeat(number(995)), lamp('RED')]).log).toEqual([[6, 'led', 'red']])
   })
 })
 

@@ -11,7 +11,7 @@ const filled = (values: Values) =>
 const number = fc
   .oneof(
     { weight: 6, arbitrary: fc.integer({ min: -3, max: 60 }) },
-    { weight: 3, arbitrary: fc.constantFrom(0.5, 2.5, -0.25, 1e308, 1e200, 150, 0) },
+    { weight: 3, arbitrary: fc.constantFrom(0.5, 2.5, -0.25, 1e308, 1e200, 150, 300, 997, 0) },
   )
   .map((x): Template => ({ type: 'math_number', fields: { NUM: String(x) } }))
 
