@@ -1,10 +1,21 @@
 import { paraglideVitePlugin } from '@inlang/paraglide-js'
 import adapter from '@sveltejs/adapter-node'
 import { sveltekit } from '@sveltejs/kit/vite'
-import { defineConfig } from 'vite'
+import { defineConfig, type Plugin } from 'vite'
+import { readCardText } from '../../packages/materials/cardText.ts'
+
+/** Cards' words become syntax trees at build: no Markdown parser is sent to the page. */
+const cardTexts: Plugin = {
+  name: 'card-texts',
+  transform: {
+    filter: { id: /\.md$/ },
+    handler: (markdown) => ({ code: `export default ${JSON.stringify(readCardText(markdown))}`, map: null }),
+  },
+}
 
 export default defineConfig({
   plugins: [
+    cardTexts,
     sveltekit({
       adapter: adapter({ precompress: true }),
       csp: {

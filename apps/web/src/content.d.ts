@@ -1,0 +1,5 @@
+declare module '*.md' {
+  import type { CardText } from '@botgarten/materials'
+  const text: CardText
+  export default text
+}

@@ -1,0 +1,127 @@
+import type { Finding } from '@botgarten/blocks'
+import type { StepKind } from '@botgarten/lab'
+import { readSetting, writeSetting } from '#lib/storage/settings.ts'
+import { m } from '#lib/words/generated/messages.js'
+import type { Session } from './session.svelte.ts'
+import { Loudspeaker } from './sound.svelte.ts'
+
+export interface Notice {
+  readonly kind: 'info'
+  readonly text: string
+}
+
+interface Settings {
+  readonly rays: boolean
+  readonly trail: boolean
+}
+
+/** What lies around a session on the screen: what is being said, what is switched on, how it sounds. */
+export class Desk {
+  readonly speaker = new Loudspeaker()
+  #session: Session
+  #shown = $state.raw<Finding | null>(null)
+  #celebrates = $state(false)
+  #celebrated = false
+  #settings = $state.raw(readSetting<Settings>('settings', { rays: true, trail: true }))
+  #sizes = $state.raw(readSetting<object>('sizes', {}))
+  notice = $state.raw<Notice | null>(null)
+  message = $state.raw<{ readonly title: string; readonly text: string } | null>(null)
+
+  constructor(session: Session) {
+    this.#session = session
+  }
+
+  get shown() {
+    return this.#shown
+  }
+  get celebrates() {
+    return this.#celebrates
+  }
+  get settings() {
+    return this.#settings
+  }
+  set settings(settings: Settings) {
+    this.#settings = settings
+    writeSetting('settings', settings)
+  }
+  get sizes() {
+    return this.#sizes
+  }
+  set sizes(sizes: object) {
+    this.#sizes = sizes
+    writeSetting('sizes', sizes)
+  }
+
+  /** Begins to let time pass and to listen to the page. Returns how to end it. */
+  open(): () => void {
+    const { lab, keeper } = this.#session
+    const stopFrames = lab.run()
+    const stopWatching = $effect.root(() => {
+      const frequency = $derived(
+        lab.view.phase === 'running' ? (lab.view.robots[0]?.frequency ?? null) : null,
+      )
+      const problem = $derived(lab.view.problem)
+      const succeeded = $derived(this.#session.succeeded)
+      $effect(() => this.speaker.play(frequency))
+      $effect(() => this.show(problem))
+      $effect(() => {
+        if (succeeded) this.#celebrate()
+      })
+    })
+    const away = () => this.#turnedAway()
+    const stop = ({ key }: KeyboardEvent) => key === 'Escape' && lab.stop()
+    document.addEventListener('visibilitychange', away)
+    window.addEventListener('keydown', stop)
+    return () => {
+      document.removeEventListener('visibilitychange', away)
+      window.removeEventListener('keydown', stop)
+      stopWatching()
+      stopFrames()
+      this.speaker.close()
+      keeper.close()
+    }
+  }
+
+  /** A hidden page pauses the run and says so on return (running.md 12). */
+  #turnedAway(): void {
+    if (!document.hidden) return
+    void this.#session.keeper.flush()
+    if (this.#session.lab.view.phase !== 'running') return
+    this.#session.lab.pause()
+    this.notice = { kind: 'info', text: m['session.away']() }
+  }
+
+  /** Once a run, however often the checks turn green in it. */
+  #celebrate(): void {
+    if (this.#celebrated) return
+    this.#celebrated = true
+    this.#celebrates = true
+    this.#session.noteSuccess()
+  }
+
+  closeSuccess(): void {
+    this.#celebrates = false
+  }
+
+  start(): void {
+    this.speaker.wake()
+    this.notice = null
+    this.#celebrated = false
+    this.#celebrates = false
+    this.#shown = this.#session.start()
+  }
+
+  step(kind: StepKind): void {
+    const { phase } = this.#session.lab.view
+    if (phase === 'ready' || phase === 'ended') this.start()
+    if (!this.#shown) this.#session.lab.step(kind)
+  }
+
+  show(finding: Finding | null): void {
+    this.#shown = finding
+  }
+
+  say(title: string, text: string): void {
+    this.message = { title, text }
+  }
+}

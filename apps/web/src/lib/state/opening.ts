@@ -1,0 +1,76 @@
+import type { LoadedCard } from '#lib/content/cards.ts'
+import { floorAddress, loadCard, loadFreeLab } from '#lib/content/cards.ts'
+import { freshId, load } from '#lib/storage/projects.ts'
+import { cardProject } from '@botgarten/materials'
+import { parseProject, type Project } from '@botgarten/programs'
+import { paintFloor, type Floor, type World } from '@botgarten/simulation'
+
+/** A project that is about to be shown. */
+export interface Opened {
+  readonly id: string
+  /** 0 where nothing is kept yet. */
+  readonly revision: number
+  readonly project: Project
+  readonly card: LoadedCard | null
+  readonly floor: Floor
+  readonly floorAddress: string | null
+  /** Message keys of what went wrong on the way; the lab stands all the same. */
+  readonly trouble: 'brokenHere' | 'floorMissing' | null
+}
+
+/** What a route of the lab shows: a card, or `free`; null where no card has this name. */
+export async function openLab(name: string, projectId: string | null): Promise<Opened | null> {
+  const card = name === 'free' ? null : await loadCard(name)
+  if (name !== 'free' && !card) return null
+  const fresh = card
+    ? cardProject(card.world, card.card, card.start, card.text['en']!.title)
+    : await loadFreeLab()
+  const kept = await readKept(projectId ?? name)
+  const project = kept.project ?? fresh
+  const floor = await floorOf(project)
+  return {
+    id: kept.id,
+    revision: kept.revision,
+    project,
+    card,
+    floor: floor ?? paintFloor({ ...project.world, floor: { colour: '#FFFFFF' } }),
+    floorAddress: pictureOf(project),
+    trouble: kept.broken ? 'brokenHere' : floor ? null : 'floorMissing',
+  }
+}
+
+/** A kept project is read as carefully as a stranger's file; a broken one stays where it is. */
+async function readKept(id: string) {
+  const kept = await load(id)
+  if (!kept) return { id, revision: 0, project: null, broken: false }
+  try {
+    return { id, revision: kept.revision, project: parseProject(kept.project), broken: false }
+  } catch (cause) {
+    console.error('A kept project cannot be read.', cause)
+    return { id: freshId(id), revision: 0, project: null, broken: true }
+  }
+}
+
+const assetOf = ({ world, assets }: Project) =>
+  'asset' in world.floor && Object.hasOwn(assets, world.floor.asset) ? assets[world.floor.asset] : undefined
+
+/** Address of the floor's picture, from the product or from the project itself. */
+function pictureOf(project: Project): string | null {
+  const asset = assetOf(project)
+  return asset ? `data:image/png;base64,${asset.base64}` : floorAddress(project.world)
+}
+
+async function floorOf(project: Project): Promise<Floor | null> {
+  const world: World = project.world
+  if (!('asset' in world.floor)) return paintFloor(world)
+  try {
+    const asset = assetOf(project)
+    if (asset) return paintFloor(world, Uint8Array.fromBase64(asset.base64))
+    const address = floorAddress(world)
+    if (!address) return null
+    return paintFloor(world, new Uint8Array(await (await fetch(address)).arrayBuffer()))
+  } catch (cause) {
+    console.error('The picture of the floor cannot be read.', cause)
+    return null
+  }
+}
