@@ -1,0 +1,32 @@
+import type { Category } from '@botgarten/blocks'
+
+/** Block colours of visual.md 2: white text on each is at least 4.8 : 1. */
+export const categoryColours: { readonly [category in Category]: string } = {
+  control: '#B25A00',
+  action: '#CC3F24',
+  sensors: '#23804F',
+  logic: '#2C6FB0',
+  math: '#6F55C4',
+  text: '#0B7C88',
+  network: '#C2335F',
+}
+
+/** A block that this version does not know. */
+export const unknownColour = '#6B5545'
+
+export const ink = '#3A2A20'
+export const paper = '#FFFDF8'
+export const sun = '#FFC83D'
+/** Edges and plugs of the two layers; also the dots of their neurons. */
+export const teal = '#2F9C95'
+export const apricot = '#F28C45'
+
+/** `share` of black mixed into a `#RRGGBB` colour. */
+export function darker(colour: string, share: number): string {
+  const channels = [1, 3, 5].map((at) => parseInt(colour.slice(at, at + 2), 16))
+  const mixed = channels.map((channel) => Math.round(channel * (1 - share)))
+  return '#' + mixed.map((channel) => channel.toString(16).padStart(2, '0')).join('')
+}
+
+/** Ground of a layer's frame. */
+export const layerGround = '#8E2247'

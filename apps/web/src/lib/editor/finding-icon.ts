@@ -1,0 +1,76 @@
+import * as Blockly from 'blockly/core'
+import type { Finding } from '@botgarten/blocks'
+import { ink, sun } from './colours.ts'
+
+const iconType = new Blockly.icons.IconType<FindingIcon>('botgarten_finding')
+const radius = 13
+/** The badge is drawn 20 px wide at the start scale; 44 px of it answer to a finger. */
+const reach = 29
+
+/** The yellow badge at the corner of a block that needs help. A button for the mouse, the finger and the keyboard. */
+export class FindingIcon extends Blockly.icons.Icon {
+  readonly #finding: Finding
+  readonly #label: string
+  readonly #open: (finding: Finding) => void
+
+  constructor(block: Blockly.BlockSvg, finding: Finding, label: string, open: (finding: Finding) => void) {
+    super(block)
+    this.#finding = finding
+    this.#label = label
+    this.#open = open
+    this.setTooltip(label)
+  }
+
+  override getType() {
+    return iconType
+  }
+
+  override initView(onpointerdown: (event: PointerEvent) => void) {
+    if (this.svgRoot) return
+    super.initView(onpointerdown)
+    this.getFocusableElement().classList.add('editor-badge')
+    const draw = (name: string, attributes: Record<string, string | number>) =>
+      Blockly.utils.dom.createSvgElement(name, attributes, this.svgRoot)
+    draw('circle', { class: 'blocklyIconShape', r: radius, fill: sun, stroke: ink, 'stroke-width': 2.5 })
+    draw('path', { d: 'M0 -6.5v7M0 6v.1', stroke: ink, 'stroke-width': 3.4, 'stroke-linecap': 'round' })
+    draw('circle', { r: reach, fill: 'transparent' })
+  }
+
+  override getSize() {
+    return new Blockly.utils.Size(0, 0)
+  }
+
+  override onClick() {
+    this.#open(this.#finding)
+  }
+
+  protected override getAriaLabel() {
+    return this.#label
+  }
+
+  override isShownWhenCollapsed() {
+    return true
+  }
+}
+
+/** The badge sits on the block's upper right corner. Called whenever the block was drawn. */
+export function placeBadge(block: Blockly.BlockSvg): void {
+  const badge = block.getIcon(iconType)
+  badge?.setOffsetInBlock(new Blockly.utils.Coordinate(block.childlessWidth - 2, 2))
+}
+
+/** Puts a badge on every block that a finding names and takes the others away. */
+export function showFindings(
+  workspace: Blockly.WorkspaceSvg,
+  findings: readonly Finding[],
+  label: (finding: Finding) => string,
+  open: (finding: Finding) => void,
+): void {
+  const byBlock = new Map(findings.map((finding) => [finding.block, finding]))
+  for (const block of workspace.getAllBlocks(false)) {
+    const finding = byBlock.get(block.id)
+    if (block.getIcon(iconType)) block.removeIcon(iconType)
+    block.getSvgRoot().classList.toggle('editor-finding', finding !== undefined)
+    if (finding) block.addIcon(new FindingIcon(block, finding, label(finding), open))
+  }
+}

@@ -1,0 +1,133 @@
+import * as Blockly from 'blockly/core'
+import type { Block, Look } from '@botgarten/blocks'
+import type { Program, Stack } from '@botgarten/programs'
+import { isBotBlock, type BotBlock, type Rest } from './bot-block.ts'
+import { isFileField } from './fields.ts'
+import { linesOf } from './list.ts'
+import { stateOfRow, type Loose } from './state.ts'
+import { isUnknownBlock } from './unknown.ts'
+
+const besides = 60
+
+/** Shows a program on an empty workspace. Fires no events: what is loaded is not an edit. */
+export function toWorkspace(program: Program, workspace: Blockly.Workspace): void {
+  Blockly.Events.disable()
+  try {
+    for (const stack of program.stacks) append(stack, workspace)
+  } finally {
+    Blockly.Events.enable()
+  }
+}
+
+function append(stack: Stack, workspace: Blockly.Workspace) {
+  const loose: Loose = []
+  const state = stateOfRow(stack.blocks, loose, true)
+  if (state) Blockly.serialization.blocks.append({ ...state, x: stack.x, y: stack.y }, workspace)
+  loose.forEach((blocks, at) =>
+    append({ x: stack.x + besides, y: stack.y + besides * (at + 1), blocks }, workspace),
+  )
+}
+
+/** The blocks of a workspace as frozen data. `base`: the program it was, for what the workspace does not show. */
+export function toProgram(workspace: Blockly.Workspace, base: Program): Program {
+  const tops = workspace.getTopBlocks(false).filter((block) => !block.isInsertionMarker())
+  const stacks = tops.map((block) => ({ ...position(block), blocks: rowFrom(block) }))
+  return deepFreeze({ ...base, stacks })
+}
+
+function position(block: Blockly.Block) {
+  const { x, y } = block.getRelativeToSurfaceXY()
+  return { x, y }
+}
+
+function rowFrom(first: Blockly.Block | null): Block[] {
+  const row: Block[] = []
+  for (let block = first; block; block = block.getNextBlock()) {
+    if (!block.isInsertionMarker()) row.push(blockOf(block))
+  }
+  return row
+}
+
+function blockOf(block: Blockly.Block): Block {
+  if (isUnknownBlock(block)) return block.raw
+  if (!isBotBlock(block)) return { id: block.id, type: block.type }
+  const rest = block.extra.rest ?? {}
+  const { look } = block.definition
+  const comment = block.getCommentText()
+  return {
+    id: block.id,
+    type: block.type,
+    ...filled('fields', { ...rest.fields, ...fieldsOf(block, look, rest) }),
+    ...mutationOf(block, look, rest),
+    ...filled('values', { ...rest.values, ...valuesOf(block, look) }),
+    ...filled('statements', { ...rest.statements, ...statementsOf(block, look) }),
+    ...(comment && { comment }),
+    ...(block.hasDisabledReason('MANUALLY_DISABLED') && { disabled: true }),
+    ...(block.isCollapsed() && { collapsed: true }),
+    ...((block.isShadow() || rest.shadow) && { shadow: true }),
+    ...besidesShown(rest),
+  }
+}
+
+const besidesShown = ({ data, hide, inline, flags }: Rest) => ({
+  ...(data !== undefined && { data }),
+  ...(hide !== undefined && { hide }),
+  ...(inline !== undefined && { inline }),
+  ...(flags !== undefined && { flags }),
+})
+
+const filled = <Name extends string, Value>(name: Name, record: { [key: string]: Value }) =>
+  (Object.keys(record).length > 0 ? { [name]: record } : {}) as { [key in Name]?: typeof record }
+
+function fieldsOf(block: BotBlock, look: Look, { told }: Rest) {
+  const fields: Record<string, string> = {}
+  for (const { name, preset } of look.fields) {
+    const field = block.getField(name)
+    const text = field && isFileField(field) ? field.toFile() : String(preset)
+    const silent = told && !told.fields.includes(name) && text === String(preset)
+    if (!silent) fields[name] = text
+  }
+  return fields
+}
+
+function mutationOf(block: BotBlock, look: Look, { told, args }: Rest): Pick<Block, 'mutation'> {
+  const written = told?.attributes
+  const attrs: Record<string, string> = { ...block.extra.attributes }
+  for (const [name, value] of Object.entries(look.mutation ?? {})) {
+    if (written !== undefined && !written?.includes(name)) continue
+    attrs[name] =
+      typeof value === 'string' ? (attrs[name] ?? value) : String(block.getFieldValue(value.field))
+  }
+  const lines = linesOf(block)
+  if (look.items && (written === undefined || written?.includes('items') || lines.length > 0)) {
+    attrs['items'] = String(lines.length)
+  }
+  if (Object.keys(attrs).length === 0 && !written && !args) return {}
+  return { mutation: { attrs, ...(args && { args }) } }
+}
+
+function valuesOf(block: BotBlock, look: Look) {
+  const values: Record<string, Block> = {}
+  const take = (input: string, name: string) => {
+    const child = block.getInputTargetBlock(input)
+    if (child && !child.isInsertionMarker()) values[name] = blockOf(child)
+  }
+  for (const { name, kind } of look.inputs) if (kind === 'value') take(name, name)
+  linesOf(block).forEach((line, at) => take(line, `${look.items?.prefix ?? ''}${at}`))
+  return values
+}
+
+function statementsOf(block: BotBlock, look: Look) {
+  const statements: Record<string, Block[]> = {}
+  for (const { name, kind } of look.inputs) {
+    const row = kind === 'statements' ? rowFrom(block.getInputTargetBlock(name)) : []
+    if (row.length > 0) statements[name] = row
+  }
+  return statements
+}
+
+function deepFreeze<Value>(value: Value): Value {
+  if (typeof value !== 'object' || value === null || Object.isFrozen(value)) return value
+  Object.values(value).forEach(deepFreeze)
+  return Object.freeze(value)
+}

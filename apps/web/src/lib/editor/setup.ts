@@ -1,0 +1,51 @@
+import * as Blockly from 'blockly/core'
+import { definitions } from '@botgarten/blocks'
+import de from '../../../../../content/words/blockly/de.json'
+import en from '../../../../../content/words/blockly/en.json'
+import { usePlainIds } from './ids.ts'
+import { defineBlocks } from './shape.ts'
+import { registerShelf } from './toolbox.ts'
+import { defineUnknownBlocks } from './unknown.ts'
+import { wordsIn, type Locale } from './words.ts'
+
+const blocklyWords: { readonly [locale in Locale]: { readonly [key: string]: string } } = { de, en }
+
+/** What a child needs of Blockly's menus: a copy, away with it, tidy up. */
+const keptInMenus = ['blockDuplicate', 'blockDelete', 'cleanWorkspace']
+const offeredInMenus = [
+  ...['undoWorkspace', 'redoWorkspace', 'collapseWorkspace', 'expandWorkspace', 'workspaceDelete'],
+  ...['blockComment', 'blockInline', 'blockCollapseExpand', 'blockDisable', 'blockHelp'],
+  ...keptInMenus,
+]
+
+let ready = false
+
+/** Brings Blockly's one global registry into the shape this editor needs; only the first call does something. */
+export function setUp(): void {
+  if (ready) return
+  ready = true
+  usePlainIds()
+  Blockly.Scrollbar.scrollbarThickness = 8
+  registerShelf()
+  defineUnknownBlocks()
+  shortenMenus()
+  leaveUndoToThePage()
+}
+
+/** Blocks and Blockly's own words in a language. What is on a workspace already keeps its old words. */
+export function speak(locale: Locale): void {
+  Blockly.setLocale({ ...blocklyWords[locale] })
+  defineBlocks(Object.values(definitions), { words: wordsIn(locale), locale })
+}
+
+function shortenMenus() {
+  const { registry } = Blockly.ContextMenuRegistry
+  for (const id of offeredInMenus)
+    if (!keptInMenus.includes(id) && registry.getItem(id)) registry.unregister(id)
+}
+
+/** One stack of undo holds blocks, world and weights: the page decides what Ctrl+Z takes back. */
+function leaveUndoToThePage() {
+  const { registry } = Blockly.ShortcutRegistry
+  for (const name of ['undo', 'redo']) registry.unregister(name)
+}

@@ -1,0 +1,66 @@
+import * as Blockly from 'blockly/core'
+import { toolbox } from '@botgarten/blocks'
+import { stateOfTemplate } from './state.ts'
+import type { Words } from './words.ts'
+
+/** What the shelf holds: a category a row, its blocks with their presets plugged in. */
+export function toolboxInfo(words: Words): Blockly.utils.toolbox.ToolboxInfo {
+  return {
+    kind: 'categoryToolbox',
+    contents: toolbox.map(({ category, blocks }) => ({
+      kind: 'category',
+      name: words(`category.${category}`),
+      categorystyle: category,
+      toolboxitemid: `shelf-${category}`,
+      contents: blocks.map((template) => ({ kind: 'block', ...stateOfTemplate(template) })),
+    })),
+  }
+}
+
+/** A row of the shelf: a coloured circle above its word; the chosen one in a box of its colour. */
+class ShelfCategory extends Blockly.ToolboxCategory {
+  protected override createDom_() {
+    const row = super.createDom_()
+    row.style.setProperty('--category', this.colour_)
+    // Clicks on the words belong to the row (the toolbox finds a row by the id of the click's target).
+    if (this.rowDiv_) this.rowDiv_.style.pointerEvents = 'none'
+    return row
+  }
+
+  /** The row itself, which carries the id already: no second element may have it. */
+  override getClickTarget() {
+    return this.htmlDiv_ as Element
+  }
+
+  protected override createIconDom_() {
+    const dot = document.createElement('span')
+    dot.className = 'editor-shelf-dot'
+    return dot
+  }
+
+  protected override addColourBorder_() {}
+
+  override setSelected(selected: boolean) {
+    this.rowDiv_?.classList.toggle('blocklyToolboxSelected', selected)
+    if (this.htmlDiv_) Blockly.utils.aria.setState(this.htmlDiv_, Blockly.utils.aria.State.SELECTED, selected)
+  }
+}
+
+/** Escape closes what is open and is heard by the page where nothing is. */
+class Shelf extends Blockly.Toolbox {
+  protected override onKeyDown_(event: KeyboardEvent) {
+    if (event.key === 'Escape' && !this.getFlyout()?.isVisible()) return
+    super.onKeyDown_(event)
+  }
+}
+
+export const shelfPlugins = { toolbox: Shelf }
+
+export function registerShelf(): void {
+  Blockly.registry.register(
+    Blockly.registry.Type.TOOLBOX_ITEM,
+    Blockly.ToolboxCategory.registrationName,
+    ShelfCategory,
+    true,
+  )
+}
