@@ -22,7 +22,7 @@ export function waiting(frame: Frame, context: Context, milliseconds: number): N
 }
 
 /** Is this the first time the block acts? Frames are data, so that it has to be written there. */
-export function firstTime(frame: Frame): boolean {
+function firstTime(frame: Frame): boolean {
   if (frame.counter !== undefined) return false
   frame.counter = 1
   return true

@@ -5,7 +5,7 @@ import { colours, isColour } from './colours.ts'
 export const nothing = '∅'
 
 /** At most four places after a decimal point, no zeros at the end, no minus before 0. */
-export const numberText = (x: number): string => String(Number(x.toFixed(4)) + 0)
+const numberText = (x: number): string => String(Number(x.toFixed(4)) + 0)
 
 const colourText = (colour: string) =>
   colours.find(({ value }) => value === colour.toUpperCase())?.name ?? colour.toUpperCase()

@@ -1,11 +1,11 @@
 import { ProjectError } from './error.ts'
 
 /** product.md 8 */
-export const mostBytes = 5 * 1024 * 1024
+const mostBytes = 5_000_000
 /** Levels of brackets in the file; a block inside a block takes two or three. */
-export const deepest = 600
+const deepest = 600
 /** Objects, lists and simple values together. */
-export const mostParts = 1_000_000
+const mostParts = 1_000_000
 export const longestText = 20_000
 export const longestId = 200
 

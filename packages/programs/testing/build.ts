@@ -29,10 +29,7 @@ export const compare = (operator: string, a: Template, b: Template): Template =>
   block('logic_compare', { OP: operator }, { A: a, B: b })
 export const colour = (value: string): Template => block('robColour_picker', { COLOUR: value })
 
-export const layer = (
-  listType: 'InputNode' | 'OutputNode',
-  rows: readonly (Template | null)[],
-): Template => ({
+const layer = (listType: 'InputNode' | 'OutputNode', rows: readonly (Template | null)[]): Template => ({
   type: 'ai_easy_list',
   mutation: { attrs: { items: String(rows.length), list_type: listType } },
   values: Object.fromEntries(rows.flatMap((row, k) => (row ? [[`ADD${k}`, row]] : []))),
