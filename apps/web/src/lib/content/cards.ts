@@ -17,17 +17,15 @@ const cards = import.meta.glob<Card>('../../../../../content/cards/*/*/card.json
   import: 'default',
   eager: true,
 })
-const starts = import.meta.glob<CardProgram>(
-  '../../../../../content/cards/*/*/start.json',
-  { import: 'default' },
-)
+const starts = import.meta.glob<CardProgram>('../../../../../content/cards/*/*/start.json', {
+  import: 'default',
+})
 const texts = import.meta.glob<CardText>('../../../../../content/cards/*/*/*.md', {
   import: 'default',
 })
-const worlds = import.meta.glob<WorldFile>(
-  '../../../../../content/worlds/*/world.json',
-  { import: 'default' },
-)
+const worlds = import.meta.glob<WorldFile>('../../../../../content/worlds/*/world.json', {
+  import: 'default',
+})
 const floors = import.meta.glob<string>('../../../../../content/worlds/*/floor.png', {
   import: 'default',
   query: '?url',
@@ -42,6 +40,10 @@ const pictures = import.meta.glob<string>('../../../../../content/cards/*/*/pict
 
 /** All cards, in the order of their folders. */
 export const allCards: readonly Card[] = Object.values(cards)
+
+/** Picture on the front of a card, null for what is no card. */
+export const pictureOf = (id: string): string | null =>
+  Object.entries(pictures).find(([path]) => path.endsWith(`-${id}/picture.svg`))?.[1] ?? null
 
 const endingWith = <File>(files: Files<File>, end: string) =>
   Object.entries(files).find(([path]) => path.endsWith(end))?.[1]
@@ -71,7 +73,7 @@ export async function loadCard(id: string): Promise<LoadedCard | null> {
     world,
     start,
     text: Object.fromEntries(languages),
-    picture: pictures[`${folder}picture.svg`] ?? null,
+    picture: pictureOf(id),
   }
 }
 
