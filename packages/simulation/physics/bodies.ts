@@ -26,20 +26,28 @@ export interface Physics {
 export const EDGE = -1
 
 const SIDE_DEPTH: Cm = 50
-/** The library keeps bodies this far apart: then a robot at the edge is on the floor with all its corners. */
-const RIM: Cm = 0.015
 const FRICTION = 0.2
 
 /** Builds the physics world. Bodies turn and weigh round their own origin, so that their place is kept to the last bit. */
 export function buildPhysics(plans: readonly BodyPlan[], width: Cm, height: Cm): Physics {
   const world = new World({ gravity: { x: 0, y: 0 }, allowSleep: false, warmStarting: false }) as World &
     InnerWorld
-  // Contacts are made by hand before every step, so that none depends on what was before (running.md 8).
-  world.findNewContacts = () => undefined
+  choosesNoContacts(world)
   const bodies: PhysicsBody[] = []
   const parts: InnerFixture[] = []
   for (const plan of plans) bodies.push(addBody(world, plan, parts))
   return { world, bodies, parts, sides: addSides(world, width, height) }
+}
+
+/**
+ * Contacts are made by hand before every step (step.ts), so that none depends on what was before (running.md 8). What
+ * the library does to find and drop them by itself is left out.
+ */
+function choosesNoContacts(world: World & InnerWorld): void {
+  world.findNewContacts = () => undefined
+  world.updateContacts = () => {
+    for (let contact = world.m_contactList; contact; contact = contact.m_next) contact.update(world)
+  }
 }
 
 function addBody(world: World, plan: BodyPlan, parts: InnerFixture[]): PhysicsBody {
@@ -47,7 +55,7 @@ function addBody(world: World, plan: BodyPlan, parts: InnerFixture[]): PhysicsBo
     type: plan.weight ? 'dynamic' : 'static',
     position: { x: plan.x, y: plan.y },
     angle: plan.heading,
-    bullet: false,
+    bullet: true,
   })
   for (const part of plan.parts) {
     const fixture = body.createFixture({
@@ -59,6 +67,8 @@ function addBody(world: World, plan: BodyPlan, parts: InnerFixture[]): PhysicsBo
     parts.push(fixture as unknown as InnerFixture)
   }
   if (plan.weight) body.setMassData({ mass: plan.weight.mass, I: plan.weight.inertia, center: Vec2(0, 0) })
+  // Boxes round the fixtures serve only the search for contacts.
+  body.synchronizeFixtures = () => undefined
   return body as unknown as PhysicsBody
 }
 
@@ -76,13 +86,12 @@ function addSides(world: World, width: Cm, height: Cm): InnerFixture[] {
       userData: EDGE,
     }) as unknown as InnerFixture
   const half = SIDE_DEPTH / 2
-  const out = half - RIM
   const acrossX = width / 2 + SIDE_DEPTH
   const acrossY = height / 2 + SIDE_DEPTH
   return [
-    wall(-out, height / 2, half, acrossY),
-    wall(width + out, height / 2, half, acrossY),
-    wall(width / 2, -out, acrossX, half),
-    wall(width / 2, height + out, acrossX, half),
+    wall(0 - half, height / 2, half, acrossY),
+    wall(width + half, height / 2, half, acrossY),
+    wall(width / 2, 0 - half, acrossX, half),
+    wall(width / 2, height + half, acrossX, half),
   ]
 }

@@ -5,8 +5,7 @@ import './return-math.ts'
 import { cos, sin } from '@botgarten/numbers'
 import type { Body, Contact, Fixture } from 'planck'
 
-// Lengths are cm. The library looks for contacts inside this rim; ours are chosen by geometry/near.ts before.
-Settings.aabbExtension = 4
+// Lengths are cm.
 Settings.maxTranslation = 50
 
 /** Does the library compute with our functions? A bundler that moved it before lend-math.ts would be found out here. */
@@ -28,9 +27,10 @@ export interface InnerWorld {
   createContact(a: unknown, b: unknown): void
   destroyContact(contact: InnerContact): void
   findNewContacts(): void
+  updateContacts(): void
 }
 
-export type InnerContact = Contact & { m_next: InnerContact | null }
+export type InnerContact = Contact & { m_next: InnerContact | null; update(world: World): void }
 
 export type InnerFixture = Fixture & { m_proxies: readonly unknown[] }
 

@@ -42,7 +42,6 @@ function put(body: PhysicsBody, from: Moving): void {
   sweep.a = sweep.a0 = from.heading
   sweep.alpha0 = 0
   body.synchronizeTransform()
-  body.synchronizeFixtures()
   body.setAwake(true)
   const velocity = body.getLinearVelocity()
   velocity.x = from.vx
