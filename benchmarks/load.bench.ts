@@ -1,10 +1,15 @@
 import { launchBrowser } from '../e2e/browser.ts'
+import { Child } from '../e2e/child.ts'
 import { trafficOf } from '../e2e/traffic.ts'
 import { buildWhenNeeded } from '../scripts/prepare/build.mjs'
 import { startServer } from '../scripts/server.ts'
 import type { Table } from './bench.ts'
 
-const pages = ['/', '/lab/friendship', '/lab/free']
+const pages = [
+  { path: '/', stands: (child: Child) => child.seesTitle() },
+  { path: '/lab/friendship', stands: (child: Child) => child.seesBlocks() },
+  { path: '/lab/free', stands: (child: Child) => child.seesBlocks() },
+]
 
 /** What a page costs on the wire when it is opened for the first time. */
 export default async function load(): Promise<Table> {
@@ -12,9 +17,9 @@ export default async function load(): Promise<Table> {
   const server = await startServer({ port: 0, host: '127.0.0.1' })
   const browser = await launchBrowser()
   const rows = []
-  for (const path of pages) {
+  for (const { path, stands } of pages) {
     const page = await browser.newPage({ baseURL: server.url })
-    const { requests, bytes } = await trafficOf(page, path)
+    const { requests, bytes } = await trafficOf(page, path, () => stands(new Child(page, 'en')))
     await page.close()
     rows.push([path, requests, `${(bytes / 1000).toFixed(0)} kB`])
   }

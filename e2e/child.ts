@@ -39,7 +39,7 @@ export class Child {
 
   async opensHome() {
     await this.page.goto('/')
-    await expect(this.page.getByRole('heading', { level: 1 })).toBeVisible()
+    await this.seesTitle()
   }
 
   /** Opens a card or the free lab by its address, and waits for the blocks. */
@@ -155,6 +155,10 @@ export class Child {
   }
 
   // ---- seeing ----
+
+  async seesTitle() {
+    await expect(this.page.getByRole('heading', { level: 1 })).toBeVisible()
+  }
 
   async seesBlocks() {
     await expect(this.page.locator('.blocklyBlockCanvas .blocklyDraggable').first()).toBeVisible()

@@ -6,19 +6,28 @@ export interface Traffic {
   readonly bytes: number
 }
 
-/** What a page asks for when it is opened, until nothing more comes. */
-export async function trafficOf(page: Page, path: string): Promise<Traffic> {
+/**
+ * What a page asks for when it is opened, until nothing more comes.
+ * @param stands resolves when the page is whole; what came last may still be on its way then
+ */
+export async function trafficOf(page: Page, path: string, stands: () => Promise<unknown>): Promise<Traffic> {
   const session = await page.context().newCDPSession(page)
   await session.send('Network.enable')
   const own = new Set<string>()
-  let bytes = 0
+  let [requests, bytes] = [0, 0]
   session.on('Network.requestWillBeSent', ({ requestId, request }) => {
     if (/^https?:/.test(request.url)) own.add(requestId)
   })
   session.on('Network.loadingFinished', ({ requestId, encodedDataLength }) => {
-    if (own.has(requestId)) bytes += encodedDataLength
+    // What the page has already costs nothing.
+    if (!own.has(requestId) || encodedDataLength === 0) return
+    requests += 1
+    bytes += encodedDataLength
   })
-  await page.goto(path, { waitUntil: 'networkidle' })
+  await page.goto(path)
+  await stands()
+  await page.evaluate(() => document.fonts.ready)
+  await page.waitForLoadState('networkidle')
   await session.detach()
-  return { requests: own.size, bytes }
+  return { requests, bytes }
 }

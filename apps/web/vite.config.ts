@@ -13,6 +13,19 @@ const cardTexts: Plugin = {
   },
 }
 
+// Few requests: what one card needs comes together, what all pages share, and what the lab's parts share.
+const cardOf = (id: string) =>
+  /content[\\/](?:cards[\\/]\w+[\\/]\d+-|worlds[\\/])(\w+)[\\/](?:\w+\.md|start\.json|world\.json)$/.exec(
+    id,
+  )?.[1] ?? null
+const chunks = [
+  // SvelteKit's first script imports it and must not pull anything else in before the page is set up.
+  { name: 'preload', test: /preload-helper/, priority: 3 },
+  { name: cardOf, priority: 2 },
+  { name: 'common', test: /src[\\/]lib[\\/](parts|storage|words)[\\/]/, minShareCount: 2, priority: 1 },
+  { name: 'engine', test: /[\\/](packages|node_modules[\\/]planck|src[\\/]lib)[\\/]/, minShareCount: 2 },
+]
+
 export default defineConfig({
   plugins: [
     cardTexts,
@@ -35,5 +48,8 @@ export default defineConfig({
     paraglideVitePlugin({ project: './project.inlang' }),
   ],
   build: { target: 'es2022' },
+  environments: {
+    client: { build: { rolldownOptions: { output: { codeSplitting: { groups: chunks } } } } },
+  },
   server: { fs: { allow: ['../..'] } },
 })

@@ -2,8 +2,7 @@ import { expect, test } from '../house.ts'
 import { trafficOf } from '../traffic.ts'
 
 test('the whole lab comes in at most 30 requests and 0.6 MB', async ({ page, child }) => {
-  const { requests, bytes } = await trafficOf(page, '/lab/friendship')
-  await child.seesBlocks()
+  const { requests, bytes } = await trafficOf(page, '/lab/friendship', () => child.seesBlocks())
   expect(requests).toBeGreaterThan(1)
   expect(requests).toBeLessThanOrEqual(30)
   expect(bytes).toBeGreaterThan(10_000)
