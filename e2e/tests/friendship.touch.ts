@@ -1,0 +1,22 @@
+import { leftEye, leftWheel, rightEye, rightWheel } from '../child.ts'
+import { test } from '../house.ts'
+import { languages } from '../words.ts'
+
+for (const language of languages) {
+  test.describe(`a child that reads ${language}`, () => {
+    test.use({ language })
+
+    test('teaches Bo friendship with a finger, and finds all again after a reload', async ({ child }) => {
+      await child.opensHome()
+      await child.chooses('friendship')
+      await child.pressesStart()
+      await child.dragsKnob(leftEye, leftWheel, 0.8)
+      await child.dragsKnob(rightEye, rightWheel, 0.8)
+      await child.seesCheck('friendship', 'near')
+      await child.seesSaved()
+      await child.reloads()
+      await child.seesWeight(leftEye, leftWheel, 0.8)
+      await child.seesWeight(rightEye, rightWheel, 0.8)
+    })
+  })
+}
