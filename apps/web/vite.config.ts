@@ -26,21 +26,6 @@ const chunks = [
   { name: 'engine', test: /[\\/](packages|node_modules[\\/]planck|src[\\/]lib)[\\/]/, minShareCount: 2 },
 ]
 
-const cardOrWorld = /content\/(?:cards\/\w+\/\d+-|worlds\/)(\w+)\/.*(?:md|json)$/
-
-/** Few files: on a school's network each request costs more than its bytes. Home must not load what only the lab needs. */
-const chunks = [
-  { name: (id: string) => cardOrWorld.exec(id)?.[1] ?? null, test: cardOrWorld },
-  { name: 'svelte', test: /node_modules\/(svelte|esm-env|clsx|idb)\// },
-  {
-    name: 'parts',
-    test: /src\/lib\/(parts\/|words\/(language|generated\/(runtime|messages\/(home|parts|session_cannotopen))))/,
-  },
-  { name: 'programs', test: /packages\/(blocks|programs)\/|node_modules\/valibot\// },
-  { name: 'simulation', test: /packages\/|node_modules\/(planck|fast-png|fflate|iobuffer)\// },
-  { name: 'words', test: /src\/lib\/words\// },
-]
-
 export default defineConfig({
   plugins: [
     cardTexts,
@@ -63,7 +48,8 @@ export default defineConfig({
     paraglideVitePlugin({ project: './project.inlang' }),
   ],
   build: { target: 'es2022' },
-  // Of the pages alone: the server's build has chunks of its own.
-  environments: { client: { build: { rolldownOptions: { output: { codeSplitting: { groups: chunks } } } } } },
+  environments: {
+    client: { build: { rolldownOptions: { output: { codeSplitting: { groups: chunks } } } } },
+  },
   server: { fs: { allow: ['../..'] } },
 })
