@@ -78,7 +78,8 @@ export default {
       name: 'resolvable',
       severity: 'error',
       from: {},
-      to: { couldNotResolve: true, pathNot: '^(#|\\$|virtual:|\\./\\$types)' },
+      // mdast is types alone: the compiler resolves it.
+      to: { couldNotResolve: true, pathNot: '^(#|\\$|virtual:|\\./\\$types|mdast$)' },
     },
   ],
   options: {
