@@ -23,6 +23,13 @@ const chunks = [
   { name: 'preload', test: /preload-helper/, priority: 3 },
   { name: cardOf, priority: 2 },
   { name: 'common', test: /src[\\/]lib[\\/](parts|storage|words)[\\/]/, minShareCount: 2, priority: 1 },
+  // The home page reads project files without bringing the simulation along.
+  {
+    name: 'programs',
+    test: /packages[\\/](blocks|learning|numbers|programs|simulation[\\/](floor[\\/]colours|\w+\.ts))|node_modules[\\/]valibot[\\/]/,
+    minShareCount: 2,
+    priority: 1,
+  },
   { name: 'engine', test: /[\\/](packages|node_modules[\\/]planck|src[\\/]lib)[\\/]/, minShareCount: 2 },
 ]
 
