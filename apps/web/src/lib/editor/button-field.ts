@@ -18,6 +18,12 @@ export class ButtonField extends Blockly.FieldImage {
 
   override initView() {
     super.initView()
+    const middle = { cx: size / 2, cy: size / 2, r: size / 2 + 2 }
+    Blockly.utils.dom.createSvgElement(
+      'circle',
+      { ...middle, class: 'blocklyFocusRing', fill: 'none' },
+      this.fieldGroup_,
+    )
     const target = {
       x: (size - reach) / 2,
       y: (size - reach) / 2,

@@ -12,7 +12,7 @@ export const categoryColours: { readonly [category in Category]: string } = {
 }
 
 /** A block that this version does not know. */
-export const unknownColour = '#6B5545'
+export const unknownColour = '#6F6A66'
 
 export const ink = '#3A2A20'
 export const paper = '#FFFDF8'

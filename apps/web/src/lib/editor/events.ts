@@ -1,6 +1,7 @@
 import * as Blockly from 'blockly/core'
 import type { Program } from '@botgarten/programs'
 import { watchCopies, type Copy } from './copies.ts'
+import { followNeurons } from './follow.ts'
 
 export interface Reports {
   change(program: Program): void
@@ -16,11 +17,13 @@ const settle = 16
 /** Tells the page what happens on the workspace; `emit` is called once for what changes within a frame. */
 export function listen(workspace: Blockly.WorkspaceSvg, reports: Reports, emit: () => void): () => void {
   const copiesIn = watchCopies(workspace)
+  const follow = followNeurons(workspace, () => workspace.isDragging())
   let group: string | null = null
   let waiting: ReturnType<typeof setTimeout> | undefined
 
   const hear = (event: Blockly.Events.Abstract) => {
     if (event instanceof Blockly.Events.Selected) reports.select(event.newElementId ?? null)
+    follow(event)
     if (event.isUiEvent) return
     if (event.recordUndo && (event.group === '' || event.group !== group)) {
       group = event.group

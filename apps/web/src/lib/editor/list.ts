@@ -6,13 +6,17 @@ import { freshNeuron } from './fresh.ts'
 import { stateOfTemplate } from './state.ts'
 import type { Words } from './words.ts'
 
-const foot = 'FOOT'
+/** The socket at the foot of a list: what is dropped there gets a line of its own. */
+export const foot = 'FOOT'
+const adder = 'ADDER'
+const adderLabel = 'ADDER_LABEL'
 const tail = (line: string) => `${line}_END`
+const minusOf = (line: string) => `${line}_MINUS`
 
 /** Names of the inputs of a growing list, from the top. */
 export const linesOf = (block: BotBlock): readonly string[] => block.extra.lines ?? []
 
-/** Builds the foot of a growing list. Its lines come with the extra state. */
+/** Gives a growing list its first lines; the extra state brings the others. */
 export function buildList(block: BotBlock, words: Words): void {
   const { items } = block.definition.look
   if (!items) return
@@ -21,25 +25,25 @@ export function buildList(block: BotBlock, words: Words): void {
   matchLines(block, words)
 }
 
-/** Brings the inputs of a growing list in line with its state; what is plugged in elsewhere stays. */
+/** Brings the inputs of a growing list in line with its state. Lines that stay are not touched. */
 export function matchLines(block: BotBlock, words: Words): void {
   const { items } = block.definition.look
   if (!items) return
   const lines = linesOf(block)
   const stale = block.inputList.filter(({ name }) => isLine(name, items.prefix) && !lines.includes(name))
   for (const { name } of stale) {
-    block.removeInput(name)
     block.removeInput(tail(name))
+    block.removeInput(name)
   }
-  makeFoot(block, words)
-  for (const line of lines) if (!block.getInput(line)) appendLine(block, line, words)
+  matchFoot(block, words)
+  const accepts = faceOf(block)?.items?.accepts ?? []
   for (const line of lines) {
+    if (!block.getInput(line)) appendLine(block, line, words)
+    block.getInput(line)?.setCheck([...accepts])
     block.moveInputBefore(line, foot)
     block.moveInputBefore(tail(line), foot)
-    block.getInput(line)?.setCheck([...(faceOf(block)?.items?.accepts ?? [])])
-    block.getInput(tail(line))?.setVisible(lines.length > items.min)
   }
-  block.getInput(foot)?.setVisible(lines.length < items.max)
+  for (const name of [foot, adder]) block.getInput(name)?.setVisible(lines.length < items.max)
 }
 
 const isLine = (name: string, prefix: string) => new RegExp(`^${prefix}\\d+$`).test(name)
@@ -47,14 +51,20 @@ const isLine = (name: string, prefix: string) => new RegExp(`^${prefix}\\d+$`).t
 function appendLine(block: BotBlock, line: string, words: Words) {
   block.appendValueInput(line)
   const minus = new ButtonField('minus', words('editor.remove-line'), () => removeLine(block, line))
-  block.appendEndRowInput(tail(line)).appendField(minus)
+  block.appendEndRowInput(tail(line)).appendField(minus, minusOf(line))
 }
 
-function makeFoot(block: BotBlock, words: Words) {
+function matchFoot(block: BotBlock, words: Words) {
+  const items = faceOf(block)?.items
+  const label = words(items?.add ?? 'editor.add-line')
+  if (block.getField(adderLabel)?.getText() === label) return
+  block.removeInput(adder, true)
   block.removeInput(foot, true)
-  const label = words(faceOf(block)?.items?.add ?? 'editor.add-line')
-  const plus = new ButtonField('plus', label, () => addLine(block))
-  block.appendDummyInput(foot).appendField(plus).appendField(new Blockly.FieldLabel(label))
+  // It is no row of its own: readers say the plus beside it instead.
+  block.appendValueInput(foot).setCheck([...(items?.accepts ?? [])]).getLabel = () => ''
+  const input = block.appendDummyInput(adder)
+  input.appendField(new ButtonField('plus', label, () => addLine(block)), 'PLUS')
+  input.appendField(new Blockly.FieldLabel(label), adderLabel)
 }
 
 /** Adds a line with a neuron in it: `template`, or what the list comes with at its next free port. */
@@ -62,25 +72,44 @@ export function addLine(
   block: BotBlock,
   template: Template | null = freshNeuron(block),
 ): Blockly.Block | null {
-  const { items } = block.definition.look
-  const lines = linesOf(block)
-  if (!items || lines.length >= items.max) return null
   return grouped(() => {
-    const line = freeName(lines, items.prefix)
-    reshape(block, [...lines, line])
-    return template && plugIn(block, line, template)
+    const line = openLine(block)
+    return line !== null && template ? plugIn(block, line, template) : null
   })
 }
 
-/** Takes a line out with what stands in it. The blocks of the other lines are not touched. */
+/** A new empty line at the end; null where the list is full. */
+export function openLine(block: BotBlock): string | null {
+  const { items } = block.definition.look
+  const lines = linesOf(block)
+  if (!items || lines.length >= items.max) return null
+  const line = freeName(lines, items.prefix)
+  reshape(block, [...lines, line])
+  return line
+}
+
+/** Takes a line out with what stands in it; the last one only empties. The other lines' blocks are not touched. */
 export function removeLine(block: BotBlock, line: string): void {
+  const lines = linesOf(block)
+  const next = lines[lines.indexOf(line) + 1]
   grouped(() => {
     block.getInputTargetBlock(line)?.dispose(false)
-    reshape(
-      block,
-      linesOf(block).filter((other) => other !== line),
-    )
+    closeLine(block, line)
   })
+  focusButton(block, linesOf(block).includes(line) ? minusOf(line) : next ? minusOf(next) : 'PLUS')
+}
+
+/** Takes an empty line out, unless the list must keep it. */
+export function closeLine(block: BotBlock, line: string): void {
+  const { items } = block.definition.look
+  const others = linesOf(block).filter((other) => other !== line)
+  if (items && others.length >= items.min && !block.getInputTargetBlock(line)) reshape(block, others)
+}
+
+/** The button that was pressed is gone: the keyboard goes on from its neighbour. */
+function focusButton(block: BotBlock, name: string) {
+  const field = block.getField(name)
+  if (field?.getSvgRoot()) Blockly.getFocusManager().focusNode(field)
 }
 
 function freeName(lines: readonly string[], prefix: string): string {

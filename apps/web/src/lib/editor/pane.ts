@@ -6,7 +6,7 @@ import { showFindings } from './finding-icon.ts'
 import { keepEscape } from './escape.ts'
 import { grouped } from './list.ts'
 import { addNeuron } from './network.ts'
-import { toProgram, toWorkspace } from './program.ts'
+import { restore, statesOn, toProgram, toWorkspace } from './program.ts'
 import { rendererName } from './renderer.ts'
 import { setUp, speak } from './setup.ts'
 import { font, theme } from './theme.ts'
@@ -56,6 +56,8 @@ export class Pane {
   readonly #workspace: Blockly.WorkspaceSvg
   readonly #reports: PaneReports
   readonly #stops: (() => void)[]
+  /** Where the view stands at first: the paper's upper left corner beside the shelf. */
+  readonly #origin: { readonly x: number; readonly y: number }
   #locale: Locale
   #program: Program
   #findings: readonly Finding[] = []
@@ -69,6 +71,7 @@ export class Pane {
     this.#reports = reports
     this.#workspace = Blockly.inject(host, options(locale, media))
     this.#workspace.MAX_UNDO = Infinity
+    this.#origin = { x: this.#workspace.scrollX, y: this.#workspace.scrollY }
     toWorkspace(program, this.#workspace)
     this.#stops = [listen(this.#workspace, reports, () => this.#emit()), keepEscape(host, this.#workspace)]
   }
@@ -82,17 +85,19 @@ export class Pane {
   load(program: Program): void {
     if (program === this.#program) return
     this.#program = program
-    this.#refill()
+    this.#refill(() => toWorkspace(program, this.#workspace))
     this.#workspace.clearUndo()
+    this.#workspace.setScale(startScale)
+    this.#workspace.scroll(this.#origin.x, this.#origin.y)
   }
 
   setLocale(locale: Locale): void {
     if (locale === this.#locale) return
     this.#locale = locale
-    this.#program = toProgram(this.#workspace, this.#program)
+    const states = statesOn(this.#workspace)
     speak(locale)
     this.#workspace.updateToolbox(toolboxInfo(wordsIn(locale)))
-    this.#refill()
+    this.#refill(() => restore(states, this.#workspace))
   }
 
   setFindings(findings: readonly Finding[]): void {
@@ -151,13 +156,13 @@ export class Pane {
     this.#reports.change(program)
   }
 
-  /** Builds all blocks anew under their ids: the steps of undo find them again. */
-  #refill() {
+  /** Builds all blocks anew under their ids: what is chosen, lit or marked is so again. */
+  #refill(fill: () => void) {
     const selected = Blockly.common.getSelected()?.id
     Blockly.Events.disable()
     try {
       this.#workspace.clear()
-      toWorkspace(this.#program, this.#workspace)
+      fill()
     } finally {
       Blockly.Events.enable()
     }

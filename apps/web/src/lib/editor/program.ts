@@ -4,7 +4,7 @@ import type { Program, Stack } from '@botgarten/programs'
 import { isBotBlock, type BotBlock, type Rest } from './bot-block.ts'
 import { isFileField } from './fields.ts'
 import { linesOf } from './list.ts'
-import { stateOfRow, type Loose } from './state.ts'
+import { stateOfRow, type Loose, type State } from './state.ts'
 import { isUnknownBlock } from './unknown.ts'
 
 const besides = 60
@@ -26,6 +26,17 @@ function append(stack: Stack, workspace: Blockly.Workspace) {
   loose.forEach((blocks, at) =>
     append({ x: stack.x + besides, y: stack.y + besides * (at + 1), blocks }, workspace),
   )
+}
+
+/** All blocks with the names that Blockly's undo knows them by. */
+export const statesOn = (workspace: Blockly.Workspace): readonly State[] =>
+  workspace.getTopBlocks(false).flatMap((block) => {
+    const state = Blockly.serialization.blocks.save(block)
+    return state ? [{ ...state, ...position(block) }] : []
+  })
+
+export function restore(states: readonly State[], workspace: Blockly.Workspace): void {
+  for (const state of states) Blockly.serialization.blocks.append(state, workspace)
 }
 
 /** The blocks of a workspace as frozen data. `base`: the program it was, for what the workspace does not show. */

@@ -1,6 +1,7 @@
 import * as Blockly from 'blockly/core'
 import { apricot, teal } from './colours.ts'
 import { FindingIcon, placeBadge } from './finding-icon.ts'
+import { foot } from './list.ts'
 import { layerShape, plugPath } from './layer-shape.ts'
 
 const { zelos } = Blockly
@@ -25,6 +26,8 @@ const frameRadius = 20
 const framePadding = 12
 /** Between the network's left edge and a layer's frame. */
 const layerMargin = 14
+/** Of the light on the foot while a neuron is held over it. */
+const footWidth = 150
 const frameStroke = 3
 
 class Constants extends zelos.ConstantProvider {
@@ -68,6 +71,9 @@ class Info extends zelos.RenderInfo {
 
 const { Types } = Blockly.blockRendering
 const isBadge = (element: Measurable) => Types.isIcon(element) && element.icon instanceof FindingIcon
+/** The socket at the foot of a list shows only when something is held over it. */
+const isFreeFoot = (element: Measurable): element is Blockly.blockRendering.InlineInput =>
+  Types.isInlineInput(element) && element.input.name === foot && !element.connectedBlock
 const isPicture = (element: Measurable) =>
   Types.isField(element) && element.field instanceof Blockly.FieldImage
 const takesLayer = (input: Blockly.Input) =>
@@ -79,6 +85,17 @@ const hasLayers = (block: Blockly.Block) => block.inputList.some(takesLayer)
 class FrameInfo extends Info {
   protected override getNegativeSpacing_() {
     return frameRadius - framePadding
+  }
+
+  protected override createRows_() {
+    super.createRows_()
+    for (const row of this.inputRows) {
+      for (const element of row.elements) if (isFreeFoot(element)) element.width = 0
+    }
+  }
+
+  override getInRowSpacing_(prev: Measurable | null, next: Measurable | null) {
+    return prev !== null && isFreeFoot(prev) ? 0 : super.getInRowSpacing_(prev, next)
   }
 
   override getSpacerRowHeight_(prev: Row, next: Row) {
@@ -95,6 +112,16 @@ class Drawer extends zelos.Drawer {
     const frame = frameOf(this.block_)
     if (path instanceof PathObject) path.setPlug(frame && plugPath(frame.plug, 0, this.info_.height / 2))
     placeBadge(this.block_)
+  }
+
+  override drawInlineInput_(input: Blockly.blockRendering.InlineInput) {
+    if (isFreeFoot(input)) this.positionInlineInputConnection_(input)
+    else super.drawInlineInput_(input)
+  }
+
+  override drawConnectionHighlightPath(measurable: Blockly.blockRendering.Connection) {
+    if (isFreeFoot(measurable)) measurable.width = footWidth
+    return super.drawConnectionHighlightPath(measurable)
   }
 }
 

@@ -30,6 +30,10 @@ function behaviour(definition: Definition, language: Language) {
       this.copyOf = null
       build(this, language)
     },
+    getAriaLabel(this: Blockly.BlockSvg, verbosity: Blockly.utils.aria.Verbosity) {
+      const label = Blockly.BlockSvg.prototype.getAriaLabel.call(this, verbosity)
+      return label.split(', ').filter(Boolean).join(', ')
+    },
     saveExtraState(this: BotBlock): Extra | null {
       const name = faceField(definition.look)
       const face = name === undefined ? undefined : (this.getFieldValue(name) as string)
