@@ -14,7 +14,8 @@ export class Loudspeaker {
 
   /** Call from a tap: browsers allow sound only then. */
   wake(): void {
-    if (this.#audio || typeof AudioContext === 'undefined') return
+    const tapped = navigator.userActivation?.hasBeenActive ?? true
+    if (this.#audio || !tapped || typeof AudioContext === 'undefined') return
     const context = new AudioContext()
     const volume = context.createGain()
     const tone = context.createOscillator()
