@@ -18,12 +18,14 @@ export interface NetworkLayout {
 }
 
 const smallestRadius = 22
-const largestRadius = 48
+const largestRadius = 60
 const gapBetweenRows = 12
 // The weight of a level link stands this high over the middle of its nodes.
-const overMiddle = 56
-const highestRow = 216
-const wide = 460
+const overMiddle = 52
+const highestRow = 240
+const wide = 500
+// Links get no longer than this, however wide the room.
+const longestLink = 760
 const lineHeight = 18
 
 interface Labelling {
@@ -66,20 +68,19 @@ function labelling({ width }: Size, row: number): Labelling {
 /** Height of a row, radius of a node, and the room over the first row that its weights need. */
 function rowsIn(room: Size, rows: number, { height, form }: Labelling) {
   const content = height + gapBetweenRows
-  const least = 2 * smallestRadius + content
-  const largest =
-    form === 'beside' ? 26 : Math.min(largestRadius, Math.max(smallestRadius, room.width * 0.118))
-  const sized = (row: number) => clamp((row - content) / 2, smallestRadius, largest)
-  const first = clamp(room.height / rows, least, highestRow)
-  const above = Math.max(0, overMiddle - sized(first) - (first - 2 * sized(first) - height) / 2)
-  const row = clamp((room.height - above) / rows, least, highestRow)
-  return { row, above, radius: sized(row) }
+  const largest = form === 'beside' ? 24 : clamp(room.width * 0.105, 42, largestRadius)
+  const rowOf = (all: number) => clamp(all / rows, 2 * smallestRadius + content, highestRow)
+  const middle = (rowOf(room.height) - height) / 2
+  // What is left out above makes the rows lower, and with them their middle.
+  const above = Math.max(0, (overMiddle - middle) / (1 - 1 / (2 * rows)))
+  const row = rowOf(room.height - above)
+  return { row, above, radius: clamp((row - content) / 2, smallestRadius, largest) }
 }
 
 function sideOf(width: number, radius: number, form: LabelForm): number {
-  if (form === 'beside') return 106 + radius
-  if (form === 'line') return clamp(width * 0.21, radius + 14, 140)
-  return clamp(width * 0.18, radius + 14, 130)
+  const share =
+    form === 'beside' ? 106 + radius : clamp(width * (form === 'line' ? 0.21 : 0.18), radius + 14, 140)
+  return Math.max(share, (width - longestLink) / 2)
 }
 
 /** How much of a ring 0..1 a value fills, and which way round. */

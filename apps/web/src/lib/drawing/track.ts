@@ -40,8 +40,11 @@ export function stagger(tracks: readonly Track[]): readonly Track[] {
   const slope = (i: number) => Math.abs(tracks[i]!.to.y - tracks[i]!.from.y)
   const order = tracks.map((_, i) => i)
   const steepFirst = [...order].sort((a, b) => slope(b) - slope(a))
-  const tries = [steepFirst, [...steepFirst].reverse(), order, [...order].reverse()].map((one) =>
-    settle(tracks, one),
+  // Which link is asked first decides where it settles; a few beginnings are tried.
+  const beginnings = [steepFirst, [...steepFirst].reverse(), order, [...order].reverse()]
+  const turns = tracks.length <= 16 ? tracks.length : 1
+  const tries = beginnings.flatMap((one) =>
+    Array.from({ length: turns }, (_, k) => settle(tracks, [...one.slice(k), ...one.slice(0, k)])),
   )
   const best = tries.reduce((a, b) => (b.crowding < a.crowding ? b : a))
   return tracks.map((track, i) => ({ ...track, zero: best.zeros[i]! }))
@@ -64,11 +67,12 @@ function settle(tracks: readonly Track[], order: readonly number[]) {
 
 const restAt = ({ from, to }: Track, zero: number) => between(from, to, zero)
 
-/** How far the others come too near, squared; the last term prefers long tracks where that makes no difference. */
+/** How far the others come too near, squared; the last term prefers long tracks, level ones first, where that makes no difference. */
 function crowdingAt(track: Track, zero: number, others: readonly Point[]): number {
   const rest = restAt(track, zero)
   const tight = others.reduce((sum, other) => sum + Math.max(0, targetGap - distance(rest, other)) ** 2, 0)
-  return tight + zero - trackShare.zero
+  const level = Math.abs(track.to.x - track.from.x) / (distance(track.from, track.to) || 1)
+  return tight + (zero - trackShare.zero) * level ** 8
 }
 
 function roomiest(track: Track, others: readonly Point[]): number {

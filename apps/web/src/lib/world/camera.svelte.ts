@@ -1,12 +1,14 @@
 import { follow, type Camera } from '../drawing/camera.ts'
 import type { Size } from '../drawing/points.ts'
 
-/** A camera that follows on its own frames and rests when it has arrived. */
+/** A camera that follows. It moves with every new target; when none comes it goes on by itself until it has arrived. */
 export class FollowingCamera {
   #at = $state.raw<Camera>({ x: 0, y: 0, scale: 1 })
   #target: Camera = this.#at
   #frame = 0
   #last = 0
+  /** Looks where a child has pushed the floor, until the target moves away from this. */
+  #pushed: Camera | null = null
 
   get at(): Camera {
     return this.#at
@@ -14,9 +16,11 @@ export class FollowingCamera {
 
   /** Goes to `target`: at once with `jump` or at another scale, else smoothly. */
   goTo(target: Camera, jump: boolean): void {
+    if (this.#pushed && target.scale === this.#pushed.scale && near(target, this.#pushed)) return
+    this.#pushed = null
     this.#target = target
     if (jump || target.scale !== this.#at.scale) this.#at = target
-    else if (!this.#frame && !this.#arrived()) this.#begin()
+    else this.#step(performance.now())
   }
 
   /** Stays where it is. */
@@ -26,21 +30,34 @@ export class FollowingCamera {
     this.#target = this.#at
   }
 
-  #begin(): void {
-    this.#last = performance.now()
-    this.#frame = requestAnimationFrame((now) => this.#step(now))
+  /** The floor is pushed by hand; the camera follows again when its target moves. */
+  push(to: Camera): void {
+    this.#pushed ??= this.#target
+    this.#at = to
   }
 
   #step(now: number): void {
-    this.#at = follow(this.#at, this.#target, Math.max(0, now - this.#last) / 1000)
+    // After a rest the first step is one frame long.
+    const seconds = now - this.#last > 100 ? 1 / 60 : (now - this.#last) / 1000
     this.#last = now
-    this.#frame = this.#arrived() ? 0 : requestAnimationFrame((next) => this.#step(next))
+    if (!this.#arrived()) this.#at = follow(this.#at, this.#target, seconds)
+    if (!this.#arrived() && !this.#frame) this.#frame = requestAnimationFrame((next) => this.#goOn(next))
+  }
+
+  #goOn(now: number): void {
+    this.#frame = 0
+    // Targets still come in: they move the camera themselves.
+    if (now - this.#last < 30) this.#frame = requestAnimationFrame((next) => this.#goOn(next))
+    else this.#step(now)
   }
 
   #arrived(): boolean {
+    if (this.#pushed) return true
     return this.#at.x === this.#target.x && this.#at.y === this.#target.y
   }
 }
+
+const near = (a: Camera, b: Camera) => Math.hypot(a.x - b.x, a.y - b.y) < 2
 
 /** How close the camera stands, in px per cm. It steps back when more has to be in sight, and near only in a new pane. */
 export class Zoom {

@@ -1,8 +1,7 @@
 import type { Pose } from '@botgarten/simulation'
 import { fullTurn, headingTo } from '../drawing/things.ts'
-import { distance, type Point } from '../drawing/points.ts'
-
-export type Phase = 'start' | 'move' | 'end'
+import type { Phase } from '../drawing/nudge.ts'
+import { distance, tenth, type Point } from '../drawing/points.ts'
 
 interface Hold {
   readonly id: string
@@ -72,8 +71,8 @@ export class Hand {
 
 const shifted = ({ pose, down }: Hold, at: Point): Pose => ({
   ...pose,
-  x: pose.x + at.x - down.x,
-  y: pose.y + at.y - down.y,
+  x: tenth(pose.x + at.x - down.x),
+  y: tenth(pose.y + at.y - down.y),
 })
 
 const turned = ({ pose, down }: Hold, at: Point): Pose => ({

@@ -1,7 +1,6 @@
+import type { Phase } from '../../drawing/nudge.ts'
 import { distance, type Point } from '../../drawing/points.ts'
 import { alongMovement, knobPlace, linksAt, weightAt, type Track } from '../../drawing/track.ts'
-
-export type Phase = 'start' | 'move' | 'end'
 
 interface Hold {
   readonly pointer: number
