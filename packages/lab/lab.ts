@@ -102,11 +102,15 @@ class OneLab implements Lab {
     }
   }
 
-  advance(ticks: number): void {
+  advance(ticks: number): boolean {
+    let moved = false
     for (let tick = 0; tick < ticks; tick++) {
-      if (this.#phase === 'running') this.#tick()
-      else if (this.#phase !== 'paused') this.#run.idle()
+      if (this.#phase === 'running') {
+        this.#tick()
+        moved = true
+      } else if (this.#phase !== 'paused') moved = this.#run.idle() || moved
     }
+    return moved
   }
 
   #tick(): void {

@@ -139,13 +139,14 @@ export class Run {
     if (this.tick % KEYFRAME_EVERY === 0 && !this.#replaying) this.#timeline.keep(this.moment())
   }
 
-  /** A tick without programs: a robot that is driven by hand, things that still move. */
-  idle(): void {
+  /** A tick without programs: a robot that is driven by hand, things that still move. Returns whether there was any. */
+  idle(): boolean {
     const moves = this.simulation.state.obstacles.some(
       ({ vx, vy, spin }) => vx !== 0 || vy !== 0 || spin !== 0,
     )
-    if (this.keys.length > 0 || moves)
-      withHandOnKeys(this.simulation, this.keys, () => this.simulation.step())
+    if (this.keys.length === 0 && !moves) return false
+    withHandOnKeys(this.simulation, this.keys, () => this.simulation.step())
+    return true
   }
 
   /** After the last program has ended, time goes on for as long as a check may need to see the robot stand. */

@@ -89,8 +89,11 @@ export interface Lab {
   resume(): void
   /** `tick`: one tick · `block`: until the next block is lit · `network`: until the next run of a net (running.md 10). */
   step(kind: StepKind): void
-  /** Lets time pass: the run, or a robot that is driven by hand while no program runs. */
-  advance(ticks: number): void
+  /**
+   * Lets time pass: the run, or a robot that is driven by hand while no program runs.
+   * Returns whether anything can look different now.
+   */
+  advance(ticks: number): boolean
   setWeight(brain: string, from: string, to: string, weight: number): void
   /** Puts another brain in a network's place: reset, undo, weights of duplicated neurons. */
   setBrain(brain: string, value: Brain): void

@@ -40,9 +40,7 @@ export class RunningLab {
       this.#frame = requestAnimationFrame(frame)
       const ticks = this.#pace.ticksFor(this.#before ? now - this.#before : 0)
       this.#before = now
-      if (ticks === 0) return
-      this.#lab.advance(ticks)
-      this.#show()
+      if (this.#lab.advance(ticks)) this.#show()
     }
     this.#frame = requestAnimationFrame(frame)
     return () => cancelAnimationFrame(this.#frame)

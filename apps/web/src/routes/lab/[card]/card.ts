@@ -2,7 +2,6 @@ import type { LoadedCard } from '#lib/content/cards.ts'
 import { language } from '#lib/words/language.svelte.ts'
 import { m } from '#lib/words/generated/messages.js'
 import { say } from '#lib/words/say.ts'
-import type { CheckResult } from '@botgarten/lab'
 import type { CardText, MarkdownNode } from '@botgarten/materials'
 import type { CardFace, NextStep, Task } from './parts/frame.ts'
 
@@ -28,11 +27,15 @@ export function faceOf(loaded: LoadedCard): CardFace {
   }
 }
 
-/** What is to be done, and how far it is. */
-export function taskOf(card: LoadedCard | null, checks: readonly CheckResult[]): Task {
+/** What is to be done, and which checks are green. */
+export function taskOf(card: LoadedCard | null, green: readonly string[]): Task {
   if (!card) return { title: m['session.freeCall'](), sentence: m['session.freeSentence'](), goals: [] }
   const { call, sentence } = textOf(card).goal
-  const goals = checks.map(({ id, passed }) => ({ id, label: say(`check.${card.card.id}.${id}`), passed }))
+  const goals = card.card.checks.map(({ id }) => ({
+    id,
+    label: say(`check.${card.card.id}.${id}`),
+    passed: green.includes(id),
+  }))
   return { title: call, sentence, goals }
 }
 
