@@ -2,15 +2,21 @@ import { expect, type Locator, type Page } from '@playwright/test'
 import { finger, mouse, type Hand, type Spot } from './hand.ts'
 import { say, type Language } from './words.ts'
 
-/** A neuron as a child would point at it: what it is and where it is plugged in. */
-export type Neuron =
-  | { readonly sensor: 'distance'; readonly port: string; readonly place: 'frontLeft' | 'frontRight' }
-  | { readonly motor: string; readonly place: 'left' | 'right' }
+/** A neuron as a child would point at it: what it is, where it is plugged in and where it sits. */
+export interface Sensor {
+  readonly sensor: 'distance'
+  readonly port: string
+  readonly place: 'frontLeft' | 'frontRight'
+}
+export interface Motor {
+  readonly motor: string
+  readonly place: 'left' | 'right'
+}
 
-export const leftEye: Neuron = { sensor: 'distance', port: '2', place: 'frontLeft' }
-export const rightEye: Neuron = { sensor: 'distance', port: '3', place: 'frontRight' }
-export const leftWheel: Neuron = { motor: 'C', place: 'left' }
-export const rightWheel: Neuron = { motor: 'B', place: 'right' }
+export const leftEye: Sensor = { sensor: 'distance', port: '2', place: 'frontLeft' }
+export const rightEye: Sensor = { sensor: 'distance', port: '3', place: 'frontRight' }
+export const leftWheel: Motor = { motor: 'C', place: 'left' }
+export const rightWheel: Motor = { motor: 'B', place: 'right' }
 
 const middleOf = async (thing: Locator): Promise<Spot> => {
   const box = await thing.boundingBox()
@@ -102,7 +108,7 @@ export class Child {
 
   // ---- knobs ----
 
-  nameOf(neuron: Neuron): string {
+  nameOf(neuron: Sensor | Motor): string {
     const label =
       'sensor' in neuron
         ? this.word(`neuron.${neuron.sensor}`, { INPUTNODE: neuron.port })
@@ -110,19 +116,19 @@ export class Child {
     return this.word('network.name', { label, place: this.word(`network.place.${neuron.place}`) })
   }
 
-  knob(from: Neuron, to: Neuron): Locator {
+  knob(from: Sensor, to: Motor): Locator {
     const name = this.word('network.weight', { from: this.nameOf(from), to: this.nameOf(to) })
     return this.page.getByRole('slider', { name, exact: true })
   }
 
   /** The round button of an output neuron. */
-  output(to: Neuron & { readonly motor: string }): Locator {
+  output(to: Motor): Locator {
     const output = this.word('neuron.motor', { OUTPUTNODE: to.motor })
     return this.page.getByRole('button', { name: this.word('network.showSum', { output }), exact: true })
   }
 
   /** Takes the knob by hand and goes along the link until the number is right. */
-  async dragsKnob(from: Neuron, to: Neuron & { readonly motor: string }, weight: number) {
+  async dragsKnob(from: Sensor, to: Motor, weight: number) {
     const knob = this.knob(from, to)
     const [start, end] = [await middleOf(knob), await middleOf(this.output(to))]
     const now = async () => Number(await knob.getAttribute('aria-valuenow'))
@@ -143,14 +149,14 @@ export class Child {
   }
 
   /** Goes to the knob and types the number. */
-  async typesWeight(from: Neuron, to: Neuron, weight: number) {
+  async typesWeight(from: Sensor, to: Motor, weight: number) {
     await this.knob(from, to).focus()
     for (const key of weight.toLocaleString(this.language)) await this.page.keyboard.press(key)
     await this.page.keyboard.press('Enter')
     await this.seesWeight(from, to, weight)
   }
 
-  async seesWeight(from: Neuron, to: Neuron, weight: number) {
+  async seesWeight(from: Sensor, to: Motor, weight: number) {
     await expect(this.knob(from, to)).toHaveAttribute('aria-valuenow', String(weight))
   }
 
