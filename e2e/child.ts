@@ -160,6 +160,69 @@ export class Child {
     await expect(this.knob(from, to)).toHaveAttribute('aria-valuenow', String(weight))
   }
 
+  // ---- the keyboard ----
+
+  /** Goes on with the Tab key until this has the focus. */
+  async tabsTo(thing: Locator) {
+    for (let presses = 0; presses < 90; presses += 1) {
+      if (await thing.evaluate((element) => element === document.activeElement)) return
+      await this.page.keyboard.press('Tab')
+    }
+    throw new Error(`The Tab key does not lead to ${String(thing)}`)
+  }
+
+  async types(...keys: readonly string[]) {
+    for (const key of keys) await this.page.keyboard.press(key)
+  }
+
+  /** Goes to a button by Tab and presses it. */
+  async tabsAndPresses(key: string, facts = {}) {
+    await this.tabsTo(this.button(key, facts).first())
+    await this.types('Enter')
+  }
+
+  // ---- the world ----
+
+  get bo(): Locator {
+    return this.page.getByRole('button', { name: this.word('world.robot'), exact: true })
+  }
+
+  /** Where Bo is drawn on the floor. */
+  boStands(): Promise<string> {
+    return this.bo.evaluate((grip) => grip.parentElement!.style.transform)
+  }
+
+  async seesDriving() {
+    const before = await this.boStands()
+    await expect.poll(() => this.boStands()).not.toBe(before)
+  }
+
+  /** Looks for as long as it takes the screen to draw thirty times. */
+  async seesStanding() {
+    const before = await this.boStands()
+    await this.watches(30)
+    expect(await this.boStands()).toBe(before)
+  }
+
+  /** Lets the screen draw so many times. A page that is stuck draws no more. */
+  async watches(frames: number) {
+    await this.page.evaluate(async (left) => {
+      for (; left > 0; left -= 1) await new Promise(requestAnimationFrame)
+    }, frames)
+  }
+
+  // ---- the program ----
+
+  /** A block by its name in the project. */
+  block(id: string): Locator {
+    return this.page.locator(`.blocklyBlockCanvas [data-id="${id}"]`)
+  }
+
+  /** All that is written on the blocks, in order. */
+  blockWords(): Promise<string[]> {
+    return this.page.locator('.blocklyBlockCanvas').first().locator('text').allTextContents()
+  }
+
   // ---- seeing ----
 
   async seesTitle() {

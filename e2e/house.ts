@@ -1,4 +1,4 @@
-import { test as base } from '@playwright/test'
+import { expect, test as base, type BrowserContext } from '@playwright/test'
 import { startServer } from '../scripts/server.ts'
 import { Child } from './child.ts'
 import type { Language } from './words.ts'
@@ -8,11 +8,27 @@ interface Wishes {
   readonly language: Language
   readonly hand: 'mouse' | 'finger'
   readonly child: Child
+  /** What the browser may complain about here, because the test asks for it. */
+  readonly complaints: readonly RegExp[]
+  /** Ends every test that asked another host for anything, or during which a page logged or threw an error. */
+  readonly quiet: void
 }
 
 interface Worker {
   /** Address of a server of our own, one a worker. */
   readonly house: string
+}
+
+/** Everything that must not happen in any page of a context, as it happens. */
+function listen(context: BrowserContext, house: string): readonly string[] {
+  const heard: string[] = []
+  context.on('console', (message) => message.type() === 'error' && heard.push(message.text()))
+  context.on('weberror', (error) => heard.push(error.error().message))
+  context.on('request', (request) => {
+    if (/^(https?|wss?):/.test(request.url()) && !request.url().startsWith(`${house}/`))
+      heard.push(`A request to ${request.url()}`)
+  })
+  return heard
 }
 
 /** Playwright's `test` against the built product; `page.goto('/')` is the home page. */
@@ -31,6 +47,15 @@ export const test = base.extend<Wishes, Worker>({
   hand: ['mouse', { option: true }],
   locale: async ({ language }, use) => use({ en: 'en-GB', de: 'de-DE' }[language]),
   child: async ({ page, language, hand }, use) => use(new Child(page, language, hand)),
+  complaints: [[], { option: true }],
+  quiet: [
+    async ({ context, house, complaints }, use) => {
+      const heard = listen(context, house)
+      await use()
+      expect(heard.filter((text) => !complaints.some((known) => known.test(text)))).toEqual([])
+    },
+    { auto: true },
+  ],
 })
 
 export { expect } from '@playwright/test'
