@@ -9,7 +9,7 @@ const reach = 29
 
 /** The yellow badge at the corner of a block that needs help. A button for the mouse, the finger and the keyboard. */
 export class FindingIcon extends Blockly.icons.Icon {
-  readonly #finding: Finding
+  #finding: Finding
   readonly #label: string
   readonly #open: (finding: Finding) => void
 
@@ -34,6 +34,12 @@ export class FindingIcon extends Blockly.icons.Icon {
     draw('circle', { class: 'blocklyIconShape', r: radius, fill: sun, stroke: ink, 'stroke-width': 2.5 })
     draw('path', { d: 'M0 -6.5v7M0 6v.1', stroke: ink, 'stroke-width': 3.4, 'stroke-linecap': 'round' })
     draw('circle', { r: reach, fill: 'transparent' })
+  }
+
+  /** Does it say this already? Then it opens the new finding; a badge that stays keeps the keyboard's place. */
+  says(label: string, finding: Finding): boolean {
+    if (label === this.#label) this.#finding = finding
+    return label === this.#label
   }
 
   override getSize() {
@@ -69,7 +75,9 @@ export function showFindings(
   const byBlock = new Map(findings.map((finding) => [finding.block, finding]))
   for (const block of workspace.getAllBlocks(false)) {
     const finding = byBlock.get(block.id)
-    if (block.getIcon(iconType)) block.removeIcon(iconType)
+    const badge = block.getIcon(iconType)
+    if (finding && badge?.says(label(finding), finding)) continue
+    if (badge) block.removeIcon(iconType)
     block.getSvgRoot().classList.toggle('editor-finding', finding !== undefined)
     if (finding) block.addIcon(new FindingIcon(block, finding, label(finding), open))
   }

@@ -191,6 +191,12 @@ describe('a neuron from the playground', () => {
     expect(rows('inputs')).toEqual(['eyeLeft', 'eyeRight', id])
   })
 
+  it('is one more of its kind where none is named', () => {
+    friendship()
+    const id = addNeuron(bench.workspace, 'net', 'input')!
+    expect(bench.block(id).getFieldValue('INPUTNODE')).toBe('ULTRASONIC_PORT_4')
+  })
+
   it('comes into an empty row first', () => {
     friendship()
     bench.block('eyeLeft').dispose(false)

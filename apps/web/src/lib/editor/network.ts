@@ -3,18 +3,19 @@ import { toolbox, type Template, type ValueType } from '@botgarten/blocks'
 import { isBotBlock, type BotBlock } from './bot-block.ts'
 import { addLine, grouped, linesOf, plugIn } from './list.ts'
 import { fits } from './fits.ts'
+import { freshNeuron } from './fresh.ts'
 
 const layers: { readonly [layer in 'input' | 'output']: ValueType } = {
   input: 'InputLayer',
   output: 'OutputLayer',
 }
 
-/** Puts a neuron into the first free line of a network's layer, into a new line, or into a new list. */
+/** Puts a neuron (without a template: one more of its kind) into a free line of a layer, a new line, or a new list. */
 export function addNeuron(
   workspace: Blockly.Workspace,
   networkId: string,
   layer: 'input' | 'output',
-  template: Template,
+  template?: Template,
 ): string | null {
   const network = workspace.getBlockById(networkId)
   if (!isBotBlock(network)) return null
@@ -22,7 +23,9 @@ export function addNeuron(
     const list = listOf(network, layers[layer])
     if (!list) return null
     const free = linesOf(list).find((line) => !list.getInputTargetBlock(line))
-    const neuron = free === undefined ? addLine(list, template) : plugIn(list, free, template)
+    const added = template ?? freshNeuron(list)
+    if (!added) return null
+    const neuron = free === undefined ? addLine(list, added) : plugIn(list, free, added)
     return neuron?.id ?? null
   })
 }

@@ -83,8 +83,9 @@ export class Pane {
 
   /** Shows another program. The one that this pane gave out itself is on the screen already. */
   load(program: Program): void {
-    if (program === this.#program) return
+    const shown = program === this.#program || JSON.stringify(program) === JSON.stringify(this.#program)
     this.#program = program
+    if (shown) return
     this.#refill(() => toWorkspace(program, this.#workspace))
     this.#workspace.clearUndo()
     this.#workspace.setScale(startScale)
@@ -131,8 +132,11 @@ export class Pane {
     Blockly.svgResize(this.#workspace)
   }
 
-  /** Adds a neuron to a network's layer; its block's id, null where the layer is full or there is no such network. */
-  addNeuron(networkId: string, layer: 'input' | 'output', template: Template): string | null {
+  /**
+   * Adds a neuron to a network's layer; without a template one more of what is there, at the next free port. The id of
+   * its block, null where the layer is full or there is no such network.
+   */
+  addNeuron(networkId: string, layer: 'input' | 'output', template?: Template): string | null {
     return addNeuron(this.#workspace, networkId, layer, template)
   }
 

@@ -54,7 +54,30 @@ class Shelf extends Blockly.Toolbox {
   }
 }
 
-export const shelfPlugins = { toolbox: Shelf }
+/**
+ * Where a row's blocks lie. Blockly 13.3 lets each of them own its connections for a screen reader (`aria-owns`), some
+ * of which are not in the page, and gives those a role that a list of options may not hold. Nobody can go to a
+ * connection of a block on the shelf: they are hidden from readers instead.
+ */
+class ShelfFlyout extends Blockly.VerticalFlyout {
+  override show(contents: Parameters<Blockly.VerticalFlyout['show']>[0]) {
+    super.show(contents)
+    void Blockly.renderManagement
+      .finishQueuedRenders()
+      .then(() => hideConnections(this.getWorkspace().getCanvas()))
+  }
+}
+
+function hideConnections(canvas: Element) {
+  for (const block of canvas.querySelectorAll('[aria-owns]')) block.removeAttribute('aria-owns')
+  for (const connection of canvas.querySelectorAll('.blocklyHighlightedConnectionPath')) {
+    connection.setAttribute('role', 'none')
+    connection.removeAttribute('aria-roledescription')
+    connection.setAttribute('aria-hidden', 'true')
+  }
+}
+
+export const shelfPlugins = { toolbox: Shelf, flyoutsVerticalToolbox: ShelfFlyout }
 
 export function registerShelf(): void {
   Blockly.registry.register(
