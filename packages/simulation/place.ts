@@ -1,7 +1,7 @@
 import { cos, sin } from '@botgarten/numbers'
 import { degreesOf, radiansOf } from './angles.ts'
 import { bodiesWithin, gapToSide } from './geometry/gaps.ts'
-import { moveBody, type Outlines } from './geometry/outlines.ts'
+import { moveBody } from './geometry/outlines.ts'
 import { takeUpState, type Scene } from './scene.ts'
 import type { Cm, Pose, Radians } from './types.ts'
 
@@ -78,10 +78,10 @@ function nearestFree(scene: Scene, body: number, wishX: Cm, wishY: Cm, heading: 
 function roomFor({ ground }: Scene, body: number, heading: Radians) {
   const { outlines, width, height } = ground
   moveBody(outlines, body, 0, 0, heading)
-  const [left, right, bottom, top] = [0, 1, 2, 3].map((side) => {
-    const gaps = partsOf(outlines, body).map((part) => gapToSide(outlines, part, side, 0, 0))
-    return CLEAR - Math.min(...gaps)
-  }) as [Cm, Cm, Cm, Cm]
+  const point = { width: 0, height: 0 }
+  const [left, right, bottom, top] = [0, 1, 2, 3].map(
+    (side) => CLEAR - gapToSide(outlines, body, side, point),
+  ) as [Cm, Cm, Cm, Cm]
   const isWide = left + right > width
   const isHigh = bottom + top > height
   return {
@@ -90,11 +90,6 @@ function roomFor({ ground }: Scene, body: number, heading: Radians) {
     bottom: isHigh ? height / 2 : bottom,
     top: isHigh ? height / 2 : height - top,
   }
-}
-
-function partsOf({ firstPart }: Outlines, body: number): number[] {
-  const first = firstPart[body]!
-  return Array.from({ length: firstPart[body + 1]! - first }, (_, index) => first + index)
 }
 
 const within = (at: number, low: number, high: number) => Math.max(low, Math.min(high, at))

@@ -76,7 +76,7 @@ export function physicsOf(scene: Scene): Physics {
   return scene.physics
 }
 
-const ROBOT_MASS = 6
+const ROBOT_MASS = 4
 /** Robots and boxes: a third of mass times the squared half diagonal, as for any rectangle. */
 const ROBOT_WEIGHT = { mass: ROBOT_MASS, inertia: (ROBOT_MASS * 12 * 12) / 3 }
 const CRATE_AREA = 900
@@ -95,6 +95,6 @@ function plansOf({ world, places, parts, ground }: Scene): BodyPlan[] {
 function weightOf({ shape, fixed }: Obstacle, reach: number): BodyPlan['weight'] {
   if (fixed) return null
   const area = shape.kind === 'circle' ? 3 * shape.radius * shape.radius : shape.width * shape.height
-  const mass = Math.max(0.2, Math.min(2, area / CRATE_AREA))
+  const mass = Math.max(0.5, Math.min(2, area / CRATE_AREA))
   return { mass, inertia: (mass * reach * reach) / (shape.kind === 'circle' ? 2 : 3) }
 }

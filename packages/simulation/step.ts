@@ -1,6 +1,7 @@
 import { driveArc, type Motion } from './body/drive.ts'
 import { runMotors } from './body/motors.ts'
-import { findNear } from './geometry/near.ts'
+import { gapToEdge, gapToSide } from './geometry/gaps.ts'
+import { findNear, type Ground } from './geometry/near.ts'
 import { moveBody } from './geometry/outlines.ts'
 import { stepPhysics, type Moving } from './physics/step.ts'
 import { physicsOf, type Scene } from './scene.ts'
@@ -63,11 +64,11 @@ function slowThings({ state, ground, moving, motions }: Scene): number {
 /** Friction of a disc that slides, and of one that turns on the spot: 4/3 of it at the rim. */
 function slow(thing: Moving, reach: number): void {
   const speed = lengthOf(thing.vx, thing.vy)
-  const kept = speed > SLIDING_LOSS ? 1 - SLIDING_LOSS / speed : 0
-  thing.vx *= kept
-  thing.vy *= kept
-  const loss = ((4 / 3) * SLIDING_LOSS) / reach
-  thing.spin = Math.sign(thing.spin) * Math.max(0, Math.abs(thing.spin) - loss)
+  const kept = 1 - SLIDING_LOSS / speed
+  thing.vx = kept > 0 ? thing.vx * kept : 0
+  thing.vy = kept > 0 ? thing.vy * kept : 0
+  const left = Math.abs(thing.spin) - ((4 / 3) * SLIDING_LOSS) / reach
+  thing.spin = left > 0 ? Math.sign(thing.spin) * left : 0
 }
 
 const lengthOf = (x: number, y: number) => Math.sqrt(x * x + y * y)
@@ -101,8 +102,8 @@ function moveByPhysics(scene: Scene): void {
   stepPhysics(physicsOf(scene), near, places)
   for (let body = 0; body < places.length; body++) {
     if (near.active[body] === 0) continue
+    settleOnFloor(ground, body, places[body]!)
     const { x, y, heading } = places[body]!
-    moveBody(ground.outlines, body, x, y, heading)
     const robot = state.robots[body]
     if (!robot) continue
     robot.x = x
@@ -110,6 +111,17 @@ function moveByPhysics(scene: Scene): void {
     robot.heading = heading
   }
   noteTouching(scene)
+}
+
+/** Where a body is wedged so that physics would push it off the floor, the floor wins. */
+function settleOnFloor(ground: Ground, body: number, place: Moving): void {
+  const { outlines } = ground
+  moveBody(outlines, body, place.x, place.y, place.heading)
+  if (gapToEdge(outlines, body, ground) >= 0) return
+  const outBy = (side: number) => Math.max(0, 0 - gapToSide(outlines, body, side, ground))
+  place.x += outBy(0) - outBy(1)
+  place.y += outBy(2) - outBy(3)
+  moveBody(outlines, body, place.x, place.y, place.heading)
 }
 
 function order(place: Moving, robot: RobotState, motion: Motion): void {

@@ -114,7 +114,7 @@ export interface RobotState {
   display: string[]
   /** The tone that sounds now. `untilTick` null = until it is changed. */
   tone: { frequency: Hertz; untilTick: number | null } | null
-  /** Did the body touch an obstacle, another robot or the floor's edge in the last tick? */
+  /** Ids of the obstacles and robots that the body touched in the last tick, and 'edge' for the floor's. */
   touching: string[]
 }
 
@@ -153,7 +153,7 @@ export type ReadMode = 'distance' | 'light' | 'colour' | 'red' | 'green' | 'blue
 export interface Simulation {
   readonly world: World
   readonly state: SimulationState
-  /** Motors, then physics, then readings: one tick of 1/60 s (running.md 2). Every 300 ticks physics is rebuilt from `state`. */
+  /** Motors, then physics, then readings: one tick of 1/60 s (running.md 2). */
   step(): void
   /** Reading of the sensor at a port; null where there is no such sensor. Colours come as one of the eight names' `#RRGGBB`. */
   read(robot: number, port: SensorPort, mode: ReadMode): number | Colour | null
@@ -161,7 +161,10 @@ export interface Simulation {
   rays(robot: number, port: SensorPort): readonly Ray[]
   /** Puts a robot or an obstacle somewhere by hand; nearest free place on the floor. Returns where it came to stand. */
   place(id: string, pose: Pose): Pose
-  /** A copy of the state that `restore` takes. Physics is rebuilt from it, so that both go on bit for bit the same. */
+  /**
+   * A copy of the state that `restore` takes; both go on bit for bit the same (running.md 8). Physics remembers nothing
+   * beside the state, so a keyframe may be taken at any tick and taking it changes nothing.
+   */
   keyframe(): SimulationState
   restore(state: SimulationState): void
 }

@@ -4,6 +4,15 @@ import { bringUpToDate, type Outlines } from './outlines.ts'
 // Separating axes: the largest gap along an edge's normal. Never more than the true distance, and below 0 exactly when
 // two convex parts overlap; so it is safe to ask "may these touch within …".
 
+/** Of a floor. */
+export interface Size {
+  readonly width: Cm
+  readonly height: Cm
+}
+
+/** Beyond this a rough distance will do. */
+const FAR: Cm = 5
+
 /** Is the gap between two bodies smaller than `margin`? */
 export function bodiesWithin(outlines: Outlines, a: number, b: number, margin: Cm): boolean {
   if (!circlesWithin(outlines, a, b, margin)) return false
@@ -34,29 +43,34 @@ export function partsWithin(outlines: Outlines, a: number, b: number, margin: Cm
   return gapAlongNormals(outlines, a, b, margin) < margin && gapAlongNormals(outlines, b, a, margin) < margin
 }
 
-/** The smallest distance of a body to the floor's edges; below 0 when it sticks out. */
-export function gapToEdge(outlines: Outlines, body: number, width: Cm, height: Cm): Cm {
+/** The smallest distance of a body to the floor's edges; below 0 when it sticks out. Far from them, at most that. */
+export function gapToEdge(outlines: Outlines, body: number, size: Size): Cm {
   const x = outlines.x[body]!
   const y = outlines.y[body]!
-  const roughly = Math.min(x, width - x, y, height - y) - outlines.reach[body]!
-  if (roughly > 5) return roughly
+  const roughly = Math.min(x, size.width - x, y, size.height - y) - outlines.reach[body]!
+  if (roughly > FAR) return roughly
   let gap = Infinity
-  for (let part = outlines.firstPart[body]!; part < outlines.firstPart[body + 1]!; part++) {
-    for (let side = 0; side < 4; side++) gap = Math.min(gap, gapToSide(outlines, part, side, width, height))
-  }
+  for (let side = 0; side < 4; side++) gap = Math.min(gap, gapToSide(outlines, body, side, size))
   return gap
 }
 
-/** Distance of a part to one side of the floor: 0 left, 1 right, 2 bottom, 3 top. */
-export function gapToSide(outlines: Outlines, part: number, side: number, width: Cm, height: Cm): Cm {
+/** Distance of a body to one side of the floor: 0 left, 1 right, 2 bottom, 3 top. */
+export function gapToSide(outlines: Outlines, body: number, side: number, size: Size): Cm {
+  let gap = Infinity
+  for (let part = outlines.firstPart[body]!; part < outlines.firstPart[body + 1]!; part++)
+    gap = Math.min(gap, partToSide(outlines, part, side, size))
+  return gap
+}
+
+/** Distance of a part to one side of the floor. */
+export function partToSide(outlines: Outlines, part: number, side: number, { width, height }: Size): Cm {
   bringUpToDate(outlines, outlines.bodyOf[part]!)
   const along = side < 2 ? outlines.px : outlines.py
+  const far = side < 2 ? width : height
   const end = outlines.firstPoint[part + 1]!
   let gap = Infinity
-  for (let point = outlines.firstPoint[part]!; point < end; point++) {
-    const at = along[point]!
-    gap = Math.min(gap, side === 0 || side === 2 ? at : (side === 1 ? width : height) - at)
-  }
+  for (let point = outlines.firstPoint[part]!; point < end; point++)
+    gap = Math.min(gap, side % 2 === 0 ? along[point]! : far - along[point]!)
   return gap - outlines.radius[part]!
 }
 

@@ -1,5 +1,5 @@
 import type { Cm } from '../types.ts'
-import { bodiesWithin, gapToEdge, gapToSide, partsWithin } from './gaps.ts'
+import { bodiesWithin, gapToEdge, partsWithin, partToSide, type Size } from './gaps.ts'
 import type { Outlines } from './outlines.ts'
 
 /** Pairs of parts that may touch within a tick. `b` is a part, or −1 − side for a side of the floor (see gaps.ts). */
@@ -14,10 +14,8 @@ export interface NearParts {
 }
 
 /** A floor and what stands on it. */
-export interface Ground {
+export interface Ground extends Size {
   readonly outlines: Outlines
-  readonly width: Cm
-  readonly height: Cm
   /** By body: 1 if it can be moved. */
   readonly movable: Uint8Array
 }
@@ -66,11 +64,12 @@ function addParts(outlines: Outlines, a: number, b: number, margin: Cm, near: Ne
   }
 }
 
-function addSides({ outlines, width, height }: Ground, body: number, margin: Cm, near: NearParts): void {
-  if (gapToEdge(outlines, body, width, height) >= margin) return
+function addSides(ground: Ground, body: number, margin: Cm, near: NearParts): void {
+  const { outlines } = ground
+  if (gapToEdge(outlines, body, ground) >= margin) return
   for (let part = outlines.firstPart[body]!; part < outlines.firstPart[body + 1]!; part++) {
     for (let side = 0; side < 4; side++) {
-      if (gapToSide(outlines, part, side, width, height) < margin) add(near, part, -1 - side)
+      if (partToSide(outlines, part, side, ground) < margin) add(near, part, -1 - side)
     }
   }
 }

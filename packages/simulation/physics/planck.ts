@@ -8,9 +8,8 @@ import type { Body, Contact, Fixture } from 'planck'
 // Lengths are cm.
 Settings.maxTranslation = 50
 
-/** Does the library compute with our functions? A bundler that moved it before lend-math.ts would be found out here. */
-export function usesOurMath(): boolean {
-  const rot = Rot.identity()
+/** Does this part of the library compute with our functions? */
+export function usesOurMath(rot: Pick<Rot, 's' | 'c' | 'setAngle'>): boolean {
   for (let angle = 0.5; angle < 300; angle += 0.97) {
     rot.setAngle(angle)
     if (rot.s !== sin(angle) || rot.c !== cos(angle)) return false
@@ -18,7 +17,8 @@ export function usesOurMath(): boolean {
   return true
 }
 
-if (!usesOurMath())
+// A bundler that moved the library in front of lend-math.ts is found out here.
+if (!usesOurMath(Rot.identity()))
   throw new Error('The physics library was loaded without the functions of packages/numbers.')
 
 /** What is used here of the library's insides. They are not in its types; its version is pinned. */
@@ -44,4 +44,4 @@ export interface InnerBody {
   }
 }
 
-export { Box, Circle, Polygon, Vec2, World, type Body, type Contact, type Fixture }
+export { Box, Circle, Polygon, Rot, Vec2, World, type Body, type Contact, type Fixture }
