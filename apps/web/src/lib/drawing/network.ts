@@ -27,6 +27,8 @@ const wide = 500
 // Links get no longer than this, however wide the room.
 const longestLink = 760
 const lineHeight = 18
+// From here on a label may take three lines and keeps clear of the links.
+const roomyRow = 160
 
 interface Labelling {
   readonly form: LabelForm
@@ -52,7 +54,7 @@ export function layoutNetwork(room: Size, inputs: number, outputs: number): Netw
     stage: { width: room.width, height },
     labels: label.form,
     places: label.places,
-    labelWidth: label.form === 'beside' ? side - radius - 14 : 2 * side - 4,
+    labelWidth: labelWidth(label, side, radius),
     inputs: column(inputs, side),
     outputs: column(outputs, room.width - side),
   }
@@ -61,8 +63,8 @@ export function layoutNetwork(room: Size, inputs: number, outputs: number): Netw
 function labelling({ width }: Size, row: number): Labelling {
   if (width < wide) return { form: 'below', places: row >= 124, height: lineHeight * (row >= 124 ? 3 : 2) }
   if (row < 100) return { form: 'beside', places: true, height: 0 }
-  if (row < 124) return { form: 'line', places: true, height: lineHeight + 2 }
-  return { form: 'below', places: true, height: lineHeight * 2 + 4 }
+  if (row < 124) return { form: 'line', places: true, height: lineHeight + 6 }
+  return { form: 'below', places: true, height: lineHeight * (row >= roomyRow ? 3 : 2) + 4 }
 }
 
 /** Height of a row, radius of a node, and the room over the first row that its weights need. */
@@ -75,6 +77,11 @@ function rowsIn(room: Size, rows: number, { height, form }: Labelling) {
   const above = Math.max(0, (overMiddle - middle) / (1 - 1 / (2 * rows)))
   const row = rowOf(room.height - above)
   return { row, above, radius: clamp((row - content) / 2, smallestRadius, largest) }
+}
+
+function labelWidth({ form, height }: Labelling, side: number, radius: number): number {
+  if (form === 'beside') return side - radius - 14
+  return height >= 3 * lineHeight ? Math.min(2 * side - 4, 2 * radius + 36) : 2 * side - 4
 }
 
 function sideOf(width: number, radius: number, form: LabelForm): number {
