@@ -141,6 +141,8 @@ export class Child {
     for (let tries = 0; tries < 14 && Math.abs((await now()) - weight) > 0.005; tries += 1) {
       const share = (low + high) / 2
       await this.#hand.move(along(share))
+      // The browser hands a finger's movement on with the next frame.
+      await this.watches(2)
       if ((await now()) < weight) low = share
       else high = share
     }
