@@ -51,18 +51,18 @@ export class Child {
   /** Opens a card or the free lab by its address, and waits for the blocks. */
   async opensLab(card: string) {
     await this.page.goto(`/lab/${card}`)
-    await this.seesBlocks()
+    await this.seesLab()
   }
 
   async reloads() {
     await this.page.reload()
-    await this.seesBlocks()
+    await this.seesLab()
   }
 
   /** Chooses a card or the free lab on the home page. */
   async chooses(card: 'friendship' | 'fear' | 'free') {
     await this.page.locator(`a[href*="/lab/${card}"]`).first().click()
-    await this.seesBlocks()
+    await this.seesLab()
   }
 
   async speaks(language: Language) {
@@ -229,6 +229,12 @@ export class Child {
 
   async seesTitle() {
     await expect(this.page.getByRole('heading', { level: 1 })).toBeVisible()
+  }
+
+  /** The lab stands. On a phone the blocks are a page of their own. */
+  async seesLab() {
+    await expect(this.button('lab.start').first()).toBeVisible()
+    if ((this.page.viewportSize()?.width ?? 0) >= 640) await this.seesBlocks()
   }
 
   async seesBlocks() {
