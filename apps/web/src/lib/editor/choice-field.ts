@@ -58,6 +58,13 @@ export class ChoiceField extends Blockly.FieldDropdown implements FileField {
     if (colour) this.#makeRoomForDot(colour)
   }
 
+  protected override showEditor_(event?: MouseEvent) {
+    super.showEditor_(event)
+    // Blockly leaves its list of choices without a name.
+    const menu = Blockly.DropDownDiv.getContentDiv().querySelector('[role=listbox]')
+    menu?.setAttribute('aria-label', this.getAriaTypeName() ?? '')
+  }
+
   override applyColour() {
     super.applyColour()
     const block = this.getSourceBlock()

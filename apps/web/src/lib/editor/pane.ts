@@ -56,8 +56,9 @@ export class Pane {
   readonly #workspace: Blockly.WorkspaceSvg
   readonly #reports: PaneReports
   readonly #stops: (() => void)[]
-  /** Where the view stands at first: the paper's upper left corner beside the shelf. */
-  readonly #origin: { readonly x: number; readonly y: number }
+  readonly #host: HTMLElement
+  /** A pane that is not shown has no size: the view finds its place when it is. */
+  #placed: boolean
   #locale: Locale
   #program: Program
   #findings: readonly Finding[] = []
@@ -71,8 +72,12 @@ export class Pane {
     this.#reports = reports
     this.#workspace = Blockly.inject(host, options(locale, media))
     this.#workspace.MAX_UNDO = Infinity
-    this.#origin = { x: this.#workspace.scrollX, y: this.#workspace.scrollY }
+    this.#host = host
+    this.#placed = host.clientWidth > 0
     toWorkspace(program, this.#workspace)
+    // Blockly measures words on a canvas at the end of the body; it shows nothing.
+    document.querySelector('.blocklyComputeCanvas')?.setAttribute('aria-hidden', 'true')
+    this.#nameParts()
     this.#stops = [listen(this.#workspace, reports, () => this.#emit()), keepEscape(host, this.#workspace)]
   }
 
@@ -89,7 +94,7 @@ export class Pane {
     this.#refill(() => toWorkspace(program, this.#workspace))
     this.#workspace.clearUndo()
     this.#workspace.setScale(startScale)
-    this.#workspace.scroll(this.#origin.x, this.#origin.y)
+    this.#place()
   }
 
   setLocale(locale: Locale): void {
@@ -98,6 +103,7 @@ export class Pane {
     const states = statesOn(this.#workspace)
     speak(locale)
     this.#workspace.updateToolbox(toolboxInfo(wordsIn(locale)))
+    this.#nameParts()
     this.#refill(() => restore(states, this.#workspace))
   }
 
@@ -116,12 +122,13 @@ export class Pane {
     this.#lit = id
   }
 
-  undo(): void {
-    this.#workspace.undo(false)
+  /** Takes back one step of the blocks; false where there is none, or a hand holds a block. */
+  undo(): boolean {
+    return this.#goBack(false, this.#workspace.getUndoStack().length)
   }
 
-  redo(): void {
-    this.#workspace.undo(true)
+  redo(): boolean {
+    return this.#goBack(true, this.#workspace.getRedoStack().length)
   }
 
   zoomBy(direction: 1 | -1): void {
@@ -130,6 +137,7 @@ export class Pane {
 
   resize(): void {
     Blockly.svgResize(this.#workspace)
+    if (!this.#placed) this.#place()
   }
 
   /**
@@ -154,6 +162,27 @@ export class Pane {
     grouped(() => this.#workspace.getBlockById(blockId)?.setFieldValue(value, field))
   }
 
+  /** The paper's upper left corner beside the shelf. */
+  #place() {
+    this.#workspace.scroll(0, 0)
+    this.#placed = this.#host.clientWidth > 0
+  }
+
+  #goBack(redo: boolean, steps: number): boolean {
+    if (steps === 0 || this.#workspace.isDragging()) return false
+    this.#workspace.hideChaff()
+    this.#workspace.undo(redo)
+    return true
+  }
+
+  /** Blockly leaves its frame and its shelf without names. */
+  #nameParts() {
+    const words = wordsIn(this.#locale)
+    const frame = this.#workspace.getInjectionDiv()
+    frame.setAttribute('aria-label', words('editor.blocks'))
+    frame.querySelector('.blocklyToolbox [role=tree]')?.setAttribute('aria-label', words('editor.toolbox'))
+  }
+
   #emit() {
     const program = toProgram(this.#workspace, this.#program)
     this.#program = program
@@ -163,6 +192,7 @@ export class Pane {
   /** Builds all blocks anew under their ids: what is chosen, lit or marked is so again. */
   #refill(fill: () => void) {
     const selected = Blockly.common.getSelected()?.id
+    this.#workspace.hideChaff()
     Blockly.Events.disable()
     try {
       this.#workspace.clear()
