@@ -21,7 +21,7 @@ export type Loose = (readonly Block[])[]
 
 export const unknownTypes = { value: 'botgarten_unknown_value', statement: 'botgarten_unknown' } as const
 
-export const definitionOf = (type: string): Definition | undefined =>
+const definitionOf = (type: string): Definition | undefined =>
   isBlockType(type) ? definitions[type] : undefined
 
 /** A row of blocks, each hanging on the one before. Undefined where none of them can hang there. */

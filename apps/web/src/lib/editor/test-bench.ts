@@ -64,7 +64,7 @@ export const motor = (id: string, port: string): Block => ({
   fields: { OUTPUTNODE: `MOTORPORT_${port}` },
 })
 
-export const list = (id: string, type: 'InputNode' | 'OutputNode', ...neurons: readonly Block[]): Block => ({
+const list = (id: string, type: 'InputNode' | 'OutputNode', ...neurons: readonly Block[]): Block => ({
   id,
   type: 'ai_easy_list',
   mutation: { attrs: { items: String(neurons.length), list_type: type } },
