@@ -11,8 +11,8 @@ import type {
 import { TICKS_PER_SECOND } from '../time.ts'
 
 /** The display holds this many rows and columns; what is written beyond is not shown. */
-export const DISPLAY_ROWS = 16
-export const DISPLAY_COLUMNS = 64
+const DISPLAY_ROWS = 16
+const DISPLAY_COLUMNS = 64
 
 const robotOf = (sim: Simulation, robot: number) => sim.state.robots[robot]!
 const driveOf = (sim: Simulation, robot: number) => sim.world.robots[robot]!.config.drive

@@ -25,7 +25,7 @@ export function bodiesWithin(outlines: Outlines, a: number, b: number, margin: C
 }
 
 /** Quick answer by the circles round two bodies: false means surely not. */
-export function circlesWithin({ x, y, reach }: Outlines, a: number, b: number, margin: Cm): boolean {
+function circlesWithin({ x, y, reach }: Outlines, a: number, b: number, margin: Cm): boolean {
   const dx = x[b]! - x[a]!
   const dy = y[b]! - y[a]!
   const far = reach[a]! + reach[b]! + margin

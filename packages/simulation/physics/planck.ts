@@ -30,7 +30,7 @@ export interface InnerWorld {
   updateContacts(): void
 }
 
-export type InnerContact = Contact & { m_next: InnerContact | null; update(world: World): void }
+type InnerContact = Contact & { m_next: InnerContact | null; update(world: World): void }
 
 export type InnerFixture = Fixture & { m_proxies: readonly unknown[] }
 
@@ -44,4 +44,4 @@ export interface InnerBody {
   }
 }
 
-export { Box, Circle, Polygon, Rot, Vec2, World, type Body, type Contact, type Fixture }
+export { Box, Circle, Polygon, Rot, Vec2, World, type Body }

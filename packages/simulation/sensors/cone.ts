@@ -5,7 +5,7 @@ import type { Cm, Ray, SensorPlace } from '../types.ts'
 
 /** Rays of a distance sensor, as angles from its axis. */
 export const CONE = [0, Math.PI / 16, -Math.PI / 16, Math.PI / 8, -Math.PI / 8] as const
-export const FARTHEST: Cm = 255
+const FARTHEST: Cm = 255
 /** cos and sin of the cone's half angle, pi/8. */
 const HALF_COS = 0.9238795325112867
 const HALF_SIN = 0.3826834323650898
