@@ -1,4 +1,5 @@
 import { expect, type Locator, type Page } from '@playwright/test'
+import { readFile } from 'node:fs/promises'
 import { finger, mouse, type Hand, type Spot } from './hand.ts'
 import { say, type Language } from './words.ts'
 
@@ -106,6 +107,18 @@ export class Child {
     await this.page.locator('input[type=file]').setInputFiles(file)
   }
 
+  /** Saves the project from the lab's menu. Returns what stands in the file. */
+  async savesFile(): Promise<string> {
+    await this.presses('lab.menu')
+    return this.takesFile()
+  }
+
+  /** Presses what saves a file, where it is offered. */
+  async takesFile(): Promise<string> {
+    const [download] = await Promise.all([this.page.waitForEvent('download'), this.presses('lab.saveFile')])
+    return readFile(await download.path(), 'utf8')
+  }
+
   // ---- knobs ----
 
   nameOf(neuron: Sensor | Motor): string {
@@ -119,6 +132,11 @@ export class Child {
   knob(from: Sensor, to: Motor): Locator {
     const name = this.word('network.weight', { from: this.nameOf(from), to: this.nameOf(to) })
     return this.page.getByRole('slider', { name, exact: true })
+  }
+
+  get knobs(): Locator {
+    const name = new RegExp(this.word('network.weight', { from: '.+', to: '.+' }))
+    return this.page.getByRole('slider', { name })
   }
 
   /** The round button of an output neuron. */
@@ -226,6 +244,15 @@ export class Child {
   }
 
   // ---- seeing ----
+
+  /** Words of the screen, wherever they stand. */
+  words(key: string, facts = {}): Locator {
+    return this.page.getByText(this.word(key, facts), { exact: true })
+  }
+
+  dialog(title: string, facts = {}): Locator {
+    return this.page.getByRole('dialog', { name: this.word(title, facts) })
+  }
 
   async seesTitle() {
     await expect(this.page.getByRole('heading', { level: 1 })).toBeVisible()

@@ -1,6 +1,6 @@
 // `npm run pictures`: every screen in both languages at three sizes, into pictures/.
 import { mkdirSync } from 'node:fs'
-import type { Browser } from '@playwright/test'
+import type { Browser, Page } from '@playwright/test'
 import { buildWhenNeeded } from '../scripts/prepare/build.mjs'
 import { inHouse } from '../scripts/prepare/house.mjs'
 import { startServer } from '../scripts/server.ts'
@@ -14,6 +14,7 @@ const sizes = [
   { width: 1024, height: 768 },
   { width: 390, height: 844 },
 ]
+const isPhone = ({ width }: { readonly width: number }) => width < 640
 const folder = inHouse('pictures')
 
 interface Wish {
@@ -22,12 +23,23 @@ interface Wish {
   readonly size: { readonly width: number; readonly height: number }
 }
 
+/** Fonts are there, and nothing moves that comes to an end. */
+async function settles(page: Page) {
+  await page.evaluate(async () => {
+    await document.fonts.ready
+    const ending = document
+      .getAnimations()
+      .filter(({ effect }) => effect?.getComputedTiming().endTime !== Infinity)
+    await Promise.allSettled(ending.map(({ finished }) => finished))
+  })
+}
+
 async function take(browser: Browser, baseURL: string, { screen, language, size }: Wish) {
   const locale = { en: 'en-GB', de: 'de-DE' }[language]
   const context = await browser.newContext({ baseURL, locale, viewport: size, hasTouch: size.width < 1366 })
   const page = await context.newPage()
-  await screen.show(new Child(page, language), size.width < 640)
-  await page.evaluate(() => document.fonts.ready)
+  await screen.show(new Child(page, language), isPhone(size))
+  await settles(page)
   await page.screenshot({ path: `${folder}/${screen.name}-${language}-${size.width}x${size.height}.png` })
   await context.close()
 }
@@ -40,6 +52,7 @@ const wanted = process.argv.slice(2)
 const wishes = screens
   .filter(({ name }) => wanted.length === 0 || wanted.some((part) => name.includes(part)))
   .flatMap((screen) => languages.flatMap((language) => sizes.map((size) => ({ screen, language, size }))))
+  .filter(({ screen, size }) => !screen.phoneOnly || isPhone(size))
 for (const wish of wishes) await take(browser, server.url, wish)
 console.log(`${wishes.length} pictures in ${folder}`)
 await browser.close()

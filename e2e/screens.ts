@@ -5,6 +5,8 @@ import { projectFile } from './projects.ts'
 /** One picture: how a child gets there. `phone`: one part of the lab at a time. */
 export interface Screen {
   readonly name: string
+  /** Elsewhere all parts of the lab are on one screen. */
+  readonly phoneOnly?: boolean
   show(child: Child, phone: boolean): Promise<void>
 }
 
@@ -39,17 +41,20 @@ export const screens: readonly Screen[] = [
   },
   {
     name: 'friendship-network',
-    async show(child, phone) {
+    phoneOnly: true,
+    async show(child) {
       await child.opensLab('friendship')
-      await setsFriendlyWeights(child, phone)
-      if (phone) await child.turnsTo('networkTab')
+      await setsFriendlyWeights(child, true)
+      await child.turnsTo('networkTab')
     },
   },
   {
     name: 'friendship-program',
-    async show(child, phone) {
+    phoneOnly: true,
+    async show(child) {
       await child.opensLab('friendship')
-      if (phone) await child.turnsTo('program')
+      await child.turnsTo('program')
+      await child.seesBlocks()
     },
   },
   { name: 'fear', show: (child) => child.opensLab('fear') },
@@ -76,6 +81,8 @@ export const screens: readonly Screen[] = [
       await child.opensLab('friendship')
       await child.opensFile('broken.botgarten.json', brokenProject())
       if (phone) await child.turnsTo('program')
+      const title = child.word('problem.noDistanceSensorEmpty.title', { port: 4 })
+      await expect(child.page.getByText(title, { exact: true }).first()).toBeVisible()
     },
   },
 ]
