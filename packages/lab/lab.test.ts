@@ -123,6 +123,19 @@ describe('a lab', () => {
     expect(lab.view().networks['net']!.outputs['wheelRight']).toBeCloseTo(robotIn(lab).motors['B']!, 12)
   })
 
+  it('one neuron without a sensor does not blind the others', () => {
+    const lonely = {
+      ...net,
+      values: {
+        ...net.values!,
+        INPUT_LAYER: list('inputs', 'InputNode', [eye('eyeLeft', 2), eye('none', 4)]),
+      },
+    }
+    const { outputs } = labWith(program(forever(lonely))).view().networks['net']!
+    expect(outputs['eyeLeft']).toBeGreaterThan(0)
+    expect(outputs['none']).toBe(0)
+  })
+
   it('a knob that is moved while it runs is another speed in the next tick', () => {
     const lab = taught(labWith(program(forever(net))))
     lab.start()

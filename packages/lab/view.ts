@@ -1,4 +1,4 @@
-import { trace, type NetTrace } from '@botgarten/learning/neural-network'
+import { trace, type Brain, type NetTrace } from '@botgarten/learning/neural-network'
 import { evaluate } from '@botgarten/programs'
 import { degreesOf, type Pose, type SensorPort } from '@botgarten/simulation'
 import { results } from './checks/checks.ts'
@@ -57,15 +57,15 @@ function networksOf(run: Run, phase: Phase): View['networks'] {
   if (!robot || !placement) return opened
   const live = phase === 'ready' || phase === 'ended'
   for (const [id, brain] of Object.entries(run.brains)) {
-    const inputs = live ? inputsNow(robot, id) : (robot.brains.lastInputs.get(id) ?? [])
+    const inputs = live ? inputsNow(robot, brain) : (robot.brains.lastInputs.get(id) ?? [])
     opened[id] = trace(brain, inputs, weightsFor(brain, placement))
   }
   return opened
 }
 
-/** Reads a network's inputs as its next run would. Only while no program runs: a reading may draw noise. */
-function inputsNow({ index, context }: RobotRun, networkId: string): readonly number[] {
-  const layer = index.blocks.get(networkId)?.block.values?.['INPUT_LAYER']
-  const values = layer ? evaluate(index, layer.id, context) : null
-  return Array.isArray(values) ? values.map(Number) : []
-}
+/**
+ * Reads a network's inputs as its next run would; a neuron that cannot read counts 0.
+ * Only while no program runs: a reading may draw noise.
+ */
+const inputsNow = ({ index, context }: RobotRun, { layers }: Brain): readonly number[] =>
+  (layers[0] ?? []).map(({ id }) => Number(evaluate(index, id, context)))
