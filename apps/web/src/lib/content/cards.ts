@@ -41,6 +41,10 @@ const pictures = import.meta.glob<string>('../../../../../content/cards/*/*/pict
 /** All cards, in the order of their folders. */
 export const allCards: readonly Card[] = Object.values(cards)
 
+/** Where a project is shown: its card, or the free lab where this version has no such card. */
+export const placeOf = ({ card }: Pick<Project, 'card'>): string =>
+  allCards.some(({ id }) => id === card) ? card! : 'free'
+
 /** Picture on the front of a card, null for what is no card. */
 export const pictureOf = (id: string): string | null =>
   Object.entries(pictures).find(([path]) => path.endsWith(`-${id}/picture.svg`))?.[1] ?? null

@@ -1,13 +1,17 @@
-import type { Finding } from '@botgarten/blocks'
+import type { Facts, Finding } from '@botgarten/blocks'
 import type { StepKind } from '@botgarten/lab'
 import { readSetting, writeSetting } from '#lib/storage/settings.ts'
-import { m } from '#lib/words/generated/messages.js'
 import type { Session } from './session.svelte.ts'
 import { Loudspeaker } from './sound.svelte.ts'
 
-export interface Notice {
-  readonly kind: 'info'
+/** What is said at the foot of the world, as `session.<notice>`. */
+export type Notice = 'away' | 'bumped' | 'floorMissing'
+
+/** What is said in a dialog: keys of words, so that it follows the language. */
+export interface Message {
+  readonly title: string
   readonly text: string
+  readonly facts: Facts
 }
 
 interface Settings {
@@ -25,10 +29,13 @@ export class Desk {
   #settings = $state.raw(readSetting<Settings>('settings', { rays: true, trail: true }))
   #sizes = $state.raw(readSetting<object>('sizes', {}))
   notice = $state.raw<Notice | null>(null)
-  message = $state.raw<{ readonly title: string; readonly text: string } | null>(null)
+  message = $state.raw<Message | null>(null)
 
   constructor(session: Session) {
     this.#session = session
+    const { trouble } = session.opened
+    if (trouble === 'floorMissing') this.notice = trouble
+    if (trouble === 'brokenHere') this.say('session.brokenHere', 'session.brokenHereText')
   }
 
   get shown() {
@@ -62,10 +69,14 @@ export class Desk {
       )
       const problem = $derived(lab.view.problem)
       const succeeded = $derived(this.#session.succeeded)
+      const bumped = $derived(this.#session.bumped)
       $effect(() => this.speaker.play(frequency))
       $effect(() => this.show(problem))
       $effect(() => {
         if (succeeded) this.#celebrate()
+      })
+      $effect(() => {
+        if (bumped) this.notice = 'bumped'
       })
     })
     const away = () => this.#turnedAway()
@@ -88,7 +99,7 @@ export class Desk {
     void this.#session.keeper.flush()
     if (this.#session.lab.view.phase !== 'running') return
     this.#session.lab.pause()
-    this.notice = { kind: 'info', text: m['session.away']() }
+    this.notice = 'away'
   }
 
   /** Once a run, however often the checks turn green in it. */
@@ -121,7 +132,7 @@ export class Desk {
     this.#shown = finding
   }
 
-  say(title: string, text: string): void {
-    this.message = { title, text }
+  say(title: string, text: string, facts: Facts = {}): void {
+    this.message = { title, text, facts }
   }
 }

@@ -8,7 +8,7 @@ const PAUSE = 250
 export class Keeper {
   #state = $state<'saving' | 'saved' | 'failed' | 'elsewhere'>('saved')
   #storage = $state<'ok' | 'full' | 'refused'>('ok')
-  #id: string
+  #id = $state('')
   #revision: number
   #waiting: (() => Project) | null = null
   #timer: ReturnType<typeof setTimeout> | undefined
@@ -35,8 +35,8 @@ export class Keeper {
 
   /** Something has changed; `project` is asked for when it is time to save. */
   changed(project: () => Project): void {
-    if (this.#state === 'elsewhere') return
     this.#waiting = project
+    if (this.#state === 'elsewhere') return
     this.#state = 'saving'
     clearTimeout(this.#timer)
     this.#timer = setTimeout(() => void this.flush(), PAUSE)
@@ -85,6 +85,18 @@ export class Keeper {
     this.#waiting = project
     this.#stopListening = whenSavedElsewhere(id, () => (this.#state = 'elsewhere'))
     return this.flush()
+  }
+
+  /**
+   * Puts what another tab's project would replace under a key of its own.
+   * @returns whether nothing is lost when the other tab's project is taken now
+   */
+  async putAside(id: string, name: string): Promise<boolean> {
+    if (!this.#waiting) return true
+    const outcome = await save(id, { ...this.#waiting(), name }, 0)
+    if (outcome.kind !== 'saved') return false
+    this.#waiting = null
+    return true
   }
 
   close(): void {

@@ -46,7 +46,7 @@ async function readKept(id: string) {
   try {
     return { id, revision: kept.revision, project: parseProject(kept.project), broken: false }
   } catch (cause) {
-    console.error('A kept project cannot be read.', cause)
+    console.warn('A kept project cannot be read.', cause)
     return { id: freshId(id), revision: 0, project: null, broken: true }
   }
 }
@@ -70,7 +70,7 @@ async function floorOf(project: Project): Promise<Floor | null> {
     if (!address) return null
     return paintFloor(world, new Uint8Array(await (await fetch(address)).arrayBuffer()))
   } catch (cause) {
-    console.error('The picture of the floor cannot be read.', cause)
+    console.warn('The picture of the floor cannot be read.', cause)
     return null
   }
 }

@@ -18,6 +18,7 @@ export class Session {
   readonly opened: Opened
   /** Takes one of Blockly's own steps back or forth; the editor sets it. */
   moveBlocks: (direction: 'undo' | 'redo') => void = () => undefined
+  #name = $state('')
   #program = $state.raw<Program>() as Program
   #progress = $state.raw<Progress>({ starts: [], hints: 0 })
   #findings = $state.raw<readonly Finding[]>([])
@@ -28,6 +29,7 @@ export class Session {
   constructor(opened: Opened) {
     this.opened = opened
     const { project, card } = opened
+    this.#name = project.name
     this.#program = project.programs[this.#programId(project)]!
     this.#progress = project.progress ?? { starts: [], hints: 0 }
     this.lab = new RunningLab(project, opened.floor, card?.card.checks ?? [])
@@ -62,7 +64,17 @@ export class Session {
   /** The project as it stands now: what is kept and what a file holds. */
   get project(): Project {
     const { programs, world, brains } = this.lab.document
-    return { ...this.opened.project, programs, world, brains, progress: this.#progress }
+    return { ...this.opened.project, name: this.#name, programs, world, brains, progress: this.#progress }
+  }
+
+  get name() {
+    return this.#name
+  }
+
+  /** From here on this is a project of its own. */
+  continueAsCopy(id: string, name: string): Promise<void> {
+    this.#name = name
+    return this.keeper.continueAs(id, () => this.project)
   }
 
   #changed<Result>(change: () => Result): Result {
@@ -157,6 +169,12 @@ export class Session {
   get succeeded(): boolean {
     const { checks } = this.lab.view
     return checks.length > 0 && checks.every(({ passed }) => passed)
+  }
+
+  /** The robot of a card has run into something. In the free lab pushing is no mistake. */
+  get bumped(): boolean {
+    const { phase, robots } = this.lab.view
+    return this.opened.card !== null && phase === 'running' && (robots[0]?.touching.length ?? 0) > 0
   }
 
   /** Notes from which start pose the card was solved. */

@@ -1,23 +1,30 @@
+import type { Facts } from '@botgarten/blocks'
 import { parseProject, ProjectError, writeProject, type Project } from '@botgarten/programs'
 import { freshId, save } from './projects.ts'
 
-/** A file that was opened is a new project of this device, or says by a key of `problem` why not. */
-export type OpenedFile = { readonly id: string; readonly project: Project } | { readonly problem: string }
+/** Why a file was not taken up, as the words `problem.<problem>.title` and `.text` with their facts. */
+export interface Refusal {
+  readonly problem: string
+  readonly facts: Facts
+}
+
+/** A file that was opened is a new project of this device. */
+export type OpenedFile = { readonly id: string; readonly project: Project } | Refusal
 
 const MOST_BYTES = 5_000_000
 
 /** Takes a project file up; what was open before stays as it is. */
 export async function openProjectFile(file: File): Promise<OpenedFile> {
-  if (file.size > MOST_BYTES) return { problem: 'tooBig' }
+  if (file.size > MOST_BYTES) return { problem: 'tooBig', facts: {} }
   try {
     const project = parseProject(await file.text())
     const id = freshId(project.card ?? 'free')
     const { kind } = await save(id, project, 0)
-    return kind === 'saved' ? { id, project } : { problem: 'notKept' }
+    return kind === 'saved' ? { id, project } : { problem: 'notKept', facts: {} }
   } catch (error) {
     if (!(error instanceof ProjectError)) throw error
-    console.error('The project file was refused.', error)
-    return { problem: error.reason }
+    console.warn('The project file was refused.', error)
+    return { problem: error.reason, facts: error.facts }
   }
 }
 

@@ -20,18 +20,24 @@ interface Schema extends DBSchema {
 
 let opened: Promise<IDBPDatabase<Schema>> | undefined
 
-const database = () =>
-  (opened ??= openDB<Schema>('botgarten', 1, {
+const forget = () => (opened = undefined)
+
+function database(): Promise<IDBPDatabase<Schema>> {
+  opened ??= openDB<Schema>('botgarten', 1, {
     upgrade: (db) => void db.createObjectStore('projects', { keyPath: 'id' }),
-    terminated: () => (opened = undefined),
-  }))
+    terminated: forget,
+  })
+  // What is refused once may be allowed the next time.
+  opened.catch(forget)
+  return opened
+}
 
 /** One project, or null where there is none or the device refuses. */
 export async function load(id: string): Promise<Kept | null> {
   try {
     return (await (await database()).get('projects', id)) ?? null
   } catch (cause) {
-    console.error('Projects cannot be read on this device.', cause)
+    console.warn('Projects cannot be read on this device.', cause)
     return null
   }
 }
@@ -42,7 +48,7 @@ export async function list(): Promise<readonly Kept[]> {
     const all = await (await database()).getAll('projects')
     return all.sort((a, b) => b.changed - a.changed)
   } catch (cause) {
-    console.error('Projects cannot be read on this device.', cause)
+    console.warn('Projects cannot be read on this device.', cause)
     return []
   }
 }
@@ -60,7 +66,7 @@ export async function save(id: string, project: Project, basedOn: number): Promi
     announce(id, revision)
     return { kind: 'saved', revision }
   } catch (cause) {
-    console.error('The project could not be saved.', cause)
+    console.warn('The project could not be saved.', cause)
     return { kind: cause instanceof DOMException && cause.name === 'QuotaExceededError' ? 'full' : 'refused' }
   }
 }

@@ -1,5 +1,5 @@
 import { resolve } from '$app/paths'
-import { allCards, pictureOf } from '#lib/content/cards.ts'
+import { allCards, pictureOf, placeOf } from '#lib/content/cards.ts'
 import type { Kept } from '#lib/storage/projects.ts'
 import * as m from '#lib/words/generated/messages.js'
 import type { Level, RecentProject } from './home.ts'
@@ -10,8 +10,6 @@ const names: { readonly [card: string]: () => string } = {
   free: m['home.free'],
 }
 
-const placeOf = ({ project }: Kept) => project.card ?? 'free'
-
 /** Where a project is opened; one under its card's own name is what the card's address opens. */
 const addressOf = (card: string, id: string): string =>
   id === card
@@ -21,7 +19,7 @@ const addressOf = (card: string, id: string): string =>
 /** What lies on this device, as tiles that lead back to it. */
 export const recentOf = (kept: readonly Kept[]): RecentProject[] =>
   kept.map((one) => {
-    const place = placeOf(one)
+    const place = placeOf(one.project)
     // A project under its card's own name is called like the card, in the language of now.
     const name = (one.id === place && names[place]?.()) || one.project.name
     return { href: addressOf(place, one.id), name, when: one.changed, picture: pictureOf(place) }
@@ -31,7 +29,7 @@ export const recentOf = (kept: readonly Kept[]): RecentProject[] =>
 export function levelOf(card: string, kept: readonly Kept[]): Level {
   const of = allCards.find(({ id }) => id === card)?.starts.length ?? 0
   const solved = kept
-    .filter((one) => placeOf(one) === card)
+    .filter(({ project }) => placeOf(project) === card)
     .flatMap(({ project }) => project.progress?.starts ?? [])
   return { passed: new Set(solved).size, of }
 }

@@ -1,0 +1,36 @@
+import { goto, replaceState } from '$app/navigation'
+import { resolve } from '$app/paths'
+import { placeOf } from '#lib/content/cards.ts'
+import type { Desk } from '#lib/state/desk.svelte.ts'
+import type { Session } from '#lib/state/session.svelte.ts'
+import { openProjectFile } from '#lib/storage/files.ts'
+import { freshId } from '#lib/storage/projects.ts'
+import { m } from '#lib/words/generated/messages.js'
+
+const addressOf = (card: string, id: string) => resolve(`/lab/[card]?p=${encodeURIComponent(id)}`, { card })
+const show = (card: string, id: string) => goto(addressOf(card, id), { invalidateAll: true })
+
+/** Opens a project file in place of this project, which stays on the device. */
+export async function openFile(file: File, desk: Desk): Promise<void> {
+  const outcome = await openProjectFile(file)
+  if ('problem' in outcome) {
+    const { problem, facts } = outcome
+    desk.say(`problem.${problem}.title`, `problem.${problem}.text`, facts)
+  } else await show(placeOf(outcome.project), outcome.id)
+}
+
+/** Another tab has saved this project: what stands here becomes one of its own, and goes on undisturbed. */
+export function keepCopy(session: Session, title: string): void {
+  const place = placeOf(session.project)
+  const id = freshId(place)
+  void session.continueAsCopy(id, m['session.copy']({ name: title }))
+  void replaceState(addressOf(place, id), {})
+}
+
+/** Another tab has saved this project: that is shown. What stands here is put aside first. */
+export async function loadNewer(session: Session, desk: Desk, title: string): Promise<void> {
+  const place = placeOf(session.project)
+  const safe = await session.keeper.putAside(freshId(place), m['session.copy']({ name: title }))
+  if (safe) await show(place, session.keeper.id)
+  else desk.say('problem.notKept.title', 'problem.notKept.text')
+}
