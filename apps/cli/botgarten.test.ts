@@ -48,7 +48,10 @@ describe('botgarten run', () => {
     const { status, json } = botgarten('run', 'friendship', '--json')
     expect(status).toBe(0)
     expectToFit(json(), 'run.json')
-    expect(json()).toMatchObject({ seconds: 60, pose: { x: 430, y: 110, heading: expect.closeTo(120, 9) as number } })
+    expect(json()).toMatchObject({
+      seconds: 60,
+      pose: { x: 430, y: 110, heading: expect.closeTo(120, 9) as number },
+    })
     expect(json()['checks']).toContainEqual({ id: 'near', passed: false, at: null })
   })
 

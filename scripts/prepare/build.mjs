@@ -22,7 +22,7 @@ const sources = [
 const made = new Set(['node_modules', 'generated'])
 
 /** @param {string} path @returns {string[]} every file below, tests left out, in one order everywhere */
-export function filesBelow(path) {
+function filesBelow(path) {
   const entries = readdirSync(path, { withFileTypes: true }).filter((entry) => !made.has(entry.name))
   return entries
     .sort((a, b) => (a.name < b.name ? -1 : 1))
@@ -31,7 +31,7 @@ export function filesBelow(path) {
 }
 
 /** One hash over names and contents of everything that the build is made from. */
-export function hashOfSources() {
+function hashOfSources() {
   const hash = createHash('sha256')
   for (const source of sources) {
     const path = join(house, source)

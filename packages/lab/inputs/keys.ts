@@ -11,7 +11,7 @@ const FORWARD: Percent = 60
 const TURN: Percent = 25
 
 /** Wheel speeds for the arrow keys that are down. */
-export function driveBy(keys: readonly DriveKey[]): { left: Percent; right: Percent } {
+function driveBy(keys: readonly DriveKey[]): { left: Percent; right: Percent } {
   const both = (down: DriveKey, up: DriveKey) => Number(keys.includes(down)) - Number(keys.includes(up))
   const ahead = both('up', 'down') * FORWARD
   const aside = both('right', 'left') * TURN

@@ -53,7 +53,7 @@ const endingWith = <File>(files: Files<File>, end: string) =>
   Object.entries(files).find(([path]) => path.endsWith(end))?.[1]
 
 /** A world of the content. @throws Error for a name that is not there: a mistake in the content. */
-export async function loadWorld(name: string): Promise<WorldFile> {
+async function loadWorld(name: string): Promise<WorldFile> {
   const file = endingWith(worlds, `/worlds/${name}/world.json`)
   if (!file) throw new Error(`There is no world "${name}".`)
   return file()

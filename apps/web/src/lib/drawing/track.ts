@@ -11,9 +11,9 @@ export interface Track {
 
 const trackShare = { zero: 0.12, one: 0.82, latestZero: 0.46 }
 /** Touch targets keep this far apart where they can, in px. */
-export const targetGap = 44
+const targetGap = 44
 /** A knob is grabbed within this distance of its middle, a link within that of its line, in px. */
-export const grabWithin = { knob: 24, link: 18 }
+const grabWithin = { knob: 24, link: 18 }
 
 /** The free part of the line between two nodes of radius `radius`. */
 export function freeLine(source: Point, target: Point, radius: number): Track {

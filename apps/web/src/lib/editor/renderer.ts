@@ -15,8 +15,7 @@ export interface Frame {
 }
 
 /** The frame of a block, where it has one: set on the block by its definition. */
-const frameOf = (block: Blockly.Block | null) =>
-  (block as { frame?: Frame | null } | null)?.frame ?? null
+const frameOf = (block: Blockly.Block | null) => (block as { frame?: Frame | null } | null)?.frame ?? null
 
 const tints = { sensor: teal, actuator: apricot }
 const chevron =

@@ -6,13 +6,13 @@ import type { Markdown } from '#lib/parts/markdown.ts'
 export type PaneName = 'program' | 'world' | 'network'
 
 /** What a pane's body is told. `visible` false: it is not on the screen (draw nothing); `compact`: the small world above the network on a phone. */
-export interface PaneState {
+interface PaneState {
   readonly visible: boolean
   readonly compact: boolean
 }
 
 /** `elsewhere`: another tab holds this project; `failed` offers to try again. */
-export type SaveState = 'saving' | 'saved' | 'failed' | 'elsewhere'
+type SaveState = 'saving' | 'saved' | 'failed' | 'elsewhere'
 
 export interface Goal {
   readonly id: string
@@ -78,7 +78,7 @@ export type NextStep =
   | { readonly kind: 'none' }
 
 /** What the gear of the world switches. */
-export interface WorldSettings {
+interface WorldSettings {
   readonly rays: boolean
   readonly trail: boolean
 }
