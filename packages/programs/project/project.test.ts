@@ -175,6 +175,7 @@ describe('what is refused, and why', () => {
     ['an asset that is no base64', `assets.${sha256}.base64`, '<svg>'],
     ['a noise above 100', 'world.robots.0.config.noise', 101],
     ['a world without size', 'world.size.width', 0],
+    ['a world without a robot', 'world.robots', []],
   ])('%s', (_what, path, value) => {
     expect(reasonOf(replaced(project, path.split('.'), value))).toBe('notAProject')
   })

@@ -66,7 +66,7 @@ export const worldSchema: v.GenericSchema<unknown, World> = v.pipe(
     areas: v.array(area),
     lines: v.array(line),
     obstacles: v.array(obstacle),
-    robots: v.array(robot),
+    robots: v.pipe(v.array(robot), v.minLength(1, 'A world needs a robot.')),
   }),
   v.check((world) => idsUnique(world), 'Two things have the same id.'),
 )
