@@ -1,6 +1,7 @@
 import type { Facts, Finding } from '@botgarten/blocks'
 import type { StepKind } from '@botgarten/lab'
 import { readSetting, writeSetting } from '#lib/storage/settings.ts'
+import { isTyping, undoKey } from './keys.ts'
 import type { Session } from './session.svelte.ts'
 import { Loudspeaker } from './sound.svelte.ts'
 
@@ -80,17 +81,25 @@ export class Desk {
       })
     })
     const away = () => this.#turnedAway()
-    const stop = ({ key }: KeyboardEvent) => key === 'Escape' && lab.stop()
+    const press = (event: KeyboardEvent) => this.#press(event)
     document.addEventListener('visibilitychange', away)
-    window.addEventListener('keydown', stop)
+    window.addEventListener('keydown', press)
     return () => {
       document.removeEventListener('visibilitychange', away)
-      window.removeEventListener('keydown', stop)
+      window.removeEventListener('keydown', press)
       stopWatching()
       stopFrames()
       this.speaker.close()
       keeper.close()
     }
+  }
+
+  #press(event: KeyboardEvent): void {
+    if (event.key === 'Escape') this.#session.lab.stop()
+    const direction = undoKey(event)
+    if (direction === null || isTyping(event.target)) return
+    event.preventDefault()
+    this.#session.undo[direction]()
   }
 
   /** A hidden page pauses the run and says so on return (running.md 12). */

@@ -17,7 +17,7 @@ export class Session {
   readonly keeper: Keeper
   readonly opened: Opened
   /** Takes one of Blockly's own steps back or forth; the editor sets it. */
-  moveBlocks: (direction: 'undo' | 'redo') => void = () => undefined
+  moveBlocks: (direction: 'undo' | 'redo') => boolean = () => false
   #name = $state('')
   #program = $state.raw<Program>() as Program
   #progress = $state.raw<Progress>({ starts: [], hints: 0 })

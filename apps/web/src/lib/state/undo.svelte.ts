@@ -9,7 +9,8 @@ export type Step =
 
 /** Who carries a step out, in either direction. */
 export interface Hands {
-  blocks(direction: 'undo' | 'redo'): void
+  /** @returns whether it happened: not while a hand holds a block */
+  blocks(direction: 'undo' | 'redo'): boolean
   place(id: string, pose: Pose): void
   brain(id: string, brain: Brain): void
 }
@@ -40,24 +41,23 @@ export class UndoStack {
 
   undo(): void {
     const step = this.#done.at(-1)
-    if (!step) return
+    if (!step || !this.#carryOut(step, 'undo')) return
     this.#done = this.#done.slice(0, -1)
     this.#undone = [...this.#undone, step]
-    this.#carryOut(step, 'undo')
   }
 
   redo(): void {
     const step = this.#undone.at(-1)
-    if (!step) return
+    if (!step || !this.#carryOut(step, 'redo')) return
     this.#undone = this.#undone.slice(0, -1)
     this.#done = [...this.#done, step]
-    this.#carryOut(step, 'redo')
   }
 
-  #carryOut(step: Step, direction: 'undo' | 'redo'): void {
+  #carryOut(step: Step, direction: 'undo' | 'redo'): boolean {
     if (step.kind === 'blocks') return this.#hands.blocks(direction)
     const value = direction === 'undo' ? step.before : step.after
     if (step.kind === 'place') this.#hands.place(step.id, value as Pose)
     else this.#hands.brain(step.id, value as Brain)
+    return true
   }
 }
