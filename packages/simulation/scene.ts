@@ -7,7 +7,7 @@ import { buildPhysics, type BodyPlan, type Physics } from './physics/bodies.ts'
 import type { Moving } from './physics/step.ts'
 import { createNoise, drawNoise, type Noise } from './sensors/noise.ts'
 import { startState } from './state.ts'
-import type { Obstacle, SimulationState, World } from './types.ts'
+import type { Cm, SimulationState, World } from './types.ts'
 
 /** A world in motion with what is worked out from it once. Bodies are the robots, then the obstacles, in the world's order. */
 export interface Scene {
@@ -23,6 +23,8 @@ export interface Scene {
   readonly moving: Uint8Array
   /** By body: for robots a sheet to reckon on, for obstacles their state. */
   readonly places: Moving[]
+  /** By body: place before the physics of this tick: x0, y0, heading0, x1, … */
+  readonly before: Float64Array
   readonly motions: readonly Motion[]
   readonly wheels: WheelTurns
   /** Who touches whom, see touching.ts. */
@@ -51,6 +53,7 @@ export function createScene(world: World, seed: number): Scene {
     near: createNearParts(parts.length),
     moving: new Uint8Array(parts.length),
     places: [],
+    before: new Float64Array(parts.length * 3),
     motions: world.robots.map(() => ({ x: 0, y: 0, turn: 0 })),
     wheels: { left: 0, right: 0 },
     touched: new Uint8Array(world.robots.length * (parts.length + 1)),
@@ -76,15 +79,15 @@ export function physicsOf(scene: Scene): Physics {
   return scene.physics
 }
 
-const ROBOT_MASS = 4
-/** Robots and boxes: a third of mass times the squared half diagonal, as for any rectangle. */
-const ROBOT_WEIGHT = { mass: ROBOT_MASS, inertia: (ROBOT_MASS * 12 * 12) / 3 }
-const CRATE_AREA = 900
+/** In crates: movable things weigh 1 each. With more between them the solver would have to squeeze. */
+const ROBOT_MASS = 3
+const ROBOT_WEIGHT = weightOf(ROBOT_MASS, 12, false)
 
 function plansOf({ world, places, parts, ground }: Scene): BodyPlan[] {
-  const obstacles = world.obstacles.map((obstacle, index) =>
-    weightOf(obstacle, ground.outlines.reach[world.robots.length + index]!),
-  )
+  const obstacles = world.obstacles.map(({ shape, fixed }, index) => {
+    const reach = ground.outlines.reach[world.robots.length + index]!
+    return fixed ? null : weightOf(1, reach, shape.kind === 'circle')
+  })
   const weights = [...world.robots.map(() => ROBOT_WEIGHT), ...obstacles]
   return parts.map((own, body) => {
     const { x, y, heading } = places[body]!
@@ -92,9 +95,7 @@ function plansOf({ world, places, parts, ground }: Scene): BodyPlan[] {
   })
 }
 
-function weightOf({ shape, fixed }: Obstacle, reach: number): BodyPlan['weight'] {
-  if (fixed) return null
-  const area = shape.kind === 'circle' ? 3 * shape.radius * shape.radius : shape.width * shape.height
-  const mass = Math.max(0.5, Math.min(2, area / CRATE_AREA))
-  return { mass, inertia: (mass * reach * reach) / (shape.kind === 'circle' ? 2 : 3) }
+/** Inertia of a disc, or of a rectangle (of a triangle roughly) round the middle. */
+function weightOf(mass: number, reach: Cm, isRound: boolean): BodyPlan['weight'] {
+  return { mass, inertia: (mass * reach * reach) / (isRound ? 2 : 3) }
 }

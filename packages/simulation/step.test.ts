@@ -127,6 +127,21 @@ describe('rule 5: bumping', () => {
     expect(robotOf(sim, 1).touching).toEqual(['bo'])
   })
 
+  test.each([0, 20, 45, -30])(
+    'a slab at the edge, pushed with full power at %d°, is not squeezed',
+    (heading) => {
+      const slab = thing('slab', { kind: 'rectangle', width: 5, height: 40 }, pose(590, 200), false)
+      const sim = start({ obstacles: [slab], robots: [robotAt(pose(565, 200, heading))] })
+      run(sim, 600, (tick) => {
+        forward(sim, 100)()
+        if (tick % 5 === 0) expect(overlapBy(sim, 0.31)).toBe(false)
+      })
+      const { x, y } = robotOf(sim)
+      run(sim, 60, forward(sim, -100))
+      expect(Math.abs(robotOf(sim).x - x) + Math.abs(robotOf(sim).y - y)).toBeGreaterThan(25)
+    },
+  )
+
   test('wheels stick out: a thing beside the box stops the wheel', () => {
     const post = thing('post', square(4), pose(140, 200 + HALF_WIDTH + 3))
     const sim = start({ obstacles: [post] })
@@ -160,7 +175,7 @@ describe('rule 5: bumping', () => {
           const [a, b, c, d] = orders[Math.floor(tick / 100)]!
           startMove(sim, 0, { left: a, right: b })
           startMove(sim, 1, { left: c, right: d })
-          if (tick % 20 === 0) expect(overlapBy(sim, 0.5)).toBe(false)
+          if (tick % 10 === 0) expect(overlapBy(sim, 0.31)).toBe(false)
         })
       }),
       { numRuns: 40, seed: 5 },

@@ -7,11 +7,12 @@ import { stepPhysics, type Moving } from './physics/step.ts'
 import { physicsOf, type Scene } from './scene.ts'
 import { drawNoise } from './sensors/noise.ts'
 import { KEYFRAME_EVERY, TICKS_PER_SECOND } from './time.ts'
+import { noteBefore, undoSqueezing } from './squeezing.ts'
 import { noteTouching } from './touching.ts'
 import type { RobotState } from './types.ts'
 
-/** cm/s that a sliding thing loses in a tick: a fifth of its weight holds it. */
-const SLIDING_LOSS = (0.2 * 981) / TICKS_PER_SECOND
+/** cm/s that a sliding thing loses in a tick: a tenth of its weight holds it. */
+const SLIDING_LOSS = (0.1 * 981) / TICKS_PER_SECOND
 /** Beyond what may be moved in a tick, so much is looked at for contacts. */
 const SLACK = 0.1
 
@@ -99,17 +100,17 @@ function moveFreely({ state, ground, motions, moving }: Scene): void {
 function moveByPhysics(scene: Scene): void {
   const { near, places, ground, motions, state } = scene
   motions.forEach((motion, robot) => order(places[robot]!, state.robots[robot]!, motion))
+  noteBefore(scene)
   stepPhysics(physicsOf(scene), near, places)
-  for (let body = 0; body < places.length; body++) {
-    if (near.active[body] === 0) continue
-    settleOnFloor(ground, body, places[body]!)
+  for (let body = 0; body < places.length; body++)
+    if (near.active[body] === 1) settleOnFloor(ground, body, places[body]!)
+  undoSqueezing(scene)
+  state.robots.forEach((robot, body) => {
     const { x, y, heading } = places[body]!
-    const robot = state.robots[body]
-    if (!robot) continue
     robot.x = x
     robot.y = y
     robot.heading = heading
-  }
+  })
   noteTouching(scene)
 }
 

@@ -3,7 +3,7 @@ import { TICKS_PER_SECOND } from '../time.ts'
 import type { Cm, Radians } from '../types.ts'
 import type { Physics, PhysicsBody } from './bodies.ts'
 
-const VELOCITY_ROUNDS = 20
+const VELOCITY_ROUNDS = 8
 const POSITION_ROUNDS = 6
 
 /** Place of a body, and its speed in cm/s and rad/s. */
