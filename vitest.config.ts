@@ -6,6 +6,8 @@ export default defineConfig({
       {
         test: {
           name: 'packages',
+          // A slow machine may take its time; what hangs is still found.
+          testTimeout: 60_000,
           include: [
             'packages/**/*.test.ts',
             'content/**/*.test.ts',
@@ -19,7 +21,7 @@ export default defineConfig({
       {
         extends: 'apps/web/vite.config.ts',
         root: 'apps/web',
-        test: { name: 'web', include: ['src/**/*.test.ts'] },
+        test: { name: 'web', testTimeout: 60_000, include: ['src/**/*.test.ts'] },
       },
     ],
   },
