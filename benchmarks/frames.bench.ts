@@ -4,12 +4,10 @@ import { Child, leftEye, leftWheel, rightEye, rightWheel } from '../e2e/child.ts
 import { buildWhenNeeded } from '../scripts/prepare/build.mjs'
 import { startServer } from '../scripts/server.ts'
 import { median, percentile, type Table } from './bench.ts'
-import { framesUntilChange, millisecondsToMove, noteFrames } from './in-page.ts'
+import { answered, askFramesUntilChange, askMillisecondsToMove, noteFrames } from './in-page.ts'
 import { mainThreadOf } from './trace.ts'
 
 const throttle = 4
-const robot = 'svg.bo'
-const node = '.playground .node .number'
 const categories = ['devtools.timeline', 'disabled-by-default-devtools.timeline', 'toplevel']
 
 /** A slow laptop: a fresh profile, the lab's usual window, the processor at a quarter. */
@@ -61,21 +59,21 @@ async function onePull(child: Child): Promise<number> {
   const [x, y] = [box.x + box.width / 2, box.y + box.height / 2]
   await page.mouse.move(x, y)
   await page.mouse.down()
-  const frames = page.evaluate(framesUntilChange, node)
+  await child.output(rightWheel).evaluate(askFramesUntilChange)
   await page.mouse.move(x + 60, y)
-  const counted = await frames
+  const frames = await page.evaluate(answered)
   await page.mouse.up()
   await knob.press('Home')
-  return counted
+  return frames
 }
 
 /** The first click on Start in a fresh browser, and on the home page's one-click drive. */
 async function firstMove(browser: Browser, url: string): Promise<number> {
   const child = await slowChild(browser, url)
   await child.opensLab('free')
-  const time = child.page.evaluate(millisecondsToMove, robot)
+  await child.bo.evaluate(askMillisecondsToMove)
   await child.button('lab.start').click()
-  const milliseconds = await time
+  const milliseconds = await child.page.evaluate(answered)
   await child.page.context().close()
   return milliseconds
 }

@@ -2,6 +2,7 @@
 
 declare global {
   var frameTimes: number[]
+  var answer: Promise<number>
 }
 
 /** Notes the time of every frame from now on. */
@@ -14,38 +15,36 @@ export function noteFrames() {
   requestAnimationFrame(note)
 }
 
-/** Frames between the next pointer movement and the next change below `changing`. */
-export function framesUntilChange(changing: string) {
-  return new Promise<number>((done) => {
-    const began = () => globalThis.frameTimes.length
+/** What was last asked for, when it has come. */
+export const answered = () => globalThis.answer
+
+/** Asks for the frames between the next pointer movement and the next change inside `changing`. */
+export function askFramesUntilChange(changing: Element) {
+  globalThis.answer = new Promise<number>((done) => {
+    const now = () => globalThis.frameTimes.length
     let from = Infinity
-    addEventListener('pointermove', () => (from = Math.min(from, began())), { capture: true, once: true })
+    addEventListener('pointermove', () => (from = now()), { capture: true, once: true })
     const watcher = new MutationObserver(() => {
       if (from === Infinity) return
       watcher.disconnect()
-      done(began() - from)
+      done(now() - from)
     })
-    for (const element of document.querySelectorAll(changing)) {
-      watcher.observe(element, { subtree: true, characterData: true, childList: true, attributes: true })
-    }
+    watcher.observe(changing, { subtree: true, characterData: true, childList: true, attributes: true })
   })
 }
 
-/** Milliseconds from the next click, as the browser stamps it, to the first frame that shows the robot elsewhere. */
-export function millisecondsToMove(robot: string) {
-  return new Promise<number>((done) => {
-    addEventListener(
-      'click',
-      ({ timeStamp }) => {
-        const place = () => document.querySelector(robot)?.parentElement?.style.transform
-        const before = place()
-        const look = () => {
-          if (place() === before) requestAnimationFrame(look)
-          else done(performance.now() - timeStamp)
-        }
-        look()
-      },
-      { capture: true, once: true },
-    )
+/** Asks for the milliseconds from the next click, as the browser stamps it, to the first frame that shows the robot elsewhere. */
+export function askMillisecondsToMove(robot: Element) {
+  globalThis.answer = new Promise<number>((done) => {
+    const place = () => robot.parentElement!.style.transform
+    const before = place()
+    const begin = ({ timeStamp }: MouseEvent) => {
+      const look = () => {
+        if (place() === before) requestAnimationFrame(look)
+        else done(performance.now() - timeStamp)
+      }
+      look()
+    }
+    addEventListener('click', begin, { capture: true, once: true })
   })
 }

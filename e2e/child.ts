@@ -107,6 +107,19 @@ export class Child {
     await this.page.locator('input[type=file]').setInputFiles(file)
   }
 
+  /** Opens a project file, and waits until the lab shows the project. */
+  async opensProject(name: string, text: string) {
+    await this.opensFile(`${name}.botgarten.json`, text)
+    await expect(this.page.getByRole('heading', { level: 1 })).toHaveText(name)
+    await this.seesBlocks()
+  }
+
+  /** Opens a project file on the home page. */
+  async opensFileAtHome(name: string, text: string) {
+    const file = { name, mimeType: 'application/json', buffer: Buffer.from(text) }
+    await this.page.locator('input[type=file]').setInputFiles(file)
+  }
+
   /** Saves the project from the lab's menu. Returns what stands in the file. */
   async savesFile(): Promise<string> {
     await this.presses('lab.menu')
@@ -207,6 +220,26 @@ export class Child {
     return this.page.getByRole('button', { name: this.word('world.robot'), exact: true })
   }
 
+  /** A thing of the world by what it looks like: `block`, `tree`. */
+  thing(look: string): Locator {
+    const thing = this.word(`world.thing.${look}`)
+    const name = new RegExp(`^${this.word('world.at', { thing, x: '\\d+', y: '\\d+' })}$`)
+    return this.page.getByRole('button', { name })
+  }
+
+  /** Takes a thing and drags it by so many px. */
+  async dragsThing(look: string, by: Spot) {
+    const from = await middleOf(this.thing(look))
+    await this.drags(from, { x: from.x + by.x, y: from.y + by.y })
+  }
+
+  async drags(from: Spot, to: Spot) {
+    await this.#hand.down(from)
+    for (const share of [0.1, 0.4, 0.7, 1])
+      await this.#hand.move({ x: from.x + (to.x - from.x) * share, y: from.y + (to.y - from.y) * share })
+    await this.#hand.up()
+  }
+
   /** Where Bo is drawn on the floor. */
   boStands(): Promise<string> {
     return this.bo.evaluate((grip) => grip.parentElement!.style.transform)
@@ -233,14 +266,27 @@ export class Child {
 
   // ---- the program ----
 
-  /** A block by its name in the project. */
-  block(id: string): Locator {
-    return this.page.locator(`.blocklyBlockCanvas [data-id="${id}"]`)
+  /** Where the blocks lie; the shelf has a canvas of its own. */
+  get canvas(): Locator {
+    return this.page.locator('.blocklySvg .blocklyBlockCanvas')
   }
 
-  /** All that is written on the blocks, in order. */
-  blockWords(): Promise<string[]> {
-    return this.page.locator('.blocklyBlockCanvas').first().locator('text').allTextContents()
+  /** A block by its name in the project. */
+  block(id: string): Locator {
+    return this.canvas.locator(`[data-id="${id}"]`)
+  }
+
+  /** Taps the number in a number block and types another. */
+  async typesNumber(block: string, number: string) {
+    await this.block(block).locator('.blocklyNumberField').click()
+    await this.page.keyboard.press('ControlOrMeta+a')
+    await this.types(...number, 'Enter')
+  }
+
+  /** All that is written on the blocks, by the alphabet: Blockly draws last what was chosen last. */
+  async blockWords(): Promise<string[]> {
+    await this.seesBlocks()
+    return (await this.canvas.locator('text').allTextContents()).toSorted()
   }
 
   // ---- seeing ----
@@ -260,12 +306,12 @@ export class Child {
 
   /** The lab stands. On a phone the blocks are a page of their own. */
   async seesLab() {
-    await expect(this.button('lab.start').first()).toBeVisible()
+    await expect(this.button('lab.start').first()).toBeVisible({ timeout: 30_000 })
     if ((this.page.viewportSize()?.width ?? 0) >= 640) await this.seesBlocks()
   }
 
   async seesBlocks() {
-    await expect(this.page.locator('.blocklyBlockCanvas .blocklyDraggable').first()).toBeVisible()
+    await expect(this.canvas.locator('.blocklyDraggable').first()).toBeVisible()
   }
 
   check(card: string, id: string): Locator {

@@ -1,16 +1,38 @@
 import { readFileSync } from 'node:fs'
+import type { Project } from '@botgarten/programs'
+import { Blocks } from './runs/blocks.ts'
 
-const folders = { friendship: '05-friendship', fear: '06-fear' }
+const cards = {
+  friendship: { name: 'Friendship', folder: '05-friendship' },
+  fear: { name: 'Fear', folder: '06-fear' },
+}
 
 const read = (path: string) =>
   JSON.parse(readFileSync(new URL(`../content/${path}`, import.meta.url), 'utf8')) as object
 
 /** The text of a project file, as a child would have saved it from a card. */
-export function projectFile(card: keyof typeof folders, program: string): string {
+export function projectFile(card: keyof typeof cards, program: string): string {
   const project = {
-    ...{ botgarten: 1, name: card, card, assets: {} },
-    ...read(`cards/network/${folders[card]}/${program}.json`),
+    ...{ botgarten: 1, name: cards[card].name, card, assets: {} },
+    ...read(`cards/network/${cards[card].folder}/${program}.json`),
     world: read(`worlds/${card}/world.json`),
   }
   return JSON.stringify(project)
+}
+
+/** The text of a project file from the free lab, with what its `main` program does. */
+export function freeProject(
+  name: string,
+  { programs, brains }: Pick<Project, 'programs' | 'brains'>,
+): string {
+  const world = read('worlds/garden/world.json')
+  return JSON.stringify({ botgarten: 1, name, programs, brains, world, assets: {} })
+}
+
+type Block = ReturnType<Blocks['block']>
+
+/** A free project of one stack of blocks that has no network. */
+export function freeProgram(name: string, stack: (make: Blocks) => readonly Block[]): string {
+  const make = new Blocks()
+  return freeProject(name, { programs: { main: make.program(...stack(make)) }, brains: {} })
 }

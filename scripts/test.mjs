@@ -6,6 +6,7 @@ import { ensureChromium } from '../e2e/chromium.mjs'
 import { countOfPlaywright, countOfVitest, oneStep } from './prepare/counts.mjs'
 import { installWhenNeeded } from './prepare/install.mjs'
 import { asScript, npm } from './prepare/run.mjs'
+import { runtime } from './prepare/runtime.mjs'
 
 const folder = mkdtempSync(join(tmpdir(), 'botgarten-test-'))
 const unit = join(folder, 'unit.json')
@@ -73,6 +74,8 @@ async function takeAll() {
 
 await asScript(async () => {
   await installWhenNeeded()
+  // Says what to do where there is no Node new enough for the steps.
+  runtime()
   const { passed, failed } = await takeAll()
   rmSync(folder, { recursive: true, force: true })
   console.log(`\n${passed} passed, ${failed} failed`)

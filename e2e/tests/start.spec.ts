@@ -1,0 +1,40 @@
+import { spawn } from 'node:child_process'
+import { once } from 'node:events'
+import { text } from 'node:stream/consumers'
+import { expect, test } from '@playwright/test'
+import { inHouse } from '../../scripts/prepare/house.mjs'
+
+/** The last step of `npm start`, as a process of its own. */
+const serve = (port: number) => spawn(process.execPath, [inHouse('scripts', 'serve.ts'), String(port)])
+
+async function opened() {
+  const process = serve(0)
+  let said = ''
+  process.stdout.on('data', (part) => (said += String(part)))
+  await expect.poll(() => said).toContain('Ctrl+C')
+  const port = Number(/http:\/\/localhost:(\d+)/.exec(said)?.[1])
+  return { process, said, port }
+}
+
+test('npm start says where the lab is open, and closes when it is told to', async () => {
+  const { process, said, port } = await opened()
+  expect(said).toContain('Botgarten is open at')
+  for (const host of ['127.0.0.1', 'localhost']) {
+    expect((await fetch(`http://${host}:${port}/`)).status).toBe(200)
+  }
+  process.kill('SIGTERM')
+  expect(await once(process, 'exit')).toEqual([0, null])
+  await expect(fetch(`http://127.0.0.1:${port}/`)).rejects.toThrow()
+})
+
+test('a busy port is answered by one sentence with a way out', async () => {
+  const first = await opened()
+  const second = serve(first.port)
+  const [complaint, [code]] = await Promise.all([text(second.stderr), once(second, 'exit')])
+  expect(complaint.trim()).toBe(
+    `Port ${first.port} is taken by another program. Choose another one: npm start -- --port ${first.port + 1}`,
+  )
+  expect(code).toBe(1)
+  first.process.kill('SIGINT')
+  expect(await once(first.process, 'exit')).toEqual([0, null])
+})
