@@ -36,7 +36,7 @@ export function thing(id: string, shape: Shape, at: Pose, fixed = true): Obstacl
   return { id, shape, pose: at, fixed, colour: '#0057A6' }
 }
 
-export const world = (parts: Partial<World> = {}): World => ({
+const world = (parts: Partial<World> = {}): World => ({
   size: { width: 600, height: 400 },
   floor: { colour: '#FFFFFF' },
   areas: [],
@@ -65,7 +65,7 @@ export function run(sim: Simulation, ticks: number, before: (tick: number) => vo
 }
 
 /** Every number is finite and every corner of every robot is on the floor, but for a hundredth of a millimetre. */
-export function expectSane(sim: Simulation): void {
+function expectSane(sim: Simulation): void {
   const { width, height } = sim.world.size
   for (const { x, y, heading } of sim.state.robots) {
     const c = Math.cos(heading)
