@@ -13,6 +13,23 @@ const cardTexts: Plugin = {
   },
 }
 
+/**
+ * The physics library's list of what it could load from a file holds all its joints; we load no such file and use no joint.
+ * With the list shorter and its classes marked as free of effects, 10 kB fewer travel.
+ */
+const noJoints: Plugin = {
+  name: 'no-joints',
+  transform: {
+    filter: { id: /[\\/]planck\.mjs$/ },
+    handler: (code) => ({
+      code: code
+        .replace(/, _a\[\w+Joint\.TYPE\] = \w+Joint/g, '')
+        .replaceAll('/** @class */', '/* @__PURE__ */'),
+      map: null,
+    }),
+  },
+}
+
 // Few requests: what one card needs comes together, what all pages share, and what the lab's parts share.
 const cardOf = (id: string) =>
   /content[\\/](?:cards[\\/]\w+[\\/]\d+-|worlds[\\/])(\w+)[\\/](?:\w+\.md|start\.json|world\.json)$/.exec(
@@ -36,6 +53,7 @@ const chunks = [
 export default defineConfig({
   plugins: [
     cardTexts,
+    noJoints,
     sveltekit({
       adapter: adapter({ precompress: true }),
       csp: {
