@@ -111,7 +111,7 @@ export class Child {
   async opensProject(name: string, text: string) {
     await this.opensFile(`${name}.botgarten.json`, text)
     await expect(this.page.getByRole('heading', { level: 1 })).toHaveText(name)
-    await this.seesBlocks()
+    await this.seesLab()
   }
 
   /** Opens a project file on the home page. */
@@ -233,6 +233,10 @@ export class Child {
     await this.drags(from, { x: from.x + by.x, y: from.y + by.y })
   }
 
+  middleOf(thing: Locator): Promise<Spot> {
+    return middleOf(thing)
+  }
+
   async drags(from: Spot, to: Spot) {
     await this.#hand.down(from)
     for (const share of [0.1, 0.4, 0.7, 1])
@@ -286,7 +290,8 @@ export class Child {
   /** All that is written on the blocks, by the alphabet: Blockly draws last what was chosen last. */
   async blockWords(): Promise<string[]> {
     await this.seesBlocks()
-    return (await this.canvas.locator('text').allTextContents()).toSorted()
+    const words = await this.canvas.locator('text').allTextContents()
+    return words.map((word) => word.replaceAll('\u00a0', ' ')).toSorted()
   }
 
   // ---- seeing ----

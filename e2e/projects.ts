@@ -36,3 +36,22 @@ export function freeProgram(name: string, stack: (make: Blocks) => readonly Bloc
   const make = new Blocks()
   return freeProject(name, { programs: { main: make.program(...stack(make)) }, brains: {} })
 }
+
+/** A net as big as a child may build one: eight sensor neurons, six outputs, all weights 0. */
+export function bigNet(name: string): string {
+  const make = new Blocks()
+  const colours = ['#000000', '#0057A6', '#00642E', '#F7D117', '#B30006']
+  const colour = (COLOUR: string) =>
+    make.block('ai_nn_input_node_coloursensor_color', { fields: { COLOUR, SENSORPORT: '1' } })
+  const inputs = [make.eye('2'), make.eye('3'), make.brightness(), ...colours.map(colour)]
+  const lamp = make.block('ai_nn_output_node_led', { fields: { OUTPUTNODE: '#00642E' } })
+  const word = make.block('ai_nn_output_node_text', { fields: { OUTPUTNODE: 'Hallo' } })
+  const motor = (port: string) =>
+    make.block('ai_nn_output_node', { fields: { OUTPUTNODE: `MOTORPORT_${port}` } })
+  const outputs = [make.wheel('C'), make.wheel('B'), motor('A'), motor('D'), lamp, word]
+  const { block, brain } = make.net(inputs, outputs, [])
+  return freeProject(name, {
+    programs: { main: make.program(make.forever(block)) },
+    brains: { [block.id]: brain },
+  })
+}
