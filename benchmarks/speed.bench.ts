@@ -1,6 +1,7 @@
 import { readFileSync } from 'node:fs'
 import { createLab, type Document, type Lab } from '@botgarten/lab'
 import { paintFloor, type Floor, type World } from '@botgarten/simulation'
+import { Blocks } from '../e2e/runs/blocks.ts'
 import { behaviours } from '../e2e/runs/programs.ts'
 import { pushingWorld } from '../e2e/runs/worlds.ts'
 import { median, type Table } from './bench.ts'
@@ -32,12 +33,34 @@ function circling(document: Document): Document {
   return { ...document, brains: Object.fromEntries(brains) as Document['brains'] }
 }
 
-/** The network drives and always has things before it. */
-function pushing(name: string, things: number): Course {
-  const crowd = pushingWorld(0)
-  const obstacles = crowd.obstacles.filter(({ fixed }) => !fixed).slice(-things)
-  const document = { ...behaviours.followsEyes(1), world: { ...crowd, obstacles } }
-  return { name, goal: 1000, document, floor: paintFloor(document.world) }
+/** A long floor: the network drives straight on and has boxes before it all the time. */
+function pushing(name: string, goal: number | null, boxes: number): Course {
+  const { robots, obstacles } = pushingWorld(0)
+  const box = { ...obstacles[0]!, shape: { kind: 'rectangle', width: 24, height: 24 } as const }
+  const world: World = {
+    ...{ size: { width: 3000, height: 300 }, floor: { colour: '#FFFFFF' }, areas: [], lines: [] },
+    robots: robots.map((robot) => ({ ...robot, pose: { x: 30, y: 150, heading: 0 } })),
+    obstacles: Array.from({ length: boxes }, (_, index) => ({
+      ...{ ...box, id: `box${index}` },
+      pose: { x: 60 + 26 * index, y: 150, heading: 0 },
+    })),
+  }
+  const document = { ...straightOn(), world }
+  return { name, goal, document, floor: paintFloor(world) }
+}
+
+function straightOn() {
+  const make = new Blocks()
+  const inputs = [make.eye('2'), make.eye('3'), make.brightness()]
+  const outputs = [make.wheel('C'), make.wheel('B')]
+  const { block, brain } = make.net(inputs, outputs, [[], [], [0.4, 0.4]])
+  return { programs: { main: make.program(make.forever(block)) }, brains: { [block.id]: brain } }
+}
+
+/** In the end it is jammed in a corner with a box: the hardest that can happen to the physics. */
+function jammed(): Course {
+  const document = { ...behaviours.followsEyes(1), world: pushingWorld(0) }
+  return { name: 'network, in a crowd of eight', goal: null, document, floor: paintFloor(document.world) }
 }
 
 function begin({ document, floor }: Course): Lab {
@@ -73,9 +96,9 @@ export default function speed(): Table {
   const courses = [
     friendship('Friendship, its solution', null, (document) => document),
     friendship('Friendship, circling on the free floor', 2000, circling),
-    pushing('network, pushing one thing', 1),
-    pushing('network, pushing three things', 3),
-    pushing('network, pushing in a crowd of seven', 7),
+    pushing('network, pushing one box', 1000, 1),
+    pushing('network, pushing three boxes in a row', null, 3),
+    jammed(),
   ]
   for (const course of courses) timesRealTime(course)
   const rows = courses.map((course) => {
@@ -90,6 +113,7 @@ export default function speed(): Table {
     rows,
     notes: [
       'driving, touching: share of the ticks in which a motor ran, and in which the body touched something.',
+      'In the crowd it is soon jammed in a corner with a box: the hardest that can happen to the physics.',
     ],
   }
 }
