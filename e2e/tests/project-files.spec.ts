@@ -107,7 +107,7 @@ for (const language of languages) {
     })
 
     test('a project for a card that this version does not have opens in the free lab', async ({ child }) => {
-      const strange = freeProgram('Chameleon', (make) => [make.wait(300)])
+      const strange = freeProgram('Chameleon', (make) => [make.wait(600_000)])
       await child.opensLab('friendship')
       await child.opensFile('chameleon.json', JSON.stringify({ ...read(strange), card: 'chameleon' }))
       await expect(child.page.getByRole('heading', { level: 1 })).toHaveText('Chameleon')
