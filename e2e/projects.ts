@@ -21,7 +21,7 @@ export function projectFile(card: keyof typeof cards, program: string): string {
 }
 
 /** The text of a project file from the free lab, with what its `main` program does. */
-export function freeProject(
+function freeProject(
   name: string,
   { programs, brains }: Pick<Project, 'programs' | 'brains'>,
 ): string {
