@@ -103,7 +103,6 @@ export class Pane {
     const states = statesOn(this.#workspace)
     speak(locale)
     this.#workspace.updateToolbox(toolboxInfo(wordsIn(locale)))
-    this.#nameParts()
     this.#refill(() => restore(states, this.#workspace))
   }
 
@@ -175,12 +174,13 @@ export class Pane {
     return true
   }
 
-  /** Blockly leaves its frame and its shelf without names. */
+  /** Blockly leaves its frame and its shelf without names, and counts only what it saw coming. */
   #nameParts() {
     const words = wordsIn(this.#locale)
     const frame = this.#workspace.getInjectionDiv()
     frame.setAttribute('aria-label', words('editor.blocks'))
     frame.querySelector('.blocklyToolbox [role=tree]')?.setAttribute('aria-label', words('editor.toolbox'))
+    this.#workspace.setInitialAriaContext()
   }
 
   #emit() {
@@ -200,6 +200,7 @@ export class Pane {
     } finally {
       Blockly.Events.enable()
     }
+    this.#nameParts()
     this.setLit(this.#lit)
     this.setFindings(this.#findings)
     if (selected !== undefined) this.focusBlock(selected)

@@ -30,12 +30,23 @@ export function setUp(): void {
   defineUnknownBlocks()
   shortenMenus()
   leaveUndoToThePage()
+  nameKeys()
 }
 
 /** Blocks and Blockly's own words in a language. What is on a workspace already keeps its old words. */
 export function speak(locale: Locale): void {
   Blockly.setLocale({ ...blocklyWords[locale] })
   defineBlocks(Object.values(definitions), { words: wordsIn(locale), locale })
+}
+
+/** Blockly names the keys of its hints once, before it has been told a language. */
+function nameKeys() {
+  const show = Blockly.Toast.show.bind(Blockly.Toast)
+  const { Msg } = Blockly
+  const named = (text: string) =>
+    text.replace(/\b(Control|Shift)(?= \+ )/g, (key) => Msg[`${key.toUpperCase()}_KEY`] ?? key)
+  Blockly.Toast.show = (workspace, options) =>
+    show(workspace, { ...options, message: named(options.message) })
 }
 
 function shortenMenus() {
