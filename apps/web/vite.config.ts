@@ -39,7 +39,12 @@ const chunks = [
   // SvelteKit's first script imports it and must not pull anything else in before the page is set up.
   { name: 'preload', test: /preload-helper/, priority: 3 },
   { name: cardOf, priority: 2 },
-  { name: 'common', test: /src[\\/]lib[\\/](parts|storage|words)[\\/]/, minShareCount: 2, priority: 1 },
+  {
+    name: 'common',
+    test: /(src[\\/]lib[\\/](parts|storage|words)|node_modules[\\/]svelte)[\\/]/,
+    minShareCount: 2,
+    priority: 1,
+  },
   // The home page reads project files without bringing the simulation along.
   {
     name: 'programs',
