@@ -21,10 +21,7 @@ export function projectFile(card: keyof typeof cards, program: string): string {
 }
 
 /** The text of a project file from the free lab, with what its `main` program does. */
-function freeProject(
-  name: string,
-  { programs, brains }: Pick<Project, 'programs' | 'brains'>,
-): string {
+function freeProject(name: string, { programs, brains }: Pick<Project, 'programs' | 'brains'>): string {
   const world = read('worlds/garden/world.json')
   return JSON.stringify({ botgarten: 1, name, programs, brains, world, assets: {} })
 }
