@@ -52,3 +52,14 @@ export function bigNet(name: string): string {
     brains: { [block.id]: brain },
   })
 }
+
+/** A net of one distance sensor and one word neuron, weight 0. */
+export function wordNet(name: string, word: string): string {
+  const make = new Blocks()
+  const shown = make.block('ai_nn_output_node_text', { fields: { OUTPUTNODE: word } })
+  const { block, brain } = make.net([make.eye('2')], [shown], [])
+  return freeProject(name, {
+    programs: { main: make.program(make.forever(block)) },
+    brains: { [block.id]: brain },
+  })
+}

@@ -86,3 +86,20 @@ test('weights of a neuron that was taken away come back with it', async ({ child
   await expect(child.knobs).toHaveCount(4)
   await child.seesWeight(leftEye, leftWheel, 0.8)
 })
+
+test('a step that is taken back before Blockly has told of it can come again', async ({ child, page }) => {
+  await child.opensLab('friendship')
+  const words = await child.blockWords()
+  await child.block('eyeLeft').click({ position: { x: 30, y: 10 } })
+  await page.evaluate(() => {
+    const press = (init: KeyboardEventInit) =>
+      document.activeElement!.dispatchEvent(new KeyboardEvent('keydown', { bubbles: true, ...init }))
+    press({ key: 'Delete', keyCode: 46 })
+    press({ key: 'z', keyCode: 90, ctrlKey: true })
+  })
+  await expect(child.button('lab.redo')).toBeEnabled()
+  await expect(child.knobs).toHaveCount(4)
+  expect(await child.blockWords()).toEqual(words)
+  await child.types('Control+y')
+  await expect(child.knobs).toHaveCount(2)
+})

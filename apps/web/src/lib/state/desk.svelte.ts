@@ -1,5 +1,6 @@
 import type { Facts, Finding } from '@botgarten/blocks'
 import type { StepKind } from '@botgarten/lab'
+import { told } from '#lib/editor/told.ts'
 import { readSetting, writeSetting } from '#lib/storage/settings.ts'
 import { isTyping, undoKey } from './keys.ts'
 import type { Session } from './session.svelte.ts'
@@ -99,7 +100,12 @@ export class Desk {
     const direction = undoKey(event)
     if (direction === null || isTyping(event.target)) return
     event.preventDefault()
-    this.#session.undo[direction]()
+    this.go(direction)
+  }
+
+  /** Takes a step back or goes one forth. */
+  go(direction: 'undo' | 'redo'): void {
+    void told().then(() => this.#session.undo[direction]())
   }
 
   /** A hidden page pauses the run and says so on return (running.md 12). */
