@@ -1,4 +1,5 @@
 // `npm run bench [-- name …]`: every *.bench.ts here writes its table into results/.
+import { spawnSync } from 'node:child_process'
 import { readdirSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'
 import type { Bench } from './bench.ts'
@@ -13,14 +14,23 @@ const all = readdirSync(folder)
 
 async function make(name: string) {
   const bench = ((await import(join(folder, name + ending))) as { default: Bench }).default
+  const table = await bench()
   const made = {
     command: `npm run bench -- ${name}`,
     machine: machine(),
     date: new Date().toISOString().slice(0, 10),
   }
-  const text = markdown(await bench(), made)
+  const text = markdown(table, made)
   writeFileSync(join(folder, 'results', `${name}.md`), text)
   console.log(text)
+}
+
+/** Each in a process of its own: what one has loaded slows the shapes of objects that another measures. */
+function makeEach(names: readonly string[]) {
+  for (const name of names) {
+    const { status } = spawnSync(process.execPath, [import.meta.filename, name], { stdio: 'inherit' })
+    if (status !== 0) process.exitCode = 1
+  }
 }
 
 const wanted = process.argv.slice(2)
@@ -28,4 +38,5 @@ const unknown = wanted.filter((name) => !all.includes(name))
 if (unknown.length > 0) {
   console.error(`No benchmark ${unknown.join(', ')}. There are: ${all.join(', ')}`)
   process.exitCode = 2
-} else for (const name of wanted.length > 0 ? wanted : all) await make(name)
+} else if (wanted.length === 1) await make(wanted[0]!)
+else makeEach(wanted.length > 0 ? wanted : all)
