@@ -16,7 +16,7 @@ export default async function sizes(): Promise<Table> {
   ])
   return {
     title: 'JavaScript on the wire',
-    how: 'Brotli files of a fresh build: the scripts in the HTML of a page and all that they import, at once or later.',
+    how: 'Brotli files of a fresh build: the scripts in the HTML of a page and all that they import, at once or by themselves soon after. “All of it”: also what only a click asks for.',
     columns: ['page or chunk', 'kB brotli', 'budget'],
     rows,
     notes: ['1 kB = 1000 bytes. Chunks under 2 kB are in the sums and not listed.'],

@@ -9,19 +9,25 @@ const manifest = {
   app: chunk('entry/app', ['shared'], ['home', 'lab']),
   shared: chunk('shared'),
   home: chunk('home', ['shared']),
-  lab: chunk('lab', ['shared'], ['editor']),
+  lab: chunk('lab', ['shared'], ['editor', 'build/later.ts']),
+  'build/later.ts': chunk('build'),
   editor: chunk('editor', ['blockly']),
   blockly: chunk('blockly'),
 }
 const html = (page: string) =>
   ['entry/start', 'entry/app', page].map((name) => `<link href="./_app/immutable/${name}.js">`).join('')
-const namesOf = (page: string) =>
-  scriptsOf(html(page), manifest, (file) => file.length)
+const namesOf = (page: string, withLater = false) =>
+  scriptsOf(html(page), manifest, (file) => file.length, withLater)
     .map(({ name }) => name)
     .sort()
 
-test('what a page loads later counts, with what that imports in its turn', () => {
+test('what a page loads by itself soon after counts, with what that imports in its turn', () => {
   expect(namesOf('lab')).toEqual(['blockly', 'editor', 'entry/app', 'entry/start', 'lab', 'shared'])
+})
+
+test('what only a click asks for is counted where it is wanted', () => {
+  const own = ['blockly', 'build', 'editor', 'entry/app', 'entry/start', 'lab', 'shared']
+  expect(namesOf('lab', true)).toEqual(own)
 })
 
 test('the table of pages does not make a page pay for the others', () => {

@@ -16,13 +16,21 @@ export interface Script {
 
 // SvelteKit's app entry names every page of the product; a page loads its own, and says so in its HTML.
 const isTableOfPages = (name: string | undefined) => name === 'entry/app'
+// A part of the page that only a click asks for hangs on a file of this name.
+const isForLater = (key: string) => key.endsWith('/later.ts')
 
 /**
- * Everything a page may load: the scripts in its HTML and all they import, at once or later.
+ * What a page loads: the scripts in its HTML and all they import, at once or by themselves soon after.
  * @param sizeOf bytes of a file on the wire
+ * @param withLater also the parts that only a click asks for
  * @returns largest first
  */
-export function scriptsOf(html: string, manifest: Manifest, sizeOf: (file: string) => number): Script[] {
+export function scriptsOf(
+  html: string,
+  manifest: Manifest,
+  sizeOf: (file: string) => number,
+  withLater = false,
+): Script[] {
   const keys = new Map(Object.entries(manifest).map(([key, { file }]) => [file, key]))
   const waiting = [...html.matchAll(/_app\/immutable\/[\w./-]+\.js/g)].map(([file]) => keys.get(file))
   const seen = new Map<string, Script>()
@@ -30,10 +38,8 @@ export function scriptsOf(html: string, manifest: Manifest, sizeOf: (file: strin
     const chunk = manifest[key]
     if (chunk === undefined || seen.has(key)) continue
     seen.set(key, { file: chunk.file, name: chunk.name ?? key, bytes: sizeOf(chunk.file) })
-    waiting.push(
-      ...(chunk.imports ?? []),
-      ...(isTableOfPages(chunk.name) ? [] : (chunk.dynamicImports ?? [])),
-    )
+    const lazy = isTableOfPages(chunk.name) ? [] : (chunk.dynamicImports ?? [])
+    waiting.push(...(chunk.imports ?? []), ...lazy.filter((one) => withLater || !isForLater(one)))
   }
   return [...seen.values()].sort((a, b) => b.bytes - a.bytes)
 }

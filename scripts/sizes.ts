@@ -19,18 +19,20 @@ const kB = 1000
 const budgets = [
   { page: 'home', file: 'index.html', budget: 100 * kB },
   { page: 'lab', file: 'lab/friendship.html', budget: 320 * kB },
+  { page: 'lab, all of it', file: 'lab/friendship.html', budget: 420 * kB, withLater: true },
 ]
 
 /** Pages of the present build. */
 export function measurePages(): PageSize[] {
   const manifestFile = join(web, '.svelte-kit', 'output', 'client', '.vite', 'manifest.json')
   const manifest = JSON.parse(readFileSync(manifestFile, 'utf8')) as Manifest
-  return budgets.map(({ page, file, budget }) => {
+  return budgets.map(({ page, file, budget, withLater }) => {
     const html = readFileSync(join(web, 'build', 'prerendered', file), 'utf8')
     const scripts = scriptsOf(
       html,
       manifest,
       (script) => readFileSync(join(web, 'build', 'client', `${script}.br`)).length,
+      withLater,
     )
     return { page, scripts, bytes: scripts.reduce((sum, { bytes }) => sum + bytes, 0), budget }
   })
