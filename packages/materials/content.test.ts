@@ -13,6 +13,7 @@ const read = (...path: string[]): unknown => JSON.parse(readFileSync(join(...pat
 const folders = globSync(join(content, 'cards/*/*/card.json')).sort().map(dirname)
 const ids = folders.map((folder) => basename(folder).replace(/^\d+-/, ''))
 const languages = globSync(join(content, 'words/*.json')).map((file) => basename(file, '.json'))
+type Named = { readonly [id: string]: string | undefined }
 type Words = { readonly [id: string]: { readonly [check: string]: string } | undefined }
 
 function runOf(folder: string, file: string, start: number): readonly CheckResult[] {
@@ -93,6 +94,11 @@ describe.each(globSync(join(content, 'worlds/*/world.json')))('the world in %s',
   })
 
   it('keeps the drawing from which its floor was made', () => {
-    expect(existsSync(join(dirname(path), 'floor.svg'))).toBe(true)
+    expect(existsSync(join(dirname(path), 'floor.svg'))).toBe('asset' in world.floor)
+  })
+
+  it.each(languages)('has a name in "%s"', (language) => {
+    const { worldName } = read(content, 'words', `${language}.json`) as { worldName: Named }
+    expect(worldName[basename(dirname(path))]).toMatch(/\S/)
   })
 })
