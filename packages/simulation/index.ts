@@ -14,7 +14,7 @@ export {
 export { cardConfig, defaultConfig } from './configs.ts'
 export { COLOURS, colourOf } from './floor/colours.ts'
 export { paintFloor } from './floor/paint.ts'
-export { FloorError, type FloorProblem } from './floor/png.ts'
+export { FloorError, readPng, type FloorProblem, type Picture } from './floor/png.ts'
 export { FRONT } from './geometry/parts.ts'
 export { createSimulation } from './simulation.ts'
 export { KEYFRAME_EVERY, TICKS_PER_SECOND } from './time.ts'

@@ -9,10 +9,13 @@ import type { Cm, Pose, Radians } from './types.ts'
 const STEP: Cm = 0.5
 /** What is put down by hand keeps this distance. */
 const CLEAR = 0.05
+/** Beyond this radius circles lie ever farther apart: on a crowded floor nobody waits for a place that is not there. */
+const CLOSE_UP = 20
+const SPREAD = 1.05
 
 /**
  * Puts a robot or an obstacle down: on the floor, and where it overlaps nothing, as near as can be to the wish (rings
- * of half a centimetre; in a ring the first place counter-clockwise from the right). A fixed obstacle may overlap other
+ * half a centimetre apart, beyond 20 cm ever farther; in a ring the first place counter-clockwise from the right). A fixed obstacle may overlap other
  * fixed ones. Where there is no free place at all it stays where it was. Unknown ids change nothing.
  */
 export function placeByHand(scene: Scene, id: string, wish: Pose): Pose {
@@ -25,19 +28,39 @@ export function placeByHand(scene: Scene, id: string, wish: Pose): Pose {
   const heading = radiansOf(wish.heading)
   const free = nearestFree(scene, body, wish.x, wish.y, heading)
   if (free) Object.assign(thing, free, { heading })
-  if (obstacle >= 0) Object.assign(thing, { vx: 0, vy: 0, spin: 0 })
+  Object.assign(thing, obstacle >= 0 ? { vx: 0, vy: 0, spin: 0 } : { spin: 0 })
   letGo(scene, id)
   takeUpState(scene)
   return { x: thing.x, y: thing.y, heading: free ? wish.heading : degreesOf(thing.heading) }
 }
 
-/** Moves what overlaps at the start to a free place: movable things first, then robots, in the world's order. */
+/**
+ * Moves what overlaps, or has its middle off the floor, to a free place: fixed things first (only back onto the floor),
+ * then movable ones, then robots, each in the world's order.
+ */
 export function settle(scene: Scene): void {
   const { robots, obstacles } = scene.world
-  for (const { id, pose } of [...obstacles.filter(({ fixed }) => !fixed), ...robots]) {
+  const movable = obstacles.filter(({ fixed }) => !fixed)
+  for (const { id } of obstacles.filter(({ fixed }) => fixed)) if (!isOnFloor(scene, id)) putBack(scene, id)
+  // Where one thing finds no place, a bigger one finds none either.
+  let tooBig = Infinity
+  for (const { id } of [...movable, ...robots]) {
     const body = scene.ids.indexOf(id)
-    if (!isFree(scene, body, -CLEAR)) placeByHand(scene, id, pose)
+    const reach = scene.ground.outlines.reach[body]!
+    if ((isOnFloor(scene, id) && isFree(scene, body, -CLEAR)) || reach >= tooBig) continue
+    putBack(scene, id)
+    if (!isFree(scene, body, -CLEAR)) tooBig = reach
   }
+}
+
+function putBack(scene: Scene, id: string): void {
+  const { x, y, heading } = scene.places[scene.ids.indexOf(id)]!
+  placeByHand(scene, id, { x, y, heading: degreesOf(heading) })
+}
+
+function isOnFloor({ places, ids, ground }: Scene, id: string): boolean {
+  const { x, y } = places[ids.indexOf(id)]!
+  return x >= 0 && x <= ground.width && y >= 0 && y <= ground.height
 }
 
 /** Nobody touches what was taken into the hand, and it touches nobody. */
@@ -60,7 +83,7 @@ function nearestFree(scene: Scene, body: number, wishX: Cm, wishY: Cm, heading: 
   const room = roomFor(scene, body, heading)
   const x = within(wishX, room.left, room.right)
   const y = within(wishY, room.bottom, room.top)
-  for (let radius = 0; radius < width + height; radius += STEP) {
+  for (let radius = 0; radius < width + height; radius = nextRadius(radius)) {
     const places = radius === 0 ? 1 : Math.min(96, Math.max(8, Math.ceil((2 * Math.PI * radius) / STEP)))
     for (let index = 0; index < places; index++) {
       const angle = (index / places) * 2 * Math.PI
@@ -73,6 +96,8 @@ function nearestFree(scene: Scene, body: number, wishX: Cm, wishY: Cm, heading: 
   }
   return null
 }
+
+const nextRadius = (radius: Cm) => (radius < CLOSE_UP ? radius + STEP : radius * SPREAD)
 
 /** Where the origin of a body may be so that all of it is on the floor; a body wider than the floor goes to its middle. */
 function roomFor({ ground }: Scene, body: number, heading: Radians) {

@@ -23,6 +23,10 @@ export function createSimulation(world: World, floor: Floor, seed: number): Simu
       readings.moment++
       return placeByHand(scene, id, pose)
     },
+    settle: () => {
+      readings.moment++
+      settle(scene)
+    },
     keyframe: () => copyState(scene.state),
     restore: (state) => {
       readings.moment++

@@ -19,7 +19,8 @@ export type Colour = string
 
 export type Shape =
   | { readonly kind: 'rectangle'; readonly width: Cm; readonly height: Cm }
-  | { readonly kind: 'triangle'; readonly width: Cm; readonly height: Cm }
+  /** `tip`: how far to the right of the middle its tip is; 0 where it is not said. */
+  | { readonly kind: 'triangle'; readonly width: Cm; readonly height: Cm; readonly tip?: Cm }
   | { readonly kind: 'circle'; readonly radius: Cm }
 
 /** A body on the floor. `look` names a drawing of the app and has no meaning here. */
@@ -161,6 +162,8 @@ export interface Simulation {
   rays(robot: number, port: SensorPort): readonly Ray[]
   /** Puts a robot or an obstacle somewhere by hand; nearest free place on the floor. Returns where it came to stand. */
   place(id: string, pose: Pose): Pose
+  /** Puts what overlaps where it must not, or has left the floor, at the nearest free place. */
+  settle(): void
   /**
    * A copy of the state that `restore` takes; both go on bit for bit the same (running.md 8). Physics remembers nothing
    * beside the state, so a keyframe may be taken at any tick and taking it changes nothing.

@@ -10,13 +10,15 @@ const FINEST = 4
 /**
  * The floor as sensors see it: the picture (stretched over the world, nearest pixels) or one colour, then areas, then
  * lines, each over what came before. Without a picture 1 to 4 pixels a cm, at most 1600 × 1200.
+ * @param png the picture as a file, or unpacked already
  * @throws FloorError when the picture cannot be used
  */
 export function paintFloor(
   world: Pick<World, 'size' | 'floor' | 'areas' | 'lines'>,
-  png?: Uint8Array,
+  png?: Uint8Array | Picture,
 ): Floor {
-  const floor = png ? laidOut(readPng(png), world.size) : plain(world)
+  const picture = png instanceof Uint8Array ? readPng(png) : png
+  const floor = picture ? laidOut(picture, world.size) : plain(world)
   for (const area of world.areas) paintArea(floor, area)
   for (const line of world.lines) paintLine(floor, line)
   return floor
@@ -34,7 +36,7 @@ function laidOut(picture: Picture, size: World['size']): Floor {
   const pixelsPerCm = Math.min(picture.width / size.width, HIGHEST / size.height)
   const floor = blank(size, pixelsPerCm)
   if (floor.width === picture.width && floor.height === picture.height)
-    return { ...floor, data: picture.data }
+    return { ...floor, data: picture.data.slice() }
   for (let row = 0; row < floor.height; row++) {
     const fromRow = Math.floor(((row + 0.5) * picture.height) / floor.height) * picture.width
     for (let column = 0; column < floor.width; column++) {

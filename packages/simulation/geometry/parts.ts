@@ -18,13 +18,13 @@ export function partsOfRobot({ wheelDiameter, trackWidth }: RobotConfig): readon
   return [rectangle(-REAR, -HALF_WIDTH, FRONT, HALF_WIDTH), rectangle(-reach, -across, reach, across)]
 }
 
-/** The outline of an obstacle or area. A triangle stands on its width, with the tip at half its height in +y. */
+/** The outline of an obstacle or area. A triangle stands on its width, with the tip at half its height in +y, `tip` to the right. */
 export function partOfShape(shape: Shape): Part {
   if (shape.kind === 'circle') return shape
   const x = shape.width / 2
   const y = shape.height / 2
   if (shape.kind === 'rectangle') return rectangle(-x, -y, x, y)
-  return { kind: 'polygon', corners: [[-x, -y], [x, -y], [0, y]] } // prettier-ignore
+  return { kind: 'polygon', corners: [[-x, -y], [x, -y], [shape.tip ?? 0, y]] } // prettier-ignore
 }
 
 function rectangle(left: Cm, bottom: Cm, right: Cm, top: Cm): Part {
