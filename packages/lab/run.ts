@@ -133,7 +133,7 @@ export class Run {
     withHandOnKeys(this.simulation, this.keys, () => this.simulation.step())
     this.tick++
     this.#addHash()
-    observe(this.checks, this.watches, this.seconds, this.simulation.world, this.simulation.state)
+    observe(this.checks, this.watches, this.seconds, this.simulation)
     this.#noteTones()
     if (this.tick % TRAIL_EVERY === 0) this.#leaveTrail()
     if (this.tick % KEYFRAME_EVERY === 0 && !this.#replaying) this.#timeline.keep(this.moment())

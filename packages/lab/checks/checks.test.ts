@@ -1,4 +1,11 @@
-import { cardConfig, createSimulation, paintFloor, type World } from '@botgarten/simulation'
+import {
+  cardConfig,
+  createSimulation,
+  paintFloor,
+  type Area,
+  type LedColour,
+  type World,
+} from '@botgarten/simulation'
 import { describe, expect, it } from 'vitest'
 import type { Check } from '../types.ts'
 import { observe, results, watch } from './checks.ts'
@@ -24,8 +31,8 @@ const world: World = {
 
 /** Lets the checks look at a robot that somebody moves by hand: a pose and what it touches a second. */
 function watching(checks: readonly Check[]) {
-  const { state } = createSimulation(world, paintFloor(world), 1)
-  const robot = state.robots[0]!
+  const simulation = createSimulation(world, paintFloor(world), 1)
+  const robot = simulation.state.robots[0]!
   const watches = watch(checks)
   let tick = 0
   return {
@@ -36,7 +43,7 @@ function watching(checks: readonly Check[]) {
     ) {
       Object.assign(robot, { y, touching })
       robot.motors.B.percent = robot.motors.C.percent = percent
-      for (const end = tick + seconds * 60; tick < end;) observe(checks, watches, ++tick / 60, world, state)
+      for (const end = tick + seconds * 60; tick < end;) observe(checks, watches, ++tick / 60, simulation)
       return Object.fromEntries(results(checks, watches).map(({ id, passed }) => [id, passed]))
     },
     results: () => results(checks, watches),
@@ -63,6 +70,86 @@ const away: Check = {
   numbers: { obstacle: 'square', near: 60, far: 80 },
   seconds: 2,
 }
+
+const green: Area = {
+  id: 'green',
+  shape: { kind: 'rectangle', width: 400, height: 40 },
+  pose: { x: 200, y: 120, heading: 0 },
+  colour: '#00642E',
+}
+
+/** A robot that somebody moves over a green stripe (100 to 140 cm up), with a lamp in its hand. */
+function crossing(checks: readonly Check[]) {
+  const striped = { ...world, obstacles: [], areas: [green] }
+  const simulation = createSimulation(striped, paintFloor(striped), 1)
+  const watches = watch(checks)
+  let tick = 0
+  return {
+    stands(x: number, y: number, seconds: number, led: LedColour | null = null, percent = 0) {
+      simulation.place('bo', { x, y, heading: 90 })
+      const robot = simulation.state.robots[0]!
+      robot.led = led
+      robot.motors.B.percent = robot.motors.C.percent = percent
+      for (const end = tick + seconds * 60; tick < end;) observe(checks, watches, ++tick / 60, simulation)
+      return results(checks, watches).map(({ passed }) => passed)
+    },
+  }
+}
+
+describe('checks of lamps and places', () => {
+  const lamp: Check = {
+    id: 'green',
+    kind: 'led',
+    numbers: { colour: '#00642E', lamp: 'green' },
+    seconds: 1,
+  }
+  const dark: Check = { id: 'dark', kind: 'led', numbers: { colour: '#FFFFFF', lamp: '' }, seconds: 1 }
+
+  it('led: the lamp has to shine in its colour while the sensor, 5 cm ahead, sees the floor colour', () => {
+    const lab = crossing([lamp])
+    expect(lab.stands(200, 60, 3, 'green')).toEqual([false])
+    expect(lab.stands(200, 115, 3, 'red')).toEqual([false])
+    expect(lab.stands(200, 115, 3, null)).toEqual([false])
+    expect(lab.stands(200, 115, 0.9, 'green')).toEqual([false])
+    expect(lab.stands(200, 60, 0.1, 'green')).toEqual([false])
+    expect(lab.stands(200, 97, 1, 'green')).toEqual([true])
+    expect(lab.stands(200, 60, 1, 'red')).toEqual([true])
+  })
+
+  it('led: an empty name is a dark lamp', () => {
+    const lab = crossing([dark])
+    expect(lab.stands(200, 60, 2, 'orange')).toEqual([false])
+    expect(lab.stands(200, 60, 1, null)).toEqual([true])
+  })
+
+  const place = { x: 200, y: 60, cm: 10, after: '' }
+  const arrives: Check = { id: 'there', kind: 'arrives', numbers: place, seconds: 1 }
+
+  it('arrives: the axle stands there, it does not only drive over', () => {
+    const lab = crossing([arrives])
+    expect(lab.stands(200, 71, 2)).toEqual([false])
+    expect(lab.stands(200, 69, 2, null, 3)).toEqual([false])
+    expect(lab.stands(200, 69, 0.9)).toEqual([false])
+    expect(lab.stands(200, 69, 0.1)).toEqual([true])
+    expect(lab.stands(200, 160, 1)).toEqual([true])
+  })
+
+  it('visits: every point once, in any order; arrives waits for it', () => {
+    const visits: Check = {
+      id: 'tour',
+      kind: 'visits',
+      numbers: { points: '200 60, 60 160, 200 160', cm: 10 },
+      seconds: 30,
+    }
+    const home: Check = { ...arrives, id: 'home', numbers: { ...place, after: 'tour' } }
+    const lab = crossing([visits, home])
+    expect(lab.stands(200, 60, 2)).toEqual([false, false])
+    expect(lab.stands(200, 160, 0.1, null, 30)).toEqual([false, false])
+    expect(lab.stands(60, 171, 0.1, null, 30)).toEqual([false, false])
+    expect(lab.stands(60, 151, 0.1, null, 30)).toEqual([true, false])
+    expect(lab.stands(200, 60, 1)).toEqual([true, true])
+  })
+})
 
 describe('checks', () => {
   it('near: measured from the front edge, to the outline, and it stays passed', () => {

@@ -1,4 +1,4 @@
-import type { SimulationState, World } from '@botgarten/simulation'
+import type { Simulation } from '@botgarten/simulation'
 import type { Check, CheckResult } from '../types.ts'
 import type { AnyKind } from './kind.ts'
 import { kinds } from './kinds.ts'
@@ -26,17 +26,16 @@ export function observe(
   checks: readonly Check[],
   watches: Watch[],
   seconds: number,
-  world: World,
-  simulation: SimulationState,
+  { world, state, read }: Pick<Simulation, 'world' | 'state' | 'read'>,
 ): void {
   const passed = (id: string) => watches[checks.findIndex((check) => check.id === id)]?.passed ?? false
-  const moment = { seconds, world, simulation, passed }
+  const moment = { seconds, world, simulation: state, read, passed }
   checks.forEach((check, index) => {
-    const state = watches[index]!
-    const passes = kindOf(check).observe(check, moment, state.memory as never)
-    if (passes && !state.passed) state.at = seconds
-    if (!passes) state.at = null
-    state.passed = passes
+    const kept = watches[index]!
+    const passes = kindOf(check).observe(check, moment, kept.memory as never)
+    if (passes && !kept.passed) kept.at = seconds
+    if (!passes) kept.at = null
+    kept.passed = passes
   })
 }
 

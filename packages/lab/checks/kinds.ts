@@ -1,8 +1,19 @@
+import { arrives } from './arrives.ts'
 import type { AnyKind } from './kind.ts'
+import { led } from './led.ts'
 import { near } from './near.ts'
 import { neverTouches } from './neverTouches.ts'
 import { stays } from './stays.ts'
 import { turnsAway } from './turnsAway.ts'
+import { visits } from './visits.ts'
 
 /** Every kind of check by its name in `card.json`. */
-export const kinds: { readonly [kind: string]: AnyKind } = { near, neverTouches, stays, turnsAway }
+export const kinds: { readonly [kind: string]: AnyKind } = {
+  arrives,
+  led,
+  near,
+  neverTouches,
+  stays,
+  turnsAway,
+  visits,
+}

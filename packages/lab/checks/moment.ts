@@ -2,10 +2,13 @@ import { cos, sin } from '@botgarten/numbers'
 import {
   FRONT,
   type Cm,
+  type Colour,
   type ObstacleState,
   type Percent,
   type RobotState,
+  type SensorPort,
   type Shape,
+  type Simulation,
   type SimulationState,
   type World,
 } from '@botgarten/simulation'
@@ -16,6 +19,8 @@ export interface Moment {
   readonly seconds: number
   readonly world: World
   readonly simulation: SimulationState
+  /** Reads a sensor of a robot, as its program would. */
+  readonly read: Simulation['read']
   /** Has another check of the card passed? */
   passed(checkId: string): boolean
 }
@@ -27,6 +32,19 @@ export function speedIn(moment: Moment): Percent {
   const { left, right } = moment.world.robots[0]!.config.drive
   const { motors } = robotIn(moment)
   return (Math.abs(motors[left].percent) + Math.abs(motors[right].percent)) / 2
+}
+
+/** From the middle of the robot's axle to a point. */
+export function awayFrom(moment: Moment, x: Cm, y: Cm): Cm {
+  const robot = robotIn(moment)
+  return Math.sqrt((robot.x - x) ** 2 + (robot.y - y) ** 2)
+}
+
+/** What the robot's first colour sensor sees; null for none of the eight, or without such a sensor. */
+export function colourUnder(moment: Moment): Colour | null {
+  const sensors = Object.entries(moment.world.robots[0]!.config.sensors)
+  const port = sensors.find(([, { kind }]) => kind === 'colour')?.[0]
+  return port === undefined ? null : (moment.read(0, port as SensorPort, 'colour') as Colour | null)
 }
 
 /** From the robot's front edge to the outline of an obstacle, 0 inside it; null if there is no such obstacle. */
