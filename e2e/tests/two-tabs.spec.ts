@@ -54,6 +54,7 @@ for (const language of languages) {
       await other.presses('lab.undo')
       await other.seesWeight(rightEye, rightWheel, 0)
       await other.presses('lab.redo')
+      await other.seesWeight(rightEye, rightWheel, 0.3)
       await other.seesSaved()
       await other.reloads()
       await expect(other.page.getByRole('heading', { level: 1 })).toHaveText(copied(other))
