@@ -39,3 +39,31 @@ function next(state: StreamState): number {
   state[3] = ((d << 11) | (d >>> 21)) >>> 0
   return result
 }
+
+/** A stream for millions of draws a second: the words of a `StreamState` without its boxes. */
+export type FastStream = Uint32Array
+
+/** A fast stream that goes on where `state` stands. */
+export const fastStream = (state: readonly number[]): FastStream => Uint32Array.from(state)
+
+/** The same number that `draw` gives from the same state. */
+export function fastDraw(state: FastStream): number {
+  const upper = fastNext(state) >>> 5
+  const lower = fastNext(state) >>> 6
+  return (upper * 67108864 + lower) / 9007199254740992
+}
+
+// The twin of `next`: a function that meets both kinds of list is slower for each.
+function fastNext(state: FastStream): number {
+  const a = state[0]!
+  const b = state[1]!
+  const c = state[2]! ^ a
+  const d = state[3]! ^ b
+  const times5 = Math.imul(b, 5)
+  const result = Math.imul((times5 << 7) | (times5 >>> 25), 9)
+  state[0] = a ^ d
+  state[1] = b ^ c
+  state[2] = c ^ (b << 9)
+  state[3] = (d << 11) | (d >>> 21)
+  return result
+}
