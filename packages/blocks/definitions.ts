@@ -31,6 +31,18 @@ import { ai_nn_output_node_sound } from './network/ai_nn_output_node_sound.ts'
 import { ai_nn_output_node_text } from './network/ai_nn_output_node_text.ts'
 import { robColour_picker } from './sensors/robColour_picker.ts'
 import { robSensors_colour_getSample } from './sensors/robSensors_colour_getSample.ts'
+import { robSensors_compass_getSample } from './sensors/robSensors_compass_getSample.ts'
+import { robSensors_encoder_getSample } from './sensors/robSensors_encoder_getSample.ts'
+import { robSensors_encoder_reset } from './sensors/robSensors_encoder_reset.ts'
+import { robSensors_gyro_getSample } from './sensors/robSensors_gyro_getSample.ts'
+import { robSensors_gyro_reset } from './sensors/robSensors_gyro_reset.ts'
+import { robSensors_infrared_getSample } from './sensors/robSensors_infrared_getSample.ts'
+import { robSensors_key_getSample } from './sensors/robSensors_key_getSample.ts'
+import { robSensors_odometry_getSample } from './sensors/robSensors_odometry_getSample.ts'
+import { robSensors_sound_getSample } from './sensors/robSensors_sound_getSample.ts'
+import { robSensors_timer_getSample } from './sensors/robSensors_timer_getSample.ts'
+import { robSensors_timer_reset } from './sensors/robSensors_timer_reset.ts'
+import { robSensors_touch_getSample } from './sensors/robSensors_touch_getSample.ts'
 import { robSensors_ultrasonic_getSample } from './sensors/robSensors_ultrasonic_getSample.ts'
 import { text } from './text/text.ts'
 import type { Definition } from './types.ts'
@@ -56,6 +68,18 @@ export const definitions: { readonly [T in BlockType]: Definition } = {
   robActions_play_tone,
   robSensors_ultrasonic_getSample,
   robSensors_colour_getSample,
+  robSensors_touch_getSample,
+  robSensors_gyro_getSample,
+  robSensors_gyro_reset,
+  robSensors_infrared_getSample,
+  robSensors_encoder_getSample,
+  robSensors_encoder_reset,
+  robSensors_key_getSample,
+  robSensors_timer_getSample,
+  robSensors_timer_reset,
+  robSensors_sound_getSample,
+  robSensors_compass_getSample,
+  robSensors_odometry_getSample,
   robColour_picker,
   logic_compare,
   math_number,

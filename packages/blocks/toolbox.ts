@@ -49,13 +49,31 @@ const colourSensor = (mode: 'COLOUR' | 'LIGHT'): Template => ({
   mutation: { attrs: { mode } },
 })
 
+/** A sensor block with its mode and port as Open Roberta's toolbox has them. */
+const sensor = (type: BlockType, mode: string, port: string): Template => ({
+  ...block(type, { MODE: mode, SENSORPORT: port, SLOT: '' }),
+  mutation: { attrs: { mode } },
+})
+
 const sensors: readonly Template[] = [
+  sensor('robSensors_touch_getSample', 'PRESSED', '1'),
   {
     ...block('robSensors_ultrasonic_getSample', { MODE: 'DISTANCE', SENSORPORT: '2', SLOT: '' }),
     mutation: { attrs: { mode: 'DISTANCE' } },
   },
   colourSensor('COLOUR'),
   colourSensor('LIGHT'),
+  sensor('robSensors_infrared_getSample', 'DISTANCE', '4'),
+  sensor('robSensors_encoder_getSample', 'DEGREE', 'B'),
+  block('robSensors_encoder_reset', { SENSORPORT: 'B' }),
+  sensor('robSensors_key_getSample', 'PRESSED', 'ENTER'),
+  sensor('robSensors_gyro_getSample', 'ANGLE', '2'),
+  block('robSensors_gyro_reset', { SENSORPORT: '2' }),
+  sensor('robSensors_timer_getSample', 'VALUE', '1'),
+  block('robSensors_timer_reset', { SENSORPORT: '1', SLOT: '' }),
+  sensor('robSensors_sound_getSample', 'SOUND', '2'),
+  sensor('robSensors_compass_getSample', 'COMPASS', '1'),
+  sensor('robSensors_odometry_getSample', 'X', '4'),
   block('robColour_picker', { COLOUR: '#B30006' }),
 ]
 

@@ -6,6 +6,7 @@ import type {
   MotorPort,
   Percent,
   ReadMode,
+  RobotKey,
   Seconds,
   SensorKind,
   SensorPort,
@@ -72,6 +73,16 @@ export interface Robot {
   clearDisplay(): void
   /** `seconds` null: until changed. `frequency` 0: silence. */
   tone(frequency: Hertz, seconds: Seconds | null): void
+  /** How far a motor has turned since it was set back. */
+  encoder(port: MotorPort): Degrees
+  resetEncoder(port: MotorPort): void
+  /** Whole milliseconds on a timer (1 to 5) since it was set back; null where there is none of this number. */
+  timer(number: number): number | null
+  resetTimer(number: number): void
+  /** From now on the gyro at this port counts from here. */
+  resetGyro(port: SensorPort): void
+  /** Is this key of the robot's panel down? */
+  key(key: RobotKey | 'any'): boolean
   readonly wheelDiameter: number
   readonly trackWidth: number
 }
@@ -211,12 +222,16 @@ export interface Finding {
   readonly block: string
   readonly problem: string
   readonly facts?: Facts
-  /** Ways out: setting a field of the block to a value mends it. `words`: message key for the button, with its facts. */
+  /**
+   * Ways out: setting a field of the block to a value mends it, with `plug` when such a sensor is plugged in there first.
+   * `words`: message key for the button, with its facts.
+   */
   readonly fixes?: readonly {
     readonly field: string
     readonly value: string
     readonly words: string
     readonly facts?: Facts
+    readonly plug?: { readonly port: SensorPort; readonly kind: SensorKind }
   }[]
   /** false: the program can run all the same (a hint). */
   readonly stops: boolean
@@ -233,7 +248,11 @@ export interface Definition {
   /** Message keys: `help` is one sentence for the child. */
   readonly words: { readonly help: string; readonly name: string }
   readonly neuron?: NeuronLook
-  check?(block: Block, context: CheckContext): readonly Omit<Finding, 'block'>[]
+  /** Where a finding names no block, this one is meant. */
+  check?(
+    block: Block,
+    context: CheckContext,
+  ): readonly (Omit<Finding, 'block'> & { readonly block?: string })[]
   run(block: Block, frame: Frame, context: Context): Next
   /** Does it sense, drive, show, sound or run a net? (running.md 3) */
   readonly acts: boolean

@@ -1,11 +1,39 @@
 import { describe, expect, it } from 'vitest'
-import { blockFrom, definitions, toolbox, type Definition, type Template } from '@botgarten/blocks'
+import {
+  blockFrom,
+  definitions,
+  toolbox,
+  type CheckContext,
+  type Definition,
+  type Template,
+} from '@botgarten/blocks'
 import { check, evaluate, indexProgram, networks, runThread, startThread, type Program } from './index.ts'
-import { nextTick, recordingRobot } from './testing/recording-robot.ts'
+import type { SensorKind } from '@botgarten/simulation'
+import { cardSensors, nextTick, recordingRobot } from './testing/recording-robot.ts'
 
-const sockets = {
-  sensors: { 1: { kind: 'colour' }, 2: { kind: 'ultrasonic' }, 3: { kind: 'ultrasonic' } },
-} as const
+const kinds: readonly (readonly [type: RegExp, kind: SensorKind])[] = [
+  [/Sensors_touch/, 'touch'],
+  [/Sensors_gyro/, 'gyro'],
+  [/Sensors_infrared/, 'infrared'],
+  [/Sensors_sound/, 'sound'],
+  [/Sensors_compass/, 'compass'],
+  [/Sensors_odometry/, 'position'],
+]
+
+/** The cards' robot, with the other sensors of these blocks plugged in where they look for them. */
+function socketsFor(templates: readonly Template[]): CheckContext {
+  const plugged = templates.flatMap(within).flatMap(({ type, fields }) => {
+    const kind = kinds.find(([pattern]) => pattern.test(type))?.[1]
+    return kind ? [[fields?.SENSORPORT, { kind }]] : []
+  })
+  return { sensors: { ...cardSensors, ...(Object.fromEntries(plugged) as CheckContext['sensors']) } }
+}
+
+const within = (template: Template): Template[] => [
+  template,
+  ...Object.values(template.values ?? {}).flatMap(within),
+  ...Object.values(template.statements ?? {}).flatMap((rows) => rows.flatMap(within)),
+]
 
 function programOf(templates: readonly Template[]): Program {
   let count = 0
@@ -14,8 +42,8 @@ function programOf(templates: readonly Template[]): Program {
 }
 
 /** Runs to the end, at most 600 ticks. */
-function run(program: Program) {
-  const recording = recordingRobot()
+function run(program: Program, { sensors }: CheckContext) {
+  const recording = recordingRobot(2, sensors)
   const index = indexProgram(program)
   const thread = startThread(index)
   while (!thread.ended && recording.tick < 600) {
@@ -27,6 +55,7 @@ function run(program: Program) {
 
 describe.each(Object.entries(definitions))('the example of %s', (type, definition: Definition) => {
   const program = programOf(definition.example)
+  const sockets = socketsFor(definition.example)
 
   it('stands around the block', () => {
     expect(JSON.stringify(program)).toContain(`"type":"${type}"`)
@@ -37,7 +66,7 @@ describe.each(Object.entries(definitions))('the example of %s', (type, definitio
   })
 
   it('runs to its end or for ten seconds and does something', () => {
-    const { thread, recording } = run(program)
+    const { thread, recording } = run(program, sockets)
     expect(thread.problem).toBeNull()
     const forever = JSON.stringify(program).includes('robControls_loopForever')
     expect(thread.ended).toBe(!forever)
@@ -48,7 +77,7 @@ describe.each(Object.entries(definitions))('the example of %s', (type, definitio
     for (const { id, inputs } of networks(program)) {
       const index = indexProgram(program)
       const layer = index.blocks.get(id)?.block.values?.INPUT_LAYER?.id ?? ''
-      const values = evaluate(index, layer, recordingRobot().context)
+      const values = evaluate(index, layer, recordingRobot(2, sockets.sensors).context)
       expect(values).toHaveLength(inputs.length)
     }
   })
@@ -64,9 +93,10 @@ describe('the toolbox', () => {
     (_type, template) => {
       const start = definitions.robControls_start.example[0]!
       const program = programOf([start, template])
+      const sockets = socketsFor([template])
       const gaps = check(program, sockets).filter(({ problem }) => problem !== 'problem.missingValue')
       expect(gaps).toEqual([])
-      if (check(program, sockets).length === 0) expect(run(program).thread.problem).toBeNull()
+      if (check(program, sockets).length === 0) expect(run(program, sockets).thread.problem).toBeNull()
     },
   )
 })

@@ -1,3 +1,4 @@
+import { FRONT } from './geometry/parts.ts'
 import type { RobotConfig } from './types.ts'
 
 const body = { wheelDiameter: 5.6, trackWidth: 18, drive: { left: 'C', right: 'B' } } as const
@@ -12,10 +13,12 @@ export const cardConfig: RobotConfig = {
   },
 }
 
-/** The robot as it comes out of the box: colour at port 3, ultrasonic at 4, both in front. */
+/** The robot as it comes out of the box, Open Roberta's: touch at port 1, gyro at 2, colour at 3, ultrasonic at 4. */
 export const defaultConfig: RobotConfig = {
   ...body,
   sensors: {
+    '1': { kind: 'touch', x: FRONT, y: 0, angle: 0 },
+    '2': { kind: 'gyro', x: 0, y: 0, angle: 0 },
     '3': { kind: 'colour', x: 5, y: 0, angle: 0 },
     '4': { kind: 'ultrasonic', x: 10, y: 0, angle: 0 },
   },

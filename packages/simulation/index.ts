@@ -1,5 +1,7 @@
 export type * from './types.ts'
 export { degreesOf, radiansOf } from './angles.ts'
+export { rollsOn } from './body/late.ts'
+export { encoder, isPressed, pressKey, resetEncoder, resetGyro, resetTimer, timer } from './body/panel.ts'
 export {
   arrived,
   clearDisplay,
@@ -15,6 +17,6 @@ export { cardConfig, defaultConfig } from './configs.ts'
 export { COLOURS, colourOf } from './floor/colours.ts'
 export { paintFloor } from './floor/paint.ts'
 export { FloorError, readPng, type FloorProblem, type Picture } from './floor/png.ts'
-export { FRONT } from './geometry/parts.ts'
+export { FRONT, HALF_WIDTH, REAR } from './geometry/parts.ts'
 export { createSimulation } from './simulation.ts'
 export { KEYFRAME_EVERY, TICKS_PER_SECOND } from './time.ts'

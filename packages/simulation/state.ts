@@ -14,16 +14,22 @@ export function startState(world: World, seed: number): SimulationState {
 
 function startRobot(pose: Pose): RobotState {
   const motor = () => ({ percent: 0, turned: 0 })
+  const heading = radiansOf(pose.heading)
   return {
     x: pose.x,
     y: pose.y,
-    heading: radiansOf(pose.heading),
+    heading,
     motors: { A: motor(), B: motor(), C: motor(), D: motor() },
     move: null,
     led: null,
     display: [],
     tone: null,
     touching: [],
+    spin: 0,
+    gyroZero: { '1': heading, '2': heading, '3': heading, '4': heading },
+    timers: [0, 0, 0, 0, 0],
+    keys: [],
+    late: null,
   }
 }
 
@@ -50,5 +56,9 @@ function copyRobot(robot: RobotState): RobotState {
     display: [...robot.display],
     tone: robot.tone && { ...robot.tone },
     touching: [...robot.touching],
+    gyroZero: { ...robot.gyroZero },
+    timers: [...robot.timers],
+    keys: [...robot.keys],
+    late: robot.late && { turns: [...robot.late.turns], readings: [...robot.late.readings] },
   }
 }

@@ -51,7 +51,10 @@ export interface Line {
 
 export type SensorPort = '1' | '2' | '3' | '4'
 export type MotorPort = 'A' | 'B' | 'C' | 'D'
-export type SensorKind = 'ultrasonic' | 'colour'
+export type SensorKind =
+  'ultrasonic' | 'colour' | 'touch' | 'gyro' | 'infrared' | 'sound' | 'compass' | 'position'
+/** The keys on the robot's own panel. */
+export type RobotKey = 'enter' | 'up' | 'down' | 'left' | 'right' | 'escape'
 
 /** Where a sensor sits: x forward and y left of the middle of the axle, `angle` counter-clockwise from straight ahead. */
 export interface SensorPlace {
@@ -69,6 +72,10 @@ export interface RobotConfig {
   readonly drive: { readonly left: MotorPort; readonly right: MotorPort }
   /** Each reading is multiplied by a uniform draw from 1 ± noise/100. 0 = none. */
   readonly noise?: Percent
+  /** So many ticks late do orders reach the motors and readings the program: a whole number, 0..60. 0 = at once. */
+  readonly delay?: number
+  /** Each wheel turns so much of what it is told: 0.5..1. Not given: both turn all of it. */
+  readonly strength?: { readonly left: number; readonly right: number }
 }
 
 export interface RobotPlacement {
@@ -117,6 +124,22 @@ export interface RobotState {
   tone: { frequency: Hertz; untilTick: number | null } | null
   /** Ids of the obstacles and robots that the body touched in the last tick, and 'edge' for the floor's. */
   touching: string[]
+  /** Radians a second that it has turned by in the last tick, counter-clockwise. */
+  spin: number
+  /** Heading at which the gyro at each port says 0. */
+  gyroZero: { [port in SensorPort]: Radians }
+  /** Ticks on each of the five timers. */
+  timers: number[]
+  /** Keys of its panel that are down. */
+  keys: RobotKey[]
+  /** What is still on its way in a robot with delay, oldest first; null in others. */
+  late: Late | null
+}
+
+/** Flat rows, one a tick: how far each motor (A to D) shall turn; what each port (1 to 4) has read, three numbers each. */
+export interface Late {
+  turns: number[]
+  readings: number[]
 }
 
 export interface ObstacleState {
@@ -148,7 +171,22 @@ export interface Ray {
   readonly distance: Cm
 }
 
-export type ReadMode = 'distance' | 'light' | 'colour' | 'red' | 'green' | 'blue'
+export type ReadMode =
+  | 'distance'
+  | 'light'
+  | 'colour'
+  | 'red'
+  | 'green'
+  | 'blue'
+  | 'touch'
+  | 'angle'
+  | 'rate'
+  | 'infrared'
+  | 'sound'
+  | 'compass'
+  | 'x'
+  | 'y'
+  | 'heading'
 
 /** A world in motion. `state` is read by everybody and written only here and through the robot verbs. */
 export interface Simulation {
@@ -156,7 +194,11 @@ export interface Simulation {
   readonly state: SimulationState
   /** Motors, then physics, then readings: one tick of 1/60 s (running.md 2). */
   step(): void
-  /** Reading of the sensor at a port; null where there is no such sensor. Colours come as one of the eight names' `#RRGGBB`. */
+  /**
+   * Reading of the sensor at a port; null where there is no such sensor. Colours come as one of the eight names' `#RRGGBB`;
+   * touch as 0 or 1; angle, rate (a second) and compass in degrees clockwise, 0 on the compass = up (+y); infrared 0..100
+   * over 70 cm; sound 0..100; x, y in cm and heading in degrees as rule 1 has them, heading 0..360.
+   */
   read(robot: number, port: SensorPort, mode: ReadMode): number | Colour | null
   /** The rays a distance sensor sends now, for the screen. */
   rays(robot: number, port: SensorPort): readonly Ray[]

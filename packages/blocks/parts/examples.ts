@@ -23,6 +23,17 @@ export const forever = (...blocks: readonly Template[]): Template => ({
   statements: { DO: blocks },
 })
 
+/** Green lamp while the condition holds, else red. */
+export const lampIf = (condition: Template): Template => ({
+  type: 'robControls_ifElse',
+  mutation: { attrs: { else: '1' } },
+  values: { IF0: condition },
+  statements: {
+    DO0: [{ type: 'actions_bricklight_on_ev3', fields: { COLOUR: 'GREEN', MODE: 'ON' } }],
+    ELSE: [{ type: 'actions_bricklight_on_ev3', fields: { COLOUR: 'RED', MODE: 'ON' } }],
+  },
+})
+
 const list = (listType: 'InputNode' | 'OutputNode', neurons: readonly Template[]): Template => ({
   type: 'ai_easy_list',
   mutation: { attrs: { items: String(neurons.length), list_type: listType } },

@@ -29,6 +29,9 @@ export const worded = (value: string, words: string, dot?: Colour) => ({
 const plain = (value: string) => ({ value, words: null })
 
 export const sensorPort = (preset: string) => choice('SENSORPORT', ['1', '2', '3', '4'].map(plain), preset)
+/** Which motor's encoder; Open Roberta calls that a sensor's port, too. */
+export const encoderPort = (preset: string) => choice('SENSORPORT', ['A', 'B', 'C', 'D'].map(plain), preset)
+export const timerNumber = choice('SENSORPORT', ['1', '2', '3', '4', '5'].map(plain))
 export const motorPort = (preset: string) => choice('MOTORPORT', ['A', 'B', 'C', 'D'].map(plain), preset)
 
 /** Message keys of the rows of a block, counted from 0. */

@@ -48,14 +48,48 @@ describe('a sensor at the wrong port', () => {
       problem: 'problem.noDistanceSensorEmpty',
       facts: { port: '4', other: '2' },
     })
-    expect(finding?.fixes?.map(({ value }) => value)).toEqual(['ULTRASONIC_PORT_2', 'ULTRASONIC_PORT_3'])
+    expect(finding?.fixes?.map(({ value, plug }) => [value, plug?.port])).toEqual([
+      ['ULTRASONIC_PORT_2', undefined],
+      ['ULTRASONIC_PORT_3', undefined],
+      ['ULTRASONIC_PORT_4', '4'],
+    ])
   })
 
-  it('says so where the robot has no such sensor at all', () => {
+  it('says so where the robot has no such sensor at all, and offers to plug one in at a free port', () => {
     const program = programOf([start, net([seen('2')], [motor])])
     expect(check(program, { sensors: { 2: { kind: 'ultrasonic' } } })).toMatchObject([
-      { problem: 'problem.noColourSensorAnywhere', fixes: [] },
+      {
+        problem: 'problem.noColourSensorAnywhere',
+        fixes: [{ field: 'SENSORPORT', value: '1', plug: { port: '1', kind: 'colour' } }],
+      },
     ])
+  })
+
+  it('has no way out where every port is taken', () => {
+    const program = programOf([start, net([seen('2')], [motor])])
+    const sensors = Object.fromEntries(['1', '2', '3', '4'].map((port) => [port, { kind: 'touch' as const }]))
+    expect(check(program, { sensors })).toMatchObject([{ fixes: [] }])
+  })
+
+  it.each([
+    ['robSensors_touch_getSample', 'touch', 'Touch'],
+    ['robSensors_gyro_getSample', 'gyro', 'Gyro'],
+    ['robSensors_gyro_reset', 'gyro', 'Gyro'],
+    ['robSensors_infrared_getSample', 'infrared', 'Infrared'],
+    ['robSensors_sound_getSample', 'sound', 'Sound'],
+    ['robSensors_compass_getSample', 'compass', 'Compass'],
+    ['robSensors_odometry_getSample', 'position', 'Position'],
+  ] as const)('%s needs its sensor, and one tap plugs it in', (type, kind, name) => {
+    const reading = block(type, { SENSORPORT: '4' })
+    const program = programOf([start, type.endsWith('reset') ? reading : show(reading)])
+    expect(check(program, sockets)).toMatchObject([
+      {
+        problem: `problem.no${name}SensorAnywhere`,
+        facts: { port: '4' },
+        fixes: [{ plug: { port: '4', kind } }],
+      },
+    ])
+    expect(check(program, { sensors: { ...sockets.sensors, 4: { kind } } })).toEqual([])
   })
 
   it('a fix mends it', () => {
@@ -96,6 +130,14 @@ describe('networks', () => {
     expect(findings(net([eye('2'), null], [motor]))).toEqual([
       { block: 'ai_easy_list', problem: 'problem.emptyRow', stops: false },
     ])
+  })
+
+  it('run with two neurons for one motor, which is only a hint at the lower one, with the motors that are free', () => {
+    expect(findings(net([eye('2')], [motor, motor]))).toMatchObject([
+      { block: 'ai_nn_output_node#2', problem: 'problem.sameMotor', facts: { port: 'C' }, stops: false },
+    ])
+    const [finding] = findings(net([eye('2')], [motor, motor]))
+    expect(finding?.fixes?.map(({ value }) => value)).toEqual(['MOTORPORT_B', 'MOTORPORT_A', 'MOTORPORT_D'])
   })
 
   it('take no output among the inputs', () => {

@@ -1,4 +1,5 @@
-import type { Context, Robot } from '@botgarten/blocks'
+import type { CheckContext, Context, Robot } from '@botgarten/blocks'
+import type { ReadMode, SensorKind } from '@botgarten/simulation'
 
 /** What a robot was told, in order, with the tick. */
 export type Entry = readonly [tick: number, verb: string, ...facts: readonly unknown[]]
@@ -17,24 +18,51 @@ const readings = {
   red: (tick: number) => tick % 256,
   green: (tick: number) => (tick * 2) % 256,
   blue: () => 255,
+  touch: (tick: number) => tick % 2,
+  angle: (tick: number) => tick * 3 - 90,
+  rate: (tick: number) => 180 - tick,
+  infrared: (tick: number) => (tick * 9) % 101,
+  sound: (tick: number) => (tick * 11) % 101,
+  compass: (tick: number) => (tick * 90) % 360,
+  x: (tick: number) => tick / 2,
+  y: (tick: number) => 100 - tick,
+  heading: (tick: number) => (tick * 5) % 360,
+}
+
+/** The cards' robot. */
+export const cardSensors = {
+  1: { kind: 'colour' },
+  2: { kind: 'ultrasonic' },
+  3: { kind: 'ultrasonic' },
+} as const satisfies CheckContext['sensors']
+
+const kinds: { readonly [mode in ReadMode]?: SensorKind } = {
+  touch: 'touch',
+  angle: 'gyro',
+  rate: 'gyro',
+  infrared: 'infrared',
+  sound: 'sound',
+  compass: 'compass',
+  x: 'position',
+  y: 'position',
+  heading: 'position',
 }
 
 /** Each move with degrees takes three ticks. */
 const moveTicks = 3
 
 /**
- * A robot that writes down what it is told. Colour at port 1, distance at 2 and 3; a brain whose every output is the
- * sum of its inputs, `outputs` of them.
+ * A robot that writes down what it is told. Colour at port 1, distance at 2 and 3, or other sensors; a brain whose every
+ * output is the sum of its inputs, `outputs` of them.
  */
-export function recordingRobot(outputs = 2): Recording {
+export function recordingRobot(outputs = 2, sensors: CheckContext['sensors'] = cardSensors): Recording {
   const log: Entry[] = []
   let movedAt = -Infinity
   const write = (verb: string, ...facts: unknown[]) => void log.push([recording.tick, verb, ...facts])
   const robot: Robot = {
     read(port, mode) {
-      const kind = port === '1' ? 'colour' : port === '4' ? 'none' : 'ultrasonic'
-      const fits = mode === 'distance' ? kind === 'ultrasonic' : kind === 'colour'
-      return fits ? readings[mode](recording.tick) : null
+      const wanted = mode === 'distance' ? 'ultrasonic' : (kinds[mode] ?? 'colour')
+      return sensors[port]?.kind === wanted ? readings[mode](recording.tick) : null
     },
     motor: (port, percent) => write('motor', port, percent),
     move(order) {
@@ -47,6 +75,12 @@ export function recordingRobot(outputs = 2): Recording {
     display: (row, column, text) => write('display', row, column, text),
     clearDisplay: () => write('clearDisplay'),
     tone: (frequency, seconds) => write('tone', frequency, seconds),
+    encoder: (port) => (port === 'B' ? 90 : 720) + recording.tick,
+    resetEncoder: (port) => write('resetEncoder', port),
+    timer: (number) => (number >= 1 && number <= 5 ? number * 1000 + recording.tick : null),
+    resetTimer: (number) => write('resetTimer', number),
+    resetGyro: (port) => write('resetGyro', port),
+    key: (key) => key === 'any' || key === 'left',
     wheelDiameter: 5.6,
     trackWidth: 18,
   }

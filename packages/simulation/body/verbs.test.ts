@@ -61,5 +61,6 @@ test('a fresh robot has forgotten everything but its place', () => {
   run(sim, 20)
   const { x, y, heading } = sim.state.robots[0]!
   freshRobot(sim.state.robots[0]!)
-  expect(sim.state.robots[0]).toEqual({ ...untouched.state.robots[0], x, y, heading })
+  const gyroZero = { '1': heading, '2': heading, '3': heading, '4': heading }
+  expect(sim.state.robots[0]).toEqual({ ...untouched.state.robots[0], x, y, heading, gyroZero })
 })

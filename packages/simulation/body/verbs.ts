@@ -8,6 +8,7 @@ import type {
   Seconds,
   Simulation,
 } from '../types.ts'
+import { PORTS } from '../sensors/noise.ts'
 import { TICKS_PER_SECOND } from '../time.ts'
 
 /** The display holds this many rows and columns; what is written beyond is not shown. */
@@ -100,7 +101,7 @@ export function tone(sim: Simulation, robot: number, frequency: Hertz, seconds: 
     : { frequency, untilTick: ticks === null ? null : sim.state.tick + ticks }
 }
 
-/** Everything but the place as at the start of a run: motors, encoders, lamp, display, sound. */
+/** Everything but the place as at the start of a run: motors, encoders, gyros, timers, lamp, display, sound. */
 export function freshRobot(robot: RobotState): void {
   for (const motor of Object.values(robot.motors)) {
     motor.percent = 0
@@ -110,4 +111,8 @@ export function freshRobot(robot: RobotState): void {
   robot.led = null
   robot.display = []
   robot.tone = null
+  robot.spin = 0
+  robot.late = null
+  robot.timers.fill(0)
+  for (const port of PORTS) robot.gyroZero[port] = robot.heading
 }

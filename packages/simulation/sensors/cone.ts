@@ -28,13 +28,19 @@ export function distanceOf(ground: Ground, robot: number, place: SensorPlace, ra
 }
 
 /** All rays, each to the first thing it hits. */
-export function castCone(ground: Ground, robot: number, place: SensorPlace, rays: Float64Array): Ray[] {
+export function castCone(
+  ground: Ground,
+  robot: number,
+  place: SensorPlace,
+  rays: Float64Array,
+  farthest: Cm = FARTHEST,
+): Ray[] {
   aim(ground.outlines, robot, place)
   turn(ground.outlines, robot, rays, 0)
   const seen = lookAround(ground.outlines, robot)
   return CONE.map((_, ray): Ray => {
     turn(ground.outlines, robot, rays, ray * 2)
-    const distance = castRay(ground, seen, FARTHEST)
+    const distance = castRay(ground, seen, farthest)
     const { x, y, dx, dy } = beam
     return { fromX: x, fromY: y, toX: x + dx * distance, toY: y + dy * distance, distance }
   })

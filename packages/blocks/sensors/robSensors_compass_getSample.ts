@@ -1,0 +1,39 @@
+import { forever, show, start } from '../parts/examples.ts'
+import { field, sensorPortIn } from '../parts/fields.ts'
+import { choice, hidden, rows, sensorPort, worded, words } from '../parts/looks.ts'
+import { fail, give } from '../parts/next.ts'
+import { sensorAtPort } from '../parts/sensors.ts'
+import type { Definition } from '../types.ts'
+
+const type = 'robSensors_compass_getSample'
+
+/** From 0..360 to −180..180. */
+const fromNorth = (degrees: number) => (degrees > 180 ? degrees - 360 : degrees)
+
+/** MODE COMPASS: direction in degrees clockwise, 0..360, 0 = up · MODE ANGLE: the same from −180 to 180. */
+export const robSensors_compass_getSample: Definition = {
+  type,
+  look: {
+    category: 'sensors',
+    shape: 'value',
+    output: 'Number',
+    fields: [
+      choice('MODE', [worded('COMPASS', 'direction'), worded('ANGLE', 'fromNorth')]),
+      sensorPort('1'),
+      hidden('SLOT'),
+    ],
+    inputs: [],
+    mutation: { mode: { field: 'MODE' } },
+    rows: rows(type, 1),
+  },
+  words: words(type),
+  acts: true,
+  check: sensorAtPort('compass', 'SENSORPORT'),
+  run(block, _frame, { robot }) {
+    const port = sensorPortIn(block, 'SENSORPORT')
+    const degrees = port === undefined ? null : robot.read(port, 'compass')
+    if (degrees === null) return fail('nothingToRead')
+    return give(field(block, 'MODE', 'COMPASS') === 'ANGLE' ? fromNorth(Number(degrees)) : degrees)
+  },
+  example: [start, forever(show({ type, fields: { MODE: 'COMPASS', SENSORPORT: '1', SLOT: '' } }))],
+}

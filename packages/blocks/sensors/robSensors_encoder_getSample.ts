@@ -1,0 +1,49 @@
+import { forever, number, show, start } from '../parts/examples.ts'
+import { field, motorPortIn } from '../parts/fields.ts'
+import { choice, encoderPort, hidden, rows, worded, words } from '../parts/looks.ts'
+import { fail, give } from '../parts/next.ts'
+import type { Definition } from '../types.ts'
+
+const type = 'robSensors_encoder_getSample'
+
+/** From degrees of turning to what MODE asks for; DISTANCE: the way of a wheel on this motor in cm. */
+const scales: ReadonlyMap<string, (degrees: number, wheelDiameter: number) => number> = new Map([
+  ['DEGREE', (degrees) => degrees],
+  ['ROTATION', (degrees) => degrees / 360],
+  ['DISTANCE', (degrees, wheelDiameter) => (degrees / 360) * Math.PI * wheelDiameter],
+])
+
+/** How far a motor has turned since Start or since it was set back. */
+export const robSensors_encoder_getSample: Definition = {
+  type,
+  look: {
+    category: 'sensors',
+    shape: 'value',
+    output: 'Number',
+    fields: [
+      choice('MODE', [
+        worded('DEGREE', 'degrees'),
+        worded('ROTATION', 'turns'),
+        worded('DISTANCE', 'centimetres'),
+      ]),
+      encoderPort('B'),
+      hidden('SLOT'),
+    ],
+    inputs: [],
+    mutation: { mode: { field: 'MODE' } },
+    rows: rows(type, 1),
+  },
+  words: words(type),
+  acts: true,
+  run(block, _frame, { robot }) {
+    const port = motorPortIn(block, 'SENSORPORT')
+    const scale = scales.get(field(block, 'MODE', 'DEGREE'))
+    if (port === undefined || scale === undefined) return fail('unknownChoice')
+    return give(scale(robot.encoder(port), robot.wheelDiameter))
+  },
+  example: [
+    start,
+    { type: 'robActions_motor_on', fields: { MOTORPORT: 'B' }, values: { POWER: number(30) } },
+    forever(show({ type, fields: { MODE: 'DEGREE', SENSORPORT: 'B', SLOT: '' } })),
+  ],
+}
