@@ -20,11 +20,13 @@ const check: v.GenericSchema<unknown, Check> = v.pipe(
 const card = v.strictObject({
   id: v.pipe(v.string(), v.regex(/^[a-z][a-z0-9-]*$/)),
   code: v.string(),
-  playground: v.literal('network'),
+  playground: v.picklist(['network', 'drive']),
   grades: v.tuple([v.number(), v.number()]),
   minutes: v.number(),
   starts: v.pipe(v.array(pose), v.minLength(1)),
-  needs: v.array(v.picklist(['distanceSensors', 'motors', 'blueSquare'])),
+  needs: v.array(
+    v.picklist(['distanceSensors', 'colourSensor', 'motors', 'lamp', 'blueSquare', 'wall', 'flag']),
+  ),
   world: v.string(),
   checks: v.pipe(v.array(check), v.minLength(1)),
   next: v.nullable(v.string()),

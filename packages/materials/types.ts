@@ -5,9 +5,9 @@ import type { Pose, World } from '@botgarten/simulation'
 /** `card.json` of a card's folder. */
 export interface Card {
   readonly id: string
-  /** Printed on the card: way of learning and number, "NN 5". */
+  /** Printed on the card: way of learning and number, "NN 5"; a number alone on the first cards. */
   readonly code: string
-  readonly playground: 'network'
+  readonly playground: Playground
   /** Youngest and oldest grade. */
   readonly grades: readonly [number, number]
   readonly minutes: number
@@ -22,7 +22,10 @@ export interface Card {
   readonly next: string | null
 }
 
-export type Need = 'distanceSensors' | 'motors' | 'blueSquare'
+/** What stands beside the world; `drive`: blocks alone. */
+export type Playground = 'network' | 'drive'
+
+export type Need = 'distanceSensors' | 'colourSensor' | 'motors' | 'lamp' | 'blueSquare' | 'wall' | 'flag'
 
 /** Programs and brains of a start, a solution or a typical wrong answer. */
 export type CardProgram = Pick<Project, 'programs' | 'brains'>

@@ -195,9 +195,9 @@ export interface Simulation {
   /** Motors, then physics, then readings: one tick of 1/60 s (running.md 2). */
   step(): void
   /**
-   * Reading of the sensor at a port; null where there is no such sensor. Colours come as one of the eight names' `#RRGGBB`;
-   * touch as 0 or 1; angle, rate (a second) and compass in degrees clockwise, 0 on the compass = up (+y); infrared 0..100
-   * over 70 cm; sound 0..100; x, y in cm and heading in degrees as rule 1 has them, heading 0..360.
+   * Reading of the sensor at a port; null where there is no such sensor. Colours come as one of the eight names' `#RRGGBB`,
+   * '' for none of them (two colours mix on an edge); touch as 0 or 1; angle, rate (a second) and compass in degrees
+   * clockwise, 0 on the compass = up (+y); infrared 0..100 over 70 cm; sound 0..100; x, y in cm and heading in degrees as rule 1 has them, heading 0..360.
    */
   read(robot: number, port: SensorPort, mode: ReadMode): number | Colour | null
   /** The rays a distance sensor sends now, for the screen. */

@@ -40,7 +40,7 @@ export function awayFrom(moment: Moment, x: Cm, y: Cm): Cm {
   return Math.sqrt((robot.x - x) ** 2 + (robot.y - y) ** 2)
 }
 
-/** What the robot's first colour sensor sees; null for none of the eight, or without such a sensor. */
+/** What the robot's first colour sensor sees: '' for none of the eight, null without such a sensor. */
 export function colourUnder(moment: Moment): Colour | null {
   const sensors = Object.entries(moment.world.robots[0]!.config.sensors)
   const port = sensors.find(([, { kind }]) => kind === 'colour')?.[0]

@@ -73,7 +73,7 @@ type Numbers = { readonly [index: number]: number }
 /** What three numbers from `from` on mean in this mode. */
 function inMode(mode: ReadMode, numbers: Numbers, from: number, at: number): number | Colour | null {
   if (mode === 'light') return ((numbers[from]! + numbers[from + 1]! + numbers[from + 2]!) / 3 / 255) * 100
-  if (mode === 'colour') return colourOf(numbers[from]!, numbers[from + 1]!, numbers[from + 2]!)
+  if (mode === 'colour') return colourOf(numbers[from]!, numbers[from + 1]!, numbers[from + 2]!) ?? ''
   return numbers[from + at]!
 }
 
