@@ -1,7 +1,10 @@
 import type { Facts } from '@botgarten/blocks'
 
 /** Why a file was refused; worded as `problem.<reason>.title` and `.text`, with the error's facts. */
-export type ProjectReason = 'notJson' | 'tooBig' | 'notAProject' | 'newerVersion'
+export type ProjectReason = 'notJson' | 'tooBig' | 'notAProject' | 'newerVersion' | SceneReason
+
+/** A scene's own: the file is none, it is a project, or more is in it than a world holds (`count`, `most`). */
+type SceneReason = 'sceneNotJson' | 'notAScene' | 'isAProject' | 'tooManyThings'
 
 /** The only error that `parseProject` throws. `message` is for people who build and for the command line. */
 export class ProjectError extends Error {

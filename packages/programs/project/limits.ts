@@ -39,3 +39,6 @@ export function refuseOversize(root: unknown): void {
 function refuseKey(name: string): void {
   if (isReserved(name)) throw new ProjectError('notAProject', `A key must not be called "${name}".`)
 }
+
+/** What one world holds at most: so much is still drawn and driven smoothly on a slow laptop. */
+export const most = { obstacles: 100, areas: 100, lines: 100, points: 1000 }

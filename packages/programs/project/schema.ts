@@ -2,6 +2,7 @@ import * as v from 'valibot'
 import type { Brain } from '@botgarten/learning/neural-network'
 import type { Project } from '../types.ts'
 import { finite, idSchema, programSchema, recordOf, textSchema } from './schema-program.ts'
+import { assetsSchema } from './schema-assets.ts'
 import { worldSchema } from './schema-world.ts'
 
 const weights = recordOf(recordOf(finite))
@@ -13,10 +14,6 @@ const brain: v.GenericSchema<Brain> = v.object({
   weights,
   sets: recordOf(weights),
 })
-
-const sha256 = v.pipe(v.string(), v.regex(/^[0-9a-f]{64}$/))
-const base64 = v.pipe(v.string(), v.regex(/^[A-Za-z0-9+/]*={0,2}$/))
-const asset = v.object({ type: v.literal('image/png'), base64 })
 
 const whole = v.pipe(v.number(), v.integer(), v.minValue(0), v.maxValue(1_000_000))
 const progress = v.object({ starts: v.array(whole), hints: whole })
@@ -33,7 +30,7 @@ export const projectSchema: v.GenericSchema<unknown, Project> = v.pipe(
     programs: recordOf(programSchema),
     world: worldSchema,
     brains: recordOf(brain),
-    assets: v.record(sha256, asset),
+    assets: assetsSchema,
     progress: v.exactOptional(progress),
   }),
   v.check((project) => programsExist(project), 'A robot has a program that is not there.'),

@@ -1,0 +1,83 @@
+import * as v from 'valibot'
+import type { Pose, World } from '@botgarten/simulation'
+import type { Project } from '../types.ts'
+import { ProjectError } from './error.ts'
+import { most, refuseBigText, refuseOversize } from './limits.ts'
+import { looksForeign, readForeignScene } from './scene-open-roberta.ts'
+import { sceneFileSchema } from './schema-scene.ts'
+
+/** A world as a child builds it: all but the robots, and where they start, in their order. */
+export interface Scene extends Pick<World, 'size' | 'floor' | 'areas' | 'lines' | 'obstacles'> {
+  readonly starts: readonly Pose[]
+}
+
+/** A scene with the picture of its floor, if it has one of its own. */
+export interface SceneFile extends Scene {
+  readonly assets: Project['assets']
+}
+
+export const sceneOf = ({ size, floor, areas, lines, obstacles, robots }: World): Scene => ({
+  ...{ size, floor, areas, lines, obstacles },
+  starts: robots.map(({ pose }) => pose),
+})
+
+/** The world with another scene around its robots. Robots without a start in it keep theirs. */
+export const inScene = (world: World, { starts, ...scene }: Scene): World => ({
+  ...{ size: scene.size, floor: scene.floor },
+  ...{ areas: scene.areas, lines: scene.lines, obstacles: scene.obstacles },
+  robots: world.robots.map((robot, index) => ({ ...robot, pose: starts[index] ?? robot.pose })),
+})
+
+/** One line of JSON. What `parseScene` made comes back from it the same. */
+export function writeScene(scene: Scene, pictures: Project['assets']): string {
+  const { floor } = scene
+  const own = 'asset' in floor && Object.hasOwn(pictures, floor.asset) ? floor.asset : null
+  return JSON.stringify({ botgartenScene: 1, ...scene, assets: own ? { [own]: pictures[own] } : {} })
+}
+
+/**
+ * A scene from a file's text: ours, or one that Open Roberta has saved. Nothing of it is trusted.
+ * @throws {ProjectError} and nothing else
+ */
+export function parseScene(text: string): SceneFile {
+  const data = dataIn(text)
+  refuseOversize(data)
+  refuseOther(data)
+  refuseCrowd(data)
+  const result = v.safeParse(sceneFileSchema, looksForeign(data) ? readForeignScene(data) : data, {
+    abortEarly: true,
+  })
+  if (result.success) return result.output
+  const { path, message } = result.issues[0]
+  throw new ProjectError('notAScene', `${path?.map(({ key }) => String(key)).join('.') ?? ''}: ${message}`)
+}
+
+function dataIn(text: string): unknown {
+  refuseBigText(text)
+  try {
+    return JSON.parse(text)
+  } catch {
+    throw new ProjectError('sceneNotJson', 'This is not JSON.')
+  }
+}
+
+function refuseOther(data: unknown): void {
+  const { botgarten, botgartenScene: version } = { ...(data as { [name: string]: unknown }) }
+  if (botgarten !== undefined) throw new ProjectError('isAProject', 'This is a project, not a scene.')
+  if (typeof version !== 'number' || !(version > 1)) return
+  throw new ProjectError('newerVersion', `The scene has version ${version}; this Botgarten reads 1.`, {
+    version,
+  })
+}
+
+/** Counted before anything else is looked at: too many things get an answer of their own. */
+function refuseCrowd(data: unknown): void {
+  const lists = { ...(data as { [name: string]: unknown }) }
+  const limits = { obstacles: most.obstacles, areas: most.areas, colorAreas: most.areas, lines: most.lines }
+  for (const [name, limit] of Object.entries(limits)) {
+    const list = lists[name]
+    if (!Array.isArray(list) || list.length <= limit) continue
+    const message = `The scene has ${list.length} ${name}; a world holds at most ${limit}.`
+    throw new ProjectError('tooManyThings', message, { count: list.length, most: limit })
+  }
+}
