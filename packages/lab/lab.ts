@@ -1,8 +1,18 @@
 import { emptyBrain, withWeight, type Brain } from '@botgarten/learning/neural-network'
 import { hex } from '@botgarten/numbers'
-import { createSimulation, freshRobot, type Floor, type Pose, type Simulation } from '@botgarten/simulation'
+import {
+  createSimulation,
+  freshRobot,
+  type Floor,
+  type Pose,
+  type RobotKey,
+  type Simulation,
+} from '@botgarten/simulation'
+import { carryOver } from './carry.ts'
+import { sameBlocks, withPoses } from './documents.ts'
 import { brainsFor } from './robots/brains.ts'
-import { Run } from './run.ts'
+import { sensesOf } from './robots/senses.ts'
+import { Run, type Course } from './run.ts'
 import type { Check, Document, DriveKey, Input, Lab, Phase, StepKind } from './types.ts'
 import { viewOf } from './view.ts'
 
@@ -12,19 +22,31 @@ const STEP_LIMIT = 600
 /** An empty lab; `load` gives it something to run. */
 export const createLab = (): Lab => new OneLab()
 
+interface Options {
+  readonly seed: number
+  readonly checks: readonly Check[]
+}
+
+/** The future that was left when a hand went on from a moment of the past. */
+interface Other {
+  readonly course: Course
+  readonly document: Document
+  readonly phase: Phase
+}
+
 class OneLab implements Lab {
   #document: Document = { programs: {}, world: emptyWorld, brains: {} }
   #floor: Floor = { width: 1, height: 1, pixelsPerCm: 1, data: new Uint8Array(3) }
-  #options: { readonly seed: number; readonly checks: readonly Check[] } = { seed: 0, checks: [] }
+  #options: Options = { seed: 0, checks: [] }
+  /** Of the present. */
   #phase: Phase = 'ready'
   #simulation!: Simulation
   #run!: Run
+  #held: readonly DriveKey[] = []
+  #buttons: readonly { readonly robot: number; readonly key: RobotKey }[] = []
+  #other: Other | null = null
 
-  load(
-    document: Document,
-    floor: Floor,
-    options: { readonly seed: number; readonly checks: readonly Check[] },
-  ): void {
+  load(document: Document, floor: Floor, options: Options): void {
     this.#document = { ...document, brains: brainsFor(document.programs, document.brains) }
     this.#floor = floor
     this.#options = options
@@ -33,36 +55,50 @@ class OneLab implements Lab {
 
   reset(): void {
     this.#phase = 'ready'
-    this.#simulation = createSimulation(this.#document.world, this.#floor, this.#options.seed)
-    this.#begin([])
+    this.#simulation = this.#atStart()
+    this.#begin()
   }
 
+  #atStart = () => createSimulation(this.#document.world, this.#floor, this.#options.seed)
+
   /** A new run from what stands in the world now: the same start state, seed and inputs give the same run (running.md 2). */
-  #begin(keys: readonly DriveKey[]): void {
-    const { noise } = createSimulation(this.#document.world, this.#floor, this.#options.seed).state
-    this.#simulation.restore({ ...this.#simulation.keyframe(), tick: 0, noise })
-    this.#run = new Run(
-      this.#simulation,
-      this.#document.programs,
-      this.#document.brains,
-      this.#options.checks,
-      keys,
-    )
+  #begin(before: Run | null = null): void {
+    if (!before) {
+      const { noise } = this.#atStart().state
+      this.#simulation.restore({ ...this.#simulation.keyframe(), tick: 0, noise })
+    }
+    this.#run = new Run(this.#simulation, this.#document, this.#options.checks, before)
+    this.#other = null
+    this.#keysAsHeld()
   }
 
   edit(programs: Document['programs']): void {
     const moved = sameBlocks(programs, this.#document.programs)
+    if (!moved) this.#run.toNow()
     this.#document = { ...this.#document, programs, brains: brainsFor(programs, this.#document.brains) }
-    if (!moved) this.#begin(this.#run.keys)
+    if (!moved) this.#begin()
+  }
+
+  rebuild(document: Document, floor: Floor = this.#floor): void {
+    this.#run.toNow()
+    this.#document = { ...document, brains: brainsFor(document.programs, document.brains) }
+    this.#floor = floor
+    const before = this.#simulation
+    this.#simulation = this.#atStart()
+    const came = carryOver(before, this.#simulation)
+    this.#document = { ...this.#document, world: withPoses(this.#document.world, came, true) }
+    this.#begin(this.#run)
   }
 
   start(): void {
+    this.#run.toNow()
     for (const robot of this.#simulation.state.robots) freshRobot(robot)
-    this.#begin(this.#run.keys)
+    this.#begin()
     this.#phase = 'running'
   }
 
   stop(): void {
+    this.#toNow()
     for (const { context } of this.#run.robots) {
       context.robot.stop()
       context.robot.tone(0, null)
@@ -75,34 +111,54 @@ class OneLab implements Lab {
   }
 
   resume(): void {
+    this.branch()
     if (this.#phase === 'paused') this.#phase = 'running'
   }
 
-  step(kind: StepKind): void {
-    if (this.#phase === 'ready' || this.#phase === 'ended') this.start()
-    this.#phase = 'paused'
+  step(kind: StepKind, robot?: string): void {
+    if (!this.#run.inPast) {
+      if (this.#phase === 'ready' || this.#phase === 'ended') this.start()
+      this.#phase = 'paused'
+    }
     if (kind === 'tick') this.#tick()
-    else if (kind === 'block') this.#stepBlock()
-    else this.#stepNetwork()
+    else if (kind === 'block') this.#stepBlock(this.#robotAt(robot))
+    else this.#stepNetwork(this.#robotAt(robot))
   }
 
-  #stepBlock(): void {
-    for (let ticks = 0; ticks < STEP_LIMIT && this.#phase === 'paused'; ticks++) {
-      const blocks = this.#run.robots[0]?.thread.started
-      if (!this.#run.runThreads(true) || this.#run.robots[0]?.thread.started !== blocks) return
+  /** Index of a robot; the first where none is named. */
+  #robotAt = (id: string | undefined) =>
+    Math.max(
+      0,
+      this.#run.robots.findIndex((robot) => robot.id === id),
+    )
+
+  /** May a step look for more? Not past the present, where that was not where it began. */
+  #goesOn = (wasPast: boolean) => this.#run.inPast === wasPast && (wasPast || this.#phase === 'paused')
+
+  #stepBlock(index: number): void {
+    const { inPast, robots } = this.#run
+    const robot = robots[index]
+    const blocks = robot?.thread.started
+    for (let ticks = 0; ticks < STEP_LIMIT && this.#goesOn(inPast);) {
+      const over = this.#run.stepBlocks()
+      if (robot?.thread.started !== blocks) return
+      if (!over) continue
       this.#tick()
+      ticks++
     }
   }
 
-  #stepNetwork(): void {
-    const runs = this.#run.robots[0]?.brains.runs
-    for (let ticks = 0; ticks < STEP_LIMIT && this.#phase === 'paused'; ticks++) {
+  #stepNetwork(index: number): void {
+    const { inPast, robots } = this.#run
+    const runs = robots[index]?.brains.runs
+    for (let ticks = 0; ticks < STEP_LIMIT && this.#goesOn(inPast); ticks++) {
       this.#tick()
-      if (this.#run.robots[0]?.brains.runs !== runs) return
+      if (robots[index]?.brains.runs !== runs) return
     }
   }
 
   advance(ticks: number): boolean {
+    if (this.#run.inPast) return false
     let moved = false
     for (let tick = 0; tick < ticks; tick++) {
       if (this.#phase === 'running') {
@@ -114,55 +170,132 @@ class OneLab implements Lab {
   }
 
   #tick(): void {
+    const wasPast = this.#run.inPast
     this.#run.advance()
-    if (this.#run.isOver) {
+    if (wasPast) {
+      if (!this.#run.inPast) this.#keysAsHeld()
+    } else if (this.#run.isOver) {
       this.stop()
       this.#phase = 'ended'
     }
   }
 
-  setWeight(brain: string, from: string, to: string, weight: number): void {
-    this.setBrain(brain, withWeight(this.#document.brains[brain] ?? emptyBrain, from, to, weight))
+  setWeight(brain: string, from: string, to: string, weight: number, set = ''): void {
+    this.branch()
+    const before = this.#document.brains[brain] ?? emptyBrain
+    this.#use(brain, withWeight(before, from, to, weight, set))
+    this.#give({ kind: 'weight', brain, from, to, weight, set })
   }
 
   setBrain(brain: string, value: Brain): void {
-    this.#document = { ...this.#document, brains: { ...this.#document.brains, [brain]: value } }
+    this.branch()
+    this.#use(brain, value)
     this.#give({ kind: 'brain', brain, value })
   }
 
+  #use(brain: string, value: Brain): void {
+    this.#document = { ...this.#document, brains: { ...this.#document.brains, [brain]: value } }
+  }
+
   place(id: string, pose: Pose): Pose {
+    this.branch()
     this.#give({ kind: 'place', id, pose })
     const came = this.#run.poseOf(id) ?? pose
-    const robotRuns = this.#phase === 'running' || this.#phase === 'paused'
-    this.#document = { ...this.#document, world: placed(this.#document.world, id, came, !robotRuns) }
+    const { world } = this.#document
+    this.#document = { ...this.#document, world: withPoses(world, { [id]: came }, !this.#isOn) }
     return came
   }
 
-  press(key: DriveKey, down: boolean): void {
-    this.#give({ kind: 'key', key, down })
+  /** Robots that are moved while a run is on still start from where they started. */
+  get #isOn(): boolean {
+    return this.#phase === 'running' || this.#phase === 'paused'
+  }
+
+  press(key: DriveKey, down: boolean, robot?: string): void {
+    this.#held = [...this.#held.filter((held) => held !== key), ...(down ? [key] : [])]
+    // In the past nobody drives; a key that is let go of there is let go of when it is over.
+    if (!this.#run.inPast) this.#give({ kind: 'key', key, down, robot: this.#robotAt(robot) })
+  }
+
+  pressButton(key: RobotKey, down: boolean, robot?: string): void {
+    if (down) this.branch()
+    const index = this.#robotAt(robot)
+    this.#buttons = this.#buttons.filter((held) => held.key !== key || held.robot !== index)
+    if (down) this.#buttons = [...this.#buttons, { robot: index, key }]
+    if (!this.#run.inPast) this.#give({ kind: 'button', key, down, robot: index })
+  }
+
+  /** Keys of a panel that were let go of while the past was shown. */
+  #buttonsAsHeld(): void {
+    this.#simulation.state.robots.forEach(({ keys }, robot) => {
+      for (const key of keys)
+        if (!this.#buttons.some((held) => held.key === key && held.robot === robot))
+          this.#give({ kind: 'button', key, down: false, robot })
+    })
+  }
+
+  senses = (robot?: string) => sensesOf(this.#simulation, this.#robotAt(robot))
+
+  #keysAsHeld(): void {
+    this.#buttonsAsHeld()
+    for (const key of new Set([...this.#run.keys, ...this.#held])) {
+      const down = this.#held.includes(key)
+      if (down !== this.#run.keys.includes(key))
+        this.#give({ kind: 'key', key, down, robot: this.#run.driven })
+    }
   }
 
   #give(input: Input): void {
-    this.#run.give(input)
+    this.#run.give(input, this.#isOn)
   }
 
   goTo(tick: number): void {
-    this.#run.goTo(tick)
-    this.#document = { ...this.#document, brains: this.#run.brains }
+    if (!(tick < this.#run.time().now)) this.#toNow()
+    else {
+      this.pause()
+      this.#run.goTo(tick)
+    }
+  }
+
+  #toNow(): void {
+    if (!this.#run.inPast) return
+    this.#run.toNow()
+    this.#keysAsHeld()
+  }
+
+  branch(): void {
+    const course = this.#run.branch()
+    if (!course) return
+    const { world, brains } = this.#document
+    this.#other = { course, document: this.#document, phase: this.#phase }
+    this.#document = {
+      ...this.#document,
+      brains: { ...brains, ...this.#run.brains },
+      world: withPoses(world, this.#run.starts, false),
+    }
     this.#phase = 'paused'
+    this.#keysAsHeld()
+  }
+
+  swap(): boolean {
+    if (!this.#other) return false
+    this.#toNow()
+    this.pause()
+    const { course, document, phase } = this.#other
+    this.#other = { course: this.#run.take(course), document: this.#document, phase: this.#phase }
+    const { programs, world } = this.#document
+    this.#document = { ...document, programs, world: { ...document.world, robots: world.robots } }
+    this.#phase = phase
+    this.#keysAsHeld()
+    return true
   }
 
   state = () => this.#run.moment()
-  view = () => viewOf(this.#run, this.#phase)
+  view = (robot?: string) =>
+    viewOf(this.#run, this.#run.inPast ? 'paused' : this.#phase, this.#robotAt(robot))
   document = () => this.#document
   hash = () => hex(this.#run.hash)
 }
-
-/** Is it the same program, at most laid out differently on the canvas? */
-const sameBlocks = (a: Document['programs'], b: Document['programs']) => meaningOf(a) === meaningOf(b)
-
-const meaningOf = (programs: Document['programs']) =>
-  JSON.stringify(Object.entries(programs).map(([id, { stacks }]) => [id, stacks.map(({ blocks }) => blocks)]))
 
 const emptyWorld: Document['world'] = {
   size: { width: 100, height: 100 },
@@ -171,11 +304,4 @@ const emptyWorld: Document['world'] = {
   lines: [],
   obstacles: [],
   robots: [],
-}
-
-/** The world with a thing's start pose changed; robots keep theirs while they run. */
-function placed(world: Document['world'], id: string, pose: Pose, robotsToo: boolean): Document['world'] {
-  const put = <Thing extends { id: string; pose: Pose }>(things: readonly Thing[]) =>
-    things.map((thing) => (thing.id === id ? { ...thing, pose } : thing))
-  return { ...world, obstacles: put(world.obstacles), robots: robotsToo ? put(world.robots) : world.robots }
 }

@@ -1,54 +1,53 @@
-import type { Brain } from '@botgarten/learning/neural-network'
+import { emptyBrain, withWeight, type Brain } from '@botgarten/learning/neural-network'
 import { addToHash, startHash, type Hash } from '@botgarten/numbers'
-import {
-  indexProgram,
-  runThread,
-  startThread,
-  type Program,
-  type ProgramIndex,
-  type Thread,
-} from '@botgarten/programs'
+import { runThread, type Thread } from '@botgarten/programs'
 import {
   degreesOf,
-  KEYFRAME_EVERY,
+  pressKey,
+  rollsOn,
   TICKS_PER_SECOND,
   type Pose,
   type Simulation,
   type SimulationState,
 } from '@botgarten/simulation'
-import type { Context } from '@botgarten/blocks'
 import { observe, watch, type Watch } from './checks/checks.ts'
 import { withHandOnKeys } from './inputs/keys.ts'
-import { RobotBrains, type Brains } from './robots/brains.ts'
-import { robotOf } from './robots/robot.ts'
+import { repeats } from './inputs/repeats.ts'
+import type { Brains } from './robots/brains.ts'
+import { robotRun, type RobotRun } from './robots/run.ts'
+import { shared } from './timeline/shared.ts'
 import { Timeline } from './timeline/timeline.ts'
-import type { Check, DriveKey, Input, Tone, TrailPoint } from './types.ts'
+import { newTrack, note, trackUntil, type Track } from './timeline/tracks.ts'
+import type { Check, Document, DriveKey, Input, TimeView } from './types.ts'
 
-/** Trail points are this many ticks apart: ten a second. */
-const TRAIL_EVERY = 6
-const LONGEST_TRAIL = 6000
-
-export interface RobotRun {
-  readonly index: ProgramIndex
-  readonly brains: RobotBrains
-  readonly context: Context & { now: number }
-  thread: Thread
-  trail: TrailPoint[]
-  /** Every tone that began or ended; frequency 0 is silence. */
-  tones: Tone[]
-}
+/** Ticks from keyframe to keyframe: so few that any moment is there again at once, on a slow laptop too. */
+const KEYFRAME_EVERY = 60
 
 /** Everything that decides how a run goes on, as plain data. */
 export interface Moment {
   readonly tick: number
+  /** How far this tick has come: steps of its programs from block to block, and inputs that were given. */
+  readonly part: number
+  readonly given: number
   readonly simulation: SimulationState
   readonly threads: readonly Thread[]
   readonly brains: Brains
+  /** Start poses of the obstacles: a hand changes them. */
+  readonly starts: { readonly [id: string]: Pose }
   readonly lastInputs: readonly (readonly (readonly [string, readonly number[]])[])[]
   readonly keys: readonly DriveKey[]
+  /** Index of the robot that the keys drive. */
+  readonly driven: number
   readonly watches: readonly Watch[]
   readonly hash: Hash
   readonly endedAt: number | null
+}
+
+/** One course of time: enough to stand at its end and to go back in it. */
+export interface Course {
+  readonly timeline: Timeline<Moment>
+  readonly tracks: readonly Track[]
+  readonly now: Moment
 }
 
 /** One run of a world and its programs from a Start on: ticks, and the way back to any of them. */
@@ -56,42 +55,55 @@ export class Run {
   readonly simulation: Simulation
   readonly checks: readonly Check[]
   readonly robots: readonly RobotRun[]
-  readonly #timeline = new Timeline<Moment>()
+  tracks: readonly Track[]
   brains: Brains
-  keys: DriveKey[]
+  starts: Moment['starts']
+  keys: readonly DriveKey[] = []
   watches: Watch[]
   hash: Hash = startHash()
   tick = 0
   /** Tick at which the last program ended; null while one runs. */
   endedAt: number | null = null
-  #replaying = false
+  #driven = 0
+  #part = 0
+  #given = 0
+  #timeline = new Timeline<Moment>()
+  /** The present, while a moment of the past is shown. */
+  #now: Moment | null = null
 
+  /** `before`: a run that this one goes on from, where the document was changed under it. */
   constructor(
     simulation: Simulation,
-    programs: { readonly [id: string]: Program },
-    brains: Brains,
+    { programs, brains, world }: Document,
     checks: readonly Check[],
-    keys: readonly DriveKey[],
+    before: Run | null = null,
   ) {
     this.simulation = simulation
     this.brains = brains
+    this.starts = Object.fromEntries(world.obstacles.map(({ id, pose }) => [id, pose]))
     this.checks = checks
-    this.keys = [...keys]
     this.watches = watch(checks)
-    this.robots = simulation.world.robots.map((placement, robot) => {
-      const nets = new RobotBrains(placement, brains)
-      const index = indexProgram(programs[placement.program] ?? { stacks: [], config: { stacks: [] } })
-      const think = (id: string, inputs: readonly number[]) => nets.think(id, inputs)
-      return {
-        index,
-        brains: nets,
-        context: { robot: robotOf(simulation, robot), now: 0, think },
-        thread: startThread(index),
-        trail: [],
-        tones: [],
-      }
-    })
+    this.robots = simulation.world.robots.map((_, index) => robotRun(simulation, index, programs, brains))
+    this.tracks = this.robots.map(newTrack)
+    if (before) this.#goOnFrom(before)
     this.#timeline.keep(this.moment())
+  }
+
+  #goOnFrom(before: Run): void {
+    this.tick = before.tick
+    this.hash = [...before.hash]
+    this.watches = structuredClone(before.watches)
+    this.endedAt = before.endedAt
+    this.tracks = this.robots.map(({ id }) => {
+      const index = before.robots.findIndex((robot) => robot.id === id)
+      return before.tracks[index] ?? newTrack()
+    })
+    for (const robot of this.robots) {
+      const was = before.robots.find(({ id }) => id === robot.id)
+      if (was?.program !== robot.program) this.endedAt = null
+      else robot.thread = structuredClone(was.thread)
+      for (const [id, inputs] of was?.brains.lastInputs ?? []) robot.brains.lastInputs.set(id, inputs)
+    }
   }
 
   /** Simulated seconds since Start. */
@@ -99,17 +111,48 @@ export class Run {
     return this.tick / TICKS_PER_SECOND
   }
 
-  /** Takes an input for the coming tick and writes it into the log (running.md 2). */
-  give(input: Input): void {
-    if (!this.#replaying) this.#timeline.log(this.tick, input)
-    if (input.kind === 'place') this.simulation.place(input.id, input.pose)
-    else if (input.kind === 'key') this.#press(input.key, input.down)
-    else this.#use(input.brain, input.value)
+  /** Index of the robot that the keys drive. */
+  get driven(): number {
+    return this.#driven
   }
 
-  #press(key: DriveKey, down: boolean): void {
-    this.keys = this.keys.filter((pressed) => pressed !== key)
-    if (down) this.keys.push(key)
+  get inPast(): boolean {
+    return this.#now !== null
+  }
+
+  /** Takes an input for the coming tick; in a run it is written into the log (running.md 2). Not in the past. */
+  give(input: Input, inRun: boolean): void {
+    const before = input.kind === 'place' ? this.poseOf(input.id) : null
+    this.#take(input)
+    if (!inRun) return
+    const last = this.#timeline.inputsAt(this.tick).at(-1)
+    const again = last?.part === this.#part && repeats(last.input, input)
+    // A thing that is dragged while time stands still is only where it was put last.
+    if (again && input.kind === 'place' && samePose(before, this.poseOf(input.id))) return
+    this.#timeline.log(this.tick, { part: this.#part, input }, again)
+    this.#given = this.#timeline.inputsAt(this.tick).length
+  }
+
+  #take(input: Input): void {
+    if (input.kind === 'place') this.#place(input.id, input.pose)
+    else if (input.kind === 'key') this.#press(input.key, input.down, input.robot)
+    else if (input.kind === 'button') pressKey(this.simulation, input.robot, input.key, input.down)
+    else if (input.kind === 'brain') this.#use(input.brain, input.value)
+    else {
+      const { brain, from, to, weight, set } = input
+      this.#use(brain, withWeight(this.brains[brain] ?? emptyBrain, from, to, weight, set))
+    }
+  }
+
+  #place(id: string, pose: Pose): void {
+    const came = this.simulation.place(id, pose)
+    const isThing = this.simulation.world.obstacles.some((obstacle) => obstacle.id === id)
+    if (isThing) this.starts = { ...this.starts, [id]: came }
+  }
+
+  #press(key: DriveKey, down: boolean, robot: number): void {
+    this.#driven = robot
+    this.keys = [...this.keys.filter((pressed) => pressed !== key), ...(down ? [key] : [])]
   }
 
   #use(id: string, brain: Brain): void {
@@ -117,26 +160,50 @@ export class Run {
     for (const robot of this.robots) robot.brains.use(id, brain)
   }
 
-  /** Programs in order of robots, up to the end of their tick. With `untilNextBlock` the first stops after one block. */
-  runThreads(untilNextBlock = false): boolean {
-    const finished = this.robots.map((robot) => {
+  /** Programs in order of robots, up to the end of their tick. With `untilNextBlock` each stops after one block. */
+  #runThreads(untilNextBlock = false): boolean {
+    if (untilNextBlock) this.#part++
+    const over = this.robots.map((robot) => {
       robot.context.now = this.seconds
       return runThread(robot.thread, robot.index, robot.context, untilNextBlock)
     })
-    return finished.every(Boolean)
+    return over.every(Boolean)
   }
 
-  /** One tick, in the order of running.md 2. */
+  /** One step of the programs from block to block, inside this tick. Returns whether the tick is over for all. */
+  stepBlocks(): boolean {
+    if (this.#now) this.#giveAgain(this.#part)
+    return this.#runThreads(true)
+  }
+
+  /** What was given in this tick of the past, up to a part of it. */
+  #giveAgain(part: number): void {
+    const inputs = this.#timeline.inputsAt(this.tick)
+    for (let next = inputs[this.#given]; next && next.part <= part; next = inputs[this.#given]) {
+      while (this.#part < next.part) this.#runThreads(true)
+      this.#take(next.input)
+      this.#given++
+    }
+  }
+
+  /** One tick, in the order of running.md 2. In the past it is the one that was, up to the present. */
   advance(): void {
-    this.runThreads()
+    if (this.#now) this.#giveAgain(Infinity)
+    this.#runThreads()
     this.#noteEnd()
-    withHandOnKeys(this.simulation, this.keys, () => this.simulation.step())
+    withHandOnKeys(this.simulation, this.#driven, this.keys, () => this.simulation.step())
     this.tick++
+    this.#part = this.#given = 0
     this.#addHash()
     observe(this.checks, this.watches, this.seconds, this.simulation)
-    this.#noteTones()
-    if (this.tick % TRAIL_EVERY === 0) this.#leaveTrail()
-    if (this.tick % KEYFRAME_EVERY === 0 && !this.#replaying) this.#timeline.keep(this.moment())
+    if (!this.#now) this.#remember()
+    else if (this.tick >= this.#now.tick) this.toNow()
+  }
+
+  #remember(): void {
+    note(this.tracks, this.tick, this.simulation.state)
+    if (this.tick % KEYFRAME_EVERY === 0)
+      this.#timeline.keep(shared(this.moment(), this.#timeline.last ?? null))
   }
 
   /** A tick without programs: a robot that is driven by hand, things that still move. Returns whether there was any. */
@@ -144,8 +211,8 @@ export class Run {
     const moves = this.simulation.state.obstacles.some(
       ({ vx, vy, spin }) => vx !== 0 || vy !== 0 || spin !== 0,
     )
-    if (this.keys.length === 0 && !moves) return false
-    withHandOnKeys(this.simulation, this.keys, () => this.simulation.step())
+    if (this.keys.length === 0 && !moves && !this.simulation.state.robots.some(rollsOn)) return false
+    withHandOnKeys(this.simulation, this.#driven, this.keys, () => this.simulation.step())
     return true
   }
 
@@ -155,7 +222,7 @@ export class Run {
     return this.endedAt !== null && this.tick >= this.endedAt + linger
   }
 
-  /** Where a robot or an obstacle stands now. */
+  /** Where a robot or an obstacle stands at the moment that is shown. */
   poseOf(id: string): Pose | null {
     const { world, state } = this.simulation
     const robot = world.robots.findIndex((placement) => placement.id === id)
@@ -176,31 +243,18 @@ export class Run {
     }
   }
 
-  #noteTones(): void {
-    this.simulation.state.robots.forEach(({ tone }, index) => {
-      const { tones } = this.robots[index]!
-      const frequency = tone?.frequency ?? 0
-      if (frequency !== (tones.at(-1)?.frequency ?? 0)) tones.push({ t: this.seconds, frequency })
-      if (tones.length > LONGEST_TRAIL) tones.splice(0, LONGEST_TRAIL / 10)
-    })
-  }
-
-  #leaveTrail(): void {
-    this.simulation.state.robots.forEach(({ x, y, heading }, index) => {
-      const { trail } = this.robots[index]!
-      trail.push({ t: this.seconds, x, y, heading })
-      if (trail.length > LONGEST_TRAIL) trail.splice(0, LONGEST_TRAIL / 10)
-    })
-  }
-
   moment(): Moment {
     return {
       tick: this.tick,
+      part: this.#part,
+      given: this.#given,
       simulation: this.simulation.keyframe(),
       threads: this.robots.map(({ thread }) => structuredClone(thread)),
       brains: this.brains,
+      starts: this.starts,
       lastInputs: this.robots.map(({ brains }) => [...brains.lastInputs]),
-      keys: [...this.keys],
+      keys: this.keys,
+      driven: this.#driven,
       watches: structuredClone(this.watches),
       hash: [...this.hash],
       endedAt: this.endedAt,
@@ -209,23 +263,52 @@ export class Run {
 
   /** Back or forth to a tick of this run: nearest keyframe, then replay with the log (running.md 8). */
   goTo(tick: number): void {
-    const from = this.#timeline.before(tick)
-    if (!from) return
-    if (from.tick > this.tick || tick < this.tick) this.#restore(from)
-    this.#replaying = true
-    while (this.tick < tick) {
-      for (const input of this.#timeline.inputsAt(this.tick)) this.give(input)
-      this.advance()
-    }
-    this.#replaying = false
+    const now = this.#now?.tick ?? this.tick
+    if (tick >= now) return this.toNow()
+    const wanted = Math.max(tick, this.#timeline.first)
+    const from = this.#timeline.before(wanted)
+    if (!from || wanted === this.tick) return
+    this.#now ??= this.moment()
+    if (from.tick > this.tick || wanted < this.tick) this.#restore(from)
+    while (this.tick < wanted) this.advance()
+  }
+
+  toNow(): void {
+    if (this.#now) this.#restore(this.#now)
+    this.#now = null
+  }
+
+  /** Makes the moment of the past that is shown the present. Returns the course of time that is left. */
+  branch(): Course | null {
+    if (!this.#now) return null
+    const left = { timeline: this.#timeline, tracks: this.tracks, now: this.#now }
+    this.#timeline = this.#timeline.until(this.tick, this.#given)
+    this.tracks = this.tracks.map((track) => trackUntil(track, this.seconds))
+    this.#now = null
+    return left
+  }
+
+  /** Goes over to the end of another course of time. Returns the one that is left. */
+  take({ timeline, tracks, now }: Course): Course {
+    this.toNow()
+    const left = { timeline: this.#timeline, tracks: this.tracks, now: this.moment() }
+    this.#timeline = timeline
+    this.tracks = tracks
+    this.#restore(now)
+    return left
   }
 
   #restore(moment: Moment): void {
     this.simulation.restore(moment.simulation)
     this.tick = moment.tick
-    for (const [id, brain] of Object.entries(moment.brains)) this.#use(id, brain)
+    this.#part = moment.part
+    this.#given = moment.given
+    for (const [id, brain] of Object.entries(moment.brains))
+      if (this.brains[id] !== brain) this.#use(id, brain)
     this.brains = moment.brains
-    this.keys = [...moment.keys]
+    this.starts = moment.starts
+    this.keys = moment.keys
+    this.#driven = moment.driven
     this.watches = structuredClone(moment.watches) as Watch[]
     this.hash = [...moment.hash]
     this.endedAt = moment.endedAt
@@ -233,8 +316,25 @@ export class Run {
       robot.thread = structuredClone(moment.threads[index]!)
       robot.brains.lastInputs.clear()
       for (const [id, inputs] of moment.lastInputs[index]!) robot.brains.lastInputs.set(id, inputs)
-      robot.trail = robot.trail.filter(({ t }) => t <= this.seconds)
-      robot.tones = robot.tones.filter(({ t }) => t <= this.seconds)
     })
   }
+
+  time(): TimeView {
+    const now = this.#now
+    return {
+      first: this.#timeline.first,
+      now: now?.tick ?? this.tick,
+      past: now !== null,
+      marks: this.#timeline.marks,
+      present: now ? this.robots.map(({ id }, index) => ({ id, pose: poseIn(now, index) })) : [],
+    }
+  }
 }
+
+function poseIn({ simulation }: Moment, robot: number): Pose {
+  const { x, y, heading } = simulation.robots[robot]!
+  return { x, y, heading: degreesOf(heading) }
+}
+
+const samePose = (a: Pose | null, b: Pose | null) =>
+  a?.x === b?.x && a?.y === b?.y && a?.heading === b?.heading

@@ -1,7 +1,8 @@
 import type { Brain, NetTrace } from '@botgarten/learning/neural-network'
 import type { Finding } from '@botgarten/blocks'
 import type { Project } from '@botgarten/programs'
-import type { Floor, LedColour, Pose, Ray, SensorPort } from '@botgarten/simulation'
+import type { Floor, LedColour, Pose, Ray, RobotKey, SensorPort } from '@botgarten/simulation'
+import type { Senses } from './robots/senses.ts'
 import type { Moment } from './run.ts'
 
 /** What a lab runs: the parts of a project that behave. */
@@ -28,7 +29,20 @@ export type Phase = 'ready' | 'running' | 'paused' | 'ended'
 export type Input =
   | { readonly kind: 'place'; readonly id: string; readonly pose: Pose }
   | { readonly kind: 'brain'; readonly brain: string; readonly value: Brain }
-  | { readonly kind: 'key'; readonly key: DriveKey; readonly down: boolean }
+  | ({ readonly kind: 'weight' } & WeightChange)
+  /** `robot`: index of the one that the hand at the keys drives. */
+  | { readonly kind: 'key'; readonly key: DriveKey; readonly down: boolean; readonly robot: number }
+  /** A key on a robot's own panel. */
+  | { readonly kind: 'button'; readonly key: RobotKey; readonly down: boolean; readonly robot: number }
+
+/** `set`: name of the weight set, '' for the weights on the knobs. */
+export interface WeightChange {
+  readonly brain: string
+  readonly from: string
+  readonly to: string
+  readonly weight: number
+  readonly set: string
+}
 
 export type DriveKey = 'up' | 'down' | 'left' | 'right'
 
@@ -58,6 +72,28 @@ export interface RobotView {
   readonly trail: readonly TrailPoint[]
   readonly tones: readonly Tone[]
   readonly lit: string | null
+  readonly problem: Finding | null
+}
+
+/** A hand has turned a knob or moved a thing, from one tick to another without a longer pause. */
+export interface Mark {
+  readonly kind: 'weight' | 'place'
+  readonly from: number
+  readonly to: number
+}
+
+/** The run as a line of time, in ticks since its Start (running.md 9). */
+export interface TimeView {
+  /** The oldest moment that is kept: ten simulated minutes back at most. */
+  readonly first: number
+  /** The present. */
+  readonly now: number
+  /** Is a moment of the past shown, that is: not the present? */
+  readonly past: boolean
+  /** The same array until there is another mark. */
+  readonly marks: readonly Mark[]
+  /** Where the robots stand at present while a moment of the past is shown, else empty. */
+  readonly present: readonly { readonly id: string; readonly pose: Pose }[]
 }
 
 /** What the screen shows, asked for once a frame. */
@@ -67,9 +103,13 @@ export interface View {
   readonly seconds: number
   readonly robots: readonly RobotView[]
   readonly obstacles: readonly { readonly id: string; readonly pose: Pose }[]
-  /** By network block: the last run opened, or what a run would give now while the program stands. */
+  readonly time: TimeView
+  /** The brains as they are, or were, at the moment that is shown. */
+  readonly brains: { readonly [networkId: string]: Brain }
+  /** Of one robot, by network block: the last run opened, or what a run would give now while the program stands. */
   readonly networks: { readonly [networkId: string]: NetTrace }
   readonly checks: readonly CheckResult[]
+  /** Of the first robot that has one. */
   readonly problem: Finding | null
 }
 
@@ -83,33 +123,56 @@ export interface Lab {
   ): void
   /** Blocks were edited: brains follow them. While it runs, programs begin anew where the robots stand (running.md 9). */
   edit(programs: Document['programs']): void
+  /**
+   * Takes another document up without beginning anew: what is in both goes on from where it stands, what is new or has
+   * another start pose stands there (or at the nearest free place). The way back in time ends here.
+   */
+  rebuild(document: Document, floor?: Floor): void
   start(): void
+  /** Ends the run, in the present. */
   stop(): void
   pause(): void
+  /** Goes on; from a moment of the past as `branch` says. */
   resume(): void
-  /** `tick`: one tick · `block`: until the next block is lit · `network`: until the next run of a net (running.md 10). */
-  step(kind: StepKind): void
+  /**
+   * `tick`: one tick · `block`: until the robot's next block is lit · `network`: until the next run of a net of it
+   * (running.md 10). In the past it shows what was, up to the present. `robot`: by its id, the first where none is named.
+   */
+  step(kind: StepKind, robot?: string): void
   /**
    * Lets time pass: the run, or a robot that is driven by hand while no program runs.
    * Returns whether anything can look different now.
    */
   advance(ticks: number): boolean
-  setWeight(brain: string, from: string, to: string, weight: number): void
+  /** `set`: name of the weight set, '' for the knobs. */
+  setWeight(brain: string, from: string, to: string, weight: number, set?: string): void
   /** Puts another brain in a network's place: reset, undo, weights of duplicated neurons. */
   setBrain(brain: string, value: Brain): void
   /** Moves a robot or an obstacle by hand; while no run is on, that is where it starts from. Returns where it came to stand. */
   place(id: string, pose: Pose): Pose
-  press(key: DriveKey, down: boolean): void
-  /** Back or forth inside the run: nearest keyframe, then replay (running.md 8). The run is paused there. */
+  press(key: DriveKey, down: boolean, robot?: string): void
+  /** Presses a key on a robot's own panel, or lets it go. */
+  pressButton(key: RobotKey, down: boolean, robot?: string): void
+  /** What a robot's sensors, motors, timers and keys say now; the first robot's where none is named. */
+  senses(robot?: string): Senses
+  /**
+   * Back or forth inside the run: nearest keyframe, then replay (running.md 8). The run is paused there. A tick beyond
+   * the present is the present, one before the oldest moment that oldest one. What a hand changes there goes on from there.
+   */
   goTo(tick: number): void
+  /** Makes a moment of the past the present: its weights and obstacles too. The other future is kept, until the next (running.md 9). */
+  branch(): void
+  /** Changes places with the other future. Returns whether there was one: Start and edited blocks end it. */
+  swap(): boolean
   /** Everything back to its start pose (running.md 10). */
   reset(): void
-  /** The present moment as plain data. */
+  /** The moment that is shown as plain data. */
   state(): Moment
-  view(): View
-  /** The document with the weights and start poses of now. */
+  /** `robot`: whose networks; the first where none is named. */
+  view(robot?: string): View
+  /** The document with the weights and start poses of the present. */
   document(): Document
-  /** 16 hexadecimal digits over x, y, heading (float64) of all robots at every tick of this run. */
+  /** 16 hexadecimal digits over x, y, heading (float64) of all robots at every tick of this run, up to the moment that is shown. */
   hash(): string
 }
 

@@ -3,25 +3,28 @@ import { evaluate } from '@botgarten/programs'
 import { degreesOf, type Pose, type SensorPort } from '@botgarten/simulation'
 import { results } from './checks/checks.ts'
 import { weightsFor } from './robots/brains.ts'
-import type { RobotRun, Run } from './run.ts'
+import type { RobotRun } from './robots/run.ts'
+import type { Run } from './run.ts'
 import type { Phase, RobotView, View } from './types.ts'
 
 type Placed = { readonly x: number; readonly y: number; readonly heading: number }
 
 const poseOf = ({ x, y, heading }: Placed): Pose => ({ x, y, heading: degreesOf(heading) })
 
-/** What the screen shows of a run at this moment. */
-export function viewOf(run: Run, phase: Phase): View {
+/** What the screen shows of a run at this moment. `robot`: index of the one whose networks are shown. */
+export function viewOf(run: Run, phase: Phase, robot: number): View {
   return {
     phase,
     tick: run.tick,
     seconds: run.seconds,
-    robots: run.robots.map((robot, index) => robotView(run, robot, index, phase)),
+    robots: run.robots.map((one, index) => robotView(run, one, index, phase)),
     obstacles: run.simulation.state.obstacles.map((obstacle) => ({
       id: obstacle.id,
       pose: poseOf(obstacle),
     })),
-    networks: networksOf(run, phase),
+    time: run.time(),
+    brains: run.brains,
+    networks: networksOf(run, phase, robot),
     checks: results(run.checks, run.watches),
     problem: run.robots.find(({ thread }) => thread.problem)?.thread.problem ?? null,
   }
@@ -43,20 +46,23 @@ function robotView(run: Run, robot: RobotRun, index: number, phase: Phase): Robo
     rays: Object.fromEntries(
       ports.filter(isDistance).map((port) => [port, run.simulation.rays(index, port)]),
     ),
-    trail: robot.trail,
-    tones: robot.tones,
+    trail: run.tracks[index]!.trail,
+    tones: run.tracks[index]!.tones,
     lit: phase === 'running' || phase === 'paused' ? robot.thread.lit : null,
+    problem: robot.thread.problem,
   }
 }
 
-/** The first robot's networks: their last run, or what a run would give now while no program runs. */
-function networksOf(run: Run, phase: Phase): View['networks'] {
-  const robot = run.robots[0]
-  const placement = run.simulation.world.robots[0]
+/** One robot's networks: their last run, or what a run would give now while no program runs. */
+function networksOf(run: Run, phase: Phase, index: number): View['networks'] {
+  const robot = run.robots[index]
+  const placement = run.simulation.world.robots[index]
   const opened: { [id: string]: NetTrace } = {}
   if (!robot || !placement) return opened
   const live = phase === 'ready' || phase === 'ended'
-  for (const [id, brain] of Object.entries(run.brains)) {
+  for (const id of robot.networks) {
+    const brain = run.brains[id]
+    if (!brain) continue
     const inputs = live ? inputsNow(robot, brain) : (robot.brains.lastInputs.get(id) ?? [])
     opened[id] = trace(brain, inputs, weightsFor(brain, placement))
   }

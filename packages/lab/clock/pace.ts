@@ -7,14 +7,19 @@ const MOST_TICKS = 6
 export class Pace {
   #left = 0
 
-  /** @param milliseconds real time since the last frame · @param speed simulated seconds a real second */
+  /**
+   * @param milliseconds real time since the last frame
+   * @param speed simulated seconds a real second; Infinity: as many ticks as there is time for, and Infinity is returned
+   */
   ticksFor(milliseconds: number, speed = 1): number {
+    if (speed === Infinity) return Infinity
     this.#left += (milliseconds / 1000) * speed * TICKS_PER_SECOND
     // A frame that comes a hair early still gets its tick: displays at 60 Hz then move in every frame.
     const ticks = Math.floor(this.#left + 0.05)
     this.#left -= ticks
-    if (ticks <= MOST_TICKS * Math.max(1, speed)) return ticks
+    const most = MOST_TICKS * Math.max(1, speed)
+    if (ticks <= most) return ticks
     this.#left = 0
-    return MOST_TICKS * Math.max(1, speed)
+    return most
   }
 }

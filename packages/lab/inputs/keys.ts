@@ -1,11 +1,5 @@
 import type { DriveKey } from '../types.ts'
-import {
-  setMotor,
-  type MotorPort,
-  type Percent,
-  type RobotState,
-  type Simulation,
-} from '@botgarten/simulation'
+import { setMotor, type Percent, type Simulation } from '@botgarten/simulation'
 
 const FORWARD: Percent = 60
 const TURN: Percent = 25
@@ -19,29 +13,27 @@ function driveBy(keys: readonly DriveKey[]): { left: Percent; right: Percent } {
 }
 
 /**
- * Lets the hand at the keys drive the first robot for one tick: what the program has set comes back afterwards,
+ * Lets the hand at the keys drive one robot for one tick: what the program has set comes back afterwards,
  * a move that was under way waits.
  */
-export function withHandOnKeys(simulation: Simulation, keys: readonly DriveKey[], tick: () => void): void {
-  if (keys.length === 0) return tick()
-  const robot = simulation.state.robots[0]!
-  const { left, right } = simulation.world.robots[0]!.config.drive
+export function withHandOnKeys(
+  simulation: Simulation,
+  index: number,
+  keys: readonly DriveKey[],
+  tick: () => void,
+): void {
+  const robot = simulation.state.robots[index]
+  if (keys.length === 0 || !robot) return tick()
+  const { left, right } = simulation.world.robots[index]!.config.drive
   const before = { left: robot.motors[left].percent, right: robot.motors[right].percent, move: robot.move }
   const wheels = driveBy(keys)
-  setWheels(simulation, robot, { left, right }, wheels.left, wheels.right)
+  const setWheels = (ofLeft: Percent, ofRight: Percent) => {
+    robot.move = null
+    setMotor(simulation, index, left, ofLeft)
+    setMotor(simulation, index, right, ofRight)
+  }
+  setWheels(wheels.left, wheels.right)
   tick()
-  setWheels(simulation, robot, { left, right }, before.left, before.right)
+  setWheels(before.left, before.right)
   robot.move = before.move
-}
-
-function setWheels(
-  simulation: Simulation,
-  robot: RobotState,
-  ports: { left: MotorPort; right: MotorPort },
-  left: Percent,
-  right: Percent,
-): void {
-  robot.move = null
-  setMotor(simulation, 0, ports.left, left)
-  setMotor(simulation, 0, ports.right, right)
 }

@@ -3,6 +3,7 @@ import {
   follow,
   forward,
   layOut,
+  weightsOf,
   type Brain,
   type Net,
   type Weights,
@@ -24,7 +25,7 @@ export function brainsFor(programs: { readonly [id: string]: Program }, brains: 
 
 /** The weights a robot drives with: those on the knobs, or one named set. */
 export const weightsFor = (brain: Brain, placement: RobotPlacement): Weights =>
-  (placement.brain !== '' && brain.sets[placement.brain]) || brain.weights
+  weightsOf(brain, placement.brain)
 
 /** The networks of one robot, ready to run, with the inputs of each one's last run. */
 export class RobotBrains {

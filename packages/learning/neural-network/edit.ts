@@ -19,23 +19,40 @@ const sameLayers = (a: Brain['layers'], b: Brain['layers']) =>
   a.length === b.length &&
   a.every((layer, l) => layer.length === b[l]!.length && layer.every((neuron, n) => neuron === b[l]![n]))
 
-/** The same brain with one weight changed. */
-export const withWeight = (brain: Brain, from: string, to: string, weight: number): Brain => ({
-  ...brain,
-  weights: { ...brain.weights, [from]: { ...brain.weights[from], [to]: weight } },
-})
+/** Weights under a name: '' are those on the knobs. A set that is not there yet begins as they are. */
+export const weightsOf = (brain: Brain, set: string): Weights =>
+  (set !== '' && brain.sets[set]) || brain.weights
 
-/** The same brain with every weight 0. */
-export const withoutWeights = (brain: Brain): Brain => ({ ...brain, weights: {} })
+/** The same brain with other weights under a name, '' for those on the knobs. */
+export const withWeights = (brain: Brain, weights: Weights, set = ''): Brain =>
+  set === '' ? { ...brain, weights } : { ...brain, sets: { ...brain.sets, [set]: weights } }
 
-/** Duplicated neurons get the weights of their originals, in and out (running.md 11). */
+/** The same brain with one weight changed, on the knobs or in a named set. */
+export function withWeight(brain: Brain, from: string, to: string, weight: number, set = ''): Brain {
+  const weights = weightsOf(brain, set)
+  return withWeights(brain, { ...weights, [from]: { ...weights[from], [to]: weight } }, set)
+}
+
+/** The same brain with every weight 0, on the knobs or in a named set. */
+export const withoutWeights = (brain: Brain, set = ''): Brain => withWeights(brain, {}, set)
+
+/** Duplicated neurons get the weights of their originals, in and out (running.md 11), in every set. */
 export function copyWeights(
   brain: Brain,
   pairs: readonly { readonly from: string; readonly to: string }[],
 ): Brain {
   const copyOf = new Map(pairs.map(({ from, to }) => [from, to]))
+  const sets = Object.entries(brain.sets).map(([name, weights]) => [name, copied(weights, copyOf)])
+  return {
+    ...brain,
+    weights: copied(brain.weights, copyOf),
+    sets: Object.fromEntries(sets) as Brain['sets'],
+  }
+}
+
+function copied(all: Weights, copyOf: ReadonlyMap<string, string>): Weights {
   const weights: { [from: string]: { [to: string]: number } } = {}
-  for (const [from, row] of Object.entries(brain.weights)) {
+  for (const [from, row] of Object.entries(all)) {
     const grown = { ...row }
     for (const [to, weight] of Object.entries(row)) {
       const copy = copyOf.get(to)
@@ -44,7 +61,7 @@ export function copyWeights(
     weights[from] = grown
   }
   for (const [original, copy] of copyOf) if (weights[original]) weights[copy] = { ...weights[original] }
-  return { ...brain, weights }
+  return weights
 }
 
 /** Weights of the links that exist, nothing else: what is written into a file. */

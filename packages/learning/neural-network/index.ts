@@ -1,3 +1,12 @@
 export type * from './types.ts'
 export { forward, layOut, trace, weightOf, type Net } from './network.ts'
-export { copyWeights, emptyBrain, follow, pruneWeights, withoutWeights, withWeight } from './edit.ts'
+export {
+  copyWeights,
+  emptyBrain,
+  follow,
+  pruneWeights,
+  weightsOf,
+  withoutWeights,
+  withWeight,
+  withWeights,
+} from './edit.ts'

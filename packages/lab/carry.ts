@@ -1,0 +1,38 @@
+import type { Pose, RobotState, Simulation } from '@botgarten/simulation'
+
+interface Placed {
+  readonly id: string
+  readonly pose: Pose
+}
+
+/** What is in both worlds with the same start pose stays where it stands; the rest is put down at its start pose. Returns where. */
+export function carryOver(from: Simulation, to: Simulation): { readonly [id: string]: Pose } {
+  const [was, next] = [from.keyframe(), to.keyframe()]
+  const before = new Map(everything(from).map(({ id, pose }) => [id, pose]))
+  const isNew = everything(to).filter(({ id, pose }) => !samePose(before.get(id), pose))
+  const news = new Set(isNew.map(({ id }) => id))
+  const ids = new Set(['edge', ...everything(to).map(({ id }) => id)])
+  const things = new Map(was.obstacles.map((thing) => [thing.id, thing]))
+  const robots = next.robots.map((robot, index) => {
+    const { id } = to.world.robots[index]!
+    const old = was.robots[from.world.robots.findIndex((one) => one.id === id)]
+    if (!old) return robot
+    const { x, y, heading } = robot
+    return touchingOnly(news.has(id) ? { ...old, x, y, heading } : old, ids)
+  })
+  const obstacles = next.obstacles.map((thing) => (news.has(thing.id) ? thing : things.get(thing.id)!))
+  to.restore({ ...next, tick: was.tick, noise: was.noise, robots, obstacles })
+  const came = isNew.map(({ id, pose }) => [id, to.place(id, pose)])
+  to.settle()
+  return Object.fromEntries(came) as { readonly [id: string]: Pose }
+  to.settle()
+}
+
+const everything = ({ world }: Simulation): readonly Placed[] => [...world.obstacles, ...world.robots]
+
+const samePose = (a: Pose | undefined, b: Pose) => a?.x === b.x && a.y === b.y && a.heading === b.heading
+
+const touchingOnly = (robot: RobotState, ids: ReadonlySet<string>): RobotState => ({
+  ...robot,
+  touching: robot.touching.filter((id) => ids.has(id)),
+})
