@@ -3,8 +3,8 @@ import { bringUpToDate, type Outlines } from '../geometry/outlines.ts'
 import type { Cm, SensorPlace } from '../types.ts'
 
 /** The bumper is a bar across the sensor's direction: so far it reaches to both sides, and before and behind its place. */
-const HALF_WIDTH: Cm = 6
-const HALF_DEPTH: Cm = 0.15
+const HALF_WIDTH = 6
+const HALF_DEPTH = 0.15
 
 /** Where a bumper is: its middle and the direction it faces. */
 interface Bar {

@@ -38,6 +38,18 @@ const MODES: { readonly [mode in ReadMode]: readonly [kind: SensorKind, index: n
   heading: ['position', 2],
 }
 
+/** What each sensor can be asked for. */
+export const MODES_OF: { readonly [kind in SensorKind]: readonly ReadMode[] } = {
+  ultrasonic: ['distance'],
+  colour: ['colour', 'light', 'red', 'green', 'blue'],
+  touch: ['touch'],
+  gyro: ['angle', 'rate'],
+  infrared: ['infrared'],
+  sound: ['sound'],
+  compass: ['compass'],
+  position: ['x', 'y', 'heading'],
+}
+
 export function createReadings(scene: Scene, floor: Floor): Readings {
   const sensors = scene.world.robots.flatMap(({ config }) =>
     PORTS.map((port) => (config.sensors[port] ? sensorAt(config.sensors[port]) : null)),
