@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest'
-import { draw, stream, type StreamState } from './index.ts'
+import { draw, fastDraw, fastStream, stream, type StreamState } from './index.ts'
 import reference from './reference/streams.json' with { type: 'json' }
 
 test.each(reference)('stream "$name" of seed $seed starts and draws as the published code does', (row) => {
@@ -31,4 +31,12 @@ test('draws are spread evenly over [0, 1)', () => {
   for (let i = 0; i < 16000; i++) bins[Math.floor(draw(state) * 16)]!++
   // Chi square with 15 degrees of freedom passes 37.7 once in a thousand seeds; this one is fixed.
   expect(bins.reduce((sum, n) => sum + (n - 1000) ** 2 / 1000, 0)).toBeLessThan(37.7)
+})
+
+test('draws without boxes are the same draws', () => {
+  const state = stream(3, 'learn/a/1')
+  const fast = fastStream(state)
+  const both = Array.from({ length: 1000 }, () => [draw(state), fastDraw(fast)] as const)
+  expect(both.every(([plain, quick]) => plain === quick)).toBe(true)
+  expect([...fast]).toEqual(state)
 })

@@ -1,0 +1,6 @@
+export type * from './types.ts'
+export { layOutWorld, type QWorld } from './world.ts'
+export { createLearner, restoreLearner, saveLearner, type Learner } from './learner.ts'
+export { run, step } from './step.ts'
+export { gridMap, type Grid, type GridOptions } from './grid.ts'
+export { bestMove, bestWay, policy, type BestWay } from './best-way.ts'

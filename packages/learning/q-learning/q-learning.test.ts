@@ -1,0 +1,237 @@
+import { stream } from '@botgarten/numbers'
+import fc from 'fast-check'
+import { describe, expect, test } from 'vitest'
+import {
+  bestWay,
+  createLearner,
+  gridMap,
+  layOutWorld,
+  policy,
+  restoreLearner,
+  run,
+  saveLearner,
+  step,
+  type QState,
+  type Settings,
+  type Task,
+} from './index.ts'
+
+const usual: Settings = { rules: 'standard', algorithm: 'q', alpha: 0.5, gamma: 0.8, nu: 0.1, rho: 0.5 }
+const seeded = (seed = 1) => stream(seed, 'learn/test/1')
+const learnerOf = (task: Task, settings: Partial<Settings> = {}) =>
+  createLearner(layOutWorld(task), { ...usual, ...settings }, seeded())
+
+const share = fc.double({ min: 0, max: 1, noNaN: true })
+const anySettings: fc.Arbitrary<Settings> = fc.record({
+  rules: fc.constantFrom('standard', 'study'),
+  algorithm: fc.constantFrom('q', 'sarsa'),
+  ...{ alpha: share, gamma: share, nu: share, rho: share },
+  alphaDecay: fc.oneof(
+    fc.constantFrom({ kind: 'constant' } as const, { kind: 'visits' } as const),
+    share.map((factor) => ({ kind: 'episodes', factor }) as const),
+  ),
+  rhoDecay: share.map((factor) => ({ kind: 'episodes', factor }) as const),
+})
+
+/** Any map that is one: no roads, roads to themselves, slippery ones, rewards of any size. */
+const anyTask: fc.Arbitrary<Task> = fc.integer({ min: 1, max: 12 }).chain((count) => {
+  const station = fc.nat(count - 1)
+  const reward = fc.oneof(fc.constant(0), fc.double({ min: -1e12, max: 1e12, noNaN: true }))
+  const slippery = fc.tuple(station, station, reward).map(([a, b, paid]) => [
+    { probability: 0.25, to: a },
+    { probability: 0.75, to: b, reward: paid },
+  ])
+  const road = fc.record(
+    { to: station, reward, length: fc.nat(1000), outcomes: slippery },
+    { requiredKeys: ['to'] },
+  )
+  const roads = fc.array(road, { maxLength: 4 })
+  return fc.record({
+    map: fc.record({
+      moves: fc.array(roads, { minLength: count, maxLength: count }),
+      terminals: fc.array(station, { maxLength: 2 }),
+    }),
+    ...{ start: station, goal: station },
+    closed: fc.array(fc.tuple(station, station), { maxLength: 3 }),
+    ...{ goalReward: reward, stepCost: reward, lengthCost: fc.double({ min: 0, max: 10, noNaN: true }) },
+  })
+})
+
+describe('on any map with any settings', () => {
+  test('a move is one that is open, and its numbers are the update of the book (Sutton & Barto, 6.7 and 6.8)', () => {
+    fc.assert(
+      fc.property(anyTask, anySettings, (task, settings) => {
+        const learner = learnerOf(task, settings)
+        const { world } = learner
+        for (let t = 1; t <= 60; t++) {
+          const trace = step(learner)
+          expect(trace.t).toBe(t)
+          if (trace.decision === null) {
+            expect(world.first[trace.from]).toBe(world.first[trace.from + 1])
+            continue
+          }
+          expect(world.from[trace.move]).toBe(trace.from)
+          const target = trace.reward + settings.gamma * trace.bestNext
+          expect(trace.after).toBe((1 - trace.alpha) * trace.before + trace.alpha * target)
+          expect(learner.q[trace.move]).toBe(trace.after)
+        }
+      }),
+    )
+  })
+
+  test('a state that was saved as text goes on bit for bit the same (running.md 2)', () => {
+    fc.assert(
+      fc.property(anyTask, anySettings, fc.nat(80), (task, settings, moves) => {
+        const learner = learnerOf(task, settings)
+        run(learner, moves)
+        const copy = learnerOf(task, settings)
+        restoreLearner(copy, JSON.parse(JSON.stringify(saveLearner(learner))) as QState)
+        const after = (one: typeof learner) => Array.from({ length: 40 }, () => step(one))
+        expect(after(copy)).toEqual(after(learner))
+        expect(saveLearner(copy)).toEqual(saveLearner(learner))
+      }),
+    )
+  })
+
+  test('many moves at once are the same as single ones', () => {
+    fc.assert(
+      fc.property(anyTask, anySettings, fc.nat(200), (task, settings, moves) => {
+        const stepped = learnerOf(task, settings)
+        const ran = learnerOf(task, settings)
+        for (let move = 0; move < moves; move++) step(stepped)
+        run(ran, moves)
+        expect(saveLearner(ran)).toEqual(saveLearner(stepped))
+      }),
+    )
+  })
+
+  test('the best way is walked by open roads and ends where it says', () => {
+    fc.assert(
+      fc.property(anyTask, anySettings, (task, settings) => {
+        const learner = learnerOf(task, settings)
+        run(learner, 300)
+        const way = bestWay(learner)
+        const walked = way.stations ?? way.walked
+        const best = policy(learner)
+        for (const [index, station] of walked.slice(0, -1).entries())
+          expect(learner.world.meant[best[station]!]).toBe(walked[index + 1])
+        if (way.stations) expect(walked.at(-1)).toBe(task.goal)
+        else if (learner.goals === 0) expect(way.reason).toBe('neverReached')
+        else if (way.reason === 'circle')
+          expect(walked.indexOf(walked.at(-1)!)).toBeLessThan(walked.length - 1)
+        else if (way.reason === 'deadEnd') expect(best[walked.at(-1)!]).toBe(-1)
+      }),
+    )
+  })
+})
+
+describe('odd maps', () => {
+  const line = (stations: number): Task => ({
+    map: {
+      moves: Array.from({ length: stations }, (_, from) => (from + 1 < stations ? [{ to: from + 1 }] : [])),
+    },
+    ...{ start: 0, goal: stations - 1 },
+  })
+
+  test('one station: it is there already', () => {
+    const learner = learnerOf(line(1))
+    run(learner, 10)
+    expect(bestWay(learner)).toEqual({ stations: [0], reason: 'startIsGoal' })
+  })
+
+  test('500 stations in a row are learned', () => {
+    const learner = learnerOf(line(500), { nu: 0.5 })
+    run(learner, 600_000)
+    expect(bestWay(learner).stations).toHaveLength(500)
+  })
+
+  test('all roads closed: it says that it never got to the goal', () => {
+    const learner = learnerOf({
+      ...line(3),
+      closed: [
+        [0, 1],
+        [1, 2],
+      ],
+    })
+    run(learner, 50)
+    expect(bestWay(learner)).toEqual({ stations: null, reason: 'neverReached', walked: [0] })
+    expect(step(learner)).toMatchObject({ decision: null, move: -1, ends: 'deadEnd', to: 0 })
+  })
+
+  test('a reward that lies on the way round invites to walk in circles', () => {
+    const map = { moves: [[{ to: 1 }, { to: 2 }], [{ to: 0 }], []], rewards: { 1: 60 } }
+    const learner = learnerOf({ map, start: 0, goal: 2 }, { gamma: 0.9 })
+    run(learner, 5000)
+    expect(bestWay(learner)).toEqual({ stations: null, reason: 'circle', walked: [0, 1, 0] })
+  })
+
+  test.each([
+    [{ start: 3 }, 'The start is station 3; there are 0 to 2.'],
+    [{ goal: -1 }, 'The goal is station -1; there are 0 to 2.'],
+    [{ stepCost: NaN }, 'stepCost is NaN, not a number that counts.'],
+    [{ goalReward: Infinity }, 'goalReward is Infinity, not a number that counts.'],
+    [{ map: { moves: [] } }, 'A map has 1 to 10000 stations, not 0.'],
+    [{ map: { moves: [[{ to: 7 }]] }, goal: 0 }, 'The end of Road 0-7 is station 7; there are 0 to 0.'],
+    [
+      { map: { moves: [[{ to: 0, reward: NaN }]] }, goal: 0 },
+      'The reward of Road 0-0 is NaN, not a number that counts.',
+    ],
+    [{ map: { moves: [[{ to: 0, length: -1 }]] }, goal: 0 }, 'Road 0-0 has the length -1.'],
+    [
+      { map: { moves: [[{ to: 0, outcomes: [{ probability: 0.5, to: 0 }] }]] }, goal: 0 },
+      'The probabilities of Road 0-0 add up to 0.5, not to 1.',
+    ],
+  ])('%j is refused with a word', (odd, words) => {
+    expect(() => layOutWorld({ ...line(3), ...odd })).toThrow(new RangeError(words))
+  })
+
+  test.each(['alpha', 'gamma', 'nu', 'rho'])('%s has to be a number from 0 to 1', (name) => {
+    for (const value of [NaN, -0.1, 1.1])
+      expect(() => learnerOf(line(2), { [name]: value })).toThrow(
+        new RangeError(`${name} is ${value}; it must be a number from 0 to 1.`),
+      )
+  })
+
+  test('a state of another map is refused', () => {
+    const state = saveLearner(learnerOf(line(4)))
+    expect(() => restoreLearner(learnerOf(line(3)), state)).toThrow(
+      'This state knows 3 moves, the map has 2.',
+    )
+  })
+})
+
+describe('a grid', () => {
+  test('is refused with a word where it is none', () => {
+    expect(() => gridMap(['SF', 'G'])).toThrow('equally long')
+    expect(() => gridMap(['SX', 'GF'])).toThrow('A grid has no cell X')
+    expect(() => gridMap(['SF', 'FF'])).toThrow('one start S and one goal G')
+  })
+
+  test('has walls that nobody passes', () => {
+    const { map } = gridMap(['SWG', 'FFF'])
+    expect(map.moves[0]!.map(({ to }) => to)).toEqual([0, 3, 0, 0])
+  })
+})
+
+test('on the cliff SARSA takes the safe way and gets more while it learns (Sutton & Barto, example 6.6)', () => {
+  const { map, start, goal } = gridMap(['FFFFFFFFFFFF', 'FFFFFFFFFFFF', 'FFFFFFFFFFFF', 'SCCCCCCCCCCG'], {
+    cliffReward: -99,
+  })
+  const task = { map, start, goal, goalReward: 0, stepCost: 1 }
+  const rewards = (['q', 'sarsa'] as const).map((algorithm) => {
+    const learner = learnerOf(task, { algorithm, alpha: 0.5, gamma: 1, nu: 0, rho: 0.1 })
+    let [sum, episodes] = [0, 0]
+    while (learner.episodes < 500) {
+      const before = learner.episodes
+      const { reward } = step(learner)
+      if (before >= 100) sum += reward
+      if (before >= 100 && learner.episodes > before) episodes += 1
+    }
+    return sum / episodes
+  })
+  const [q, sarsa] = rewards as [number, number]
+  expect(q).toBeGreaterThan(-75)
+  expect(q).toBeLessThan(-35)
+  expect(sarsa).toBeGreaterThan(-35)
+  expect(sarsa).toBeLessThan(-15)
+})
