@@ -44,6 +44,18 @@ export type MarkdownNode =
 
 export type Markdown = readonly MarkdownNode[]
 
+type FreeNode =
+  | { readonly type: 'text'; readonly value: string }
+  | {
+      readonly type: 'paragraph' | 'strong' | 'emphasis' | 'listItem' | 'heading'
+      readonly children: FreeText
+    }
+  | { readonly type: 'list'; readonly ordered: boolean; readonly children: FreeText }
+  | { readonly type: 'link'; readonly href: string; readonly children: FreeText }
+
+/** Markdown that somebody writes who runs a lab: headings and links besides what a card may hold. */
+export type FreeText = readonly FreeNode[]
+
 /** A card in one language. */
 export interface CardText {
   readonly title: string

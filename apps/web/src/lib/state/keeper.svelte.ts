@@ -1,12 +1,13 @@
 import type { Project } from '@botgarten/programs'
-import { save, whenSavedElsewhere, type Saved } from '#lib/storage/projects.ts'
+import { whenChangedElsewhere, type News } from '#lib/storage/channel.ts'
+import { save, type Saved } from '#lib/storage/projects.ts'
 
 /** A pause in editing after which the project is saved, in milliseconds. */
 const PAUSE = 250
 
 /** Keeps one project on the device: saves by itself, and knows when it cannot. */
 export class Keeper {
-  #state = $state<'saving' | 'saved' | 'failed' | 'elsewhere'>('saved')
+  #state = $state<'saving' | 'saved' | 'failed' | 'elsewhere' | 'gone'>('saved')
   #storage = $state<'ok' | 'full' | 'refused'>('ok')
   #id = $state('')
   #revision: number
@@ -14,13 +15,23 @@ export class Keeper {
   #timer: ReturnType<typeof setTimeout> | undefined
   #busy: Promise<void> = Promise.resolve()
   #stopListening: () => void
+  /** Another tab has given the project this name. */
+  whenRenamed: (name: string) => void = () => {}
 
   constructor(id: string, revision: number) {
     this.#id = id
     this.#revision = revision
-    this.#stopListening = whenSavedElsewhere(id, (theirs) => {
-      if (theirs > this.#revision) this.#state = 'elsewhere'
-    })
+    this.#stopListening = whenChangedElsewhere(id, (news) => this.#hear(news))
+  }
+
+  #hear(news: News): void {
+    if (this.#revision === 0 && news.kind === 'gone') return
+    if (news.kind === 'gone') this.#state = 'gone'
+    else if (news.name !== undefined && news.revision === this.#revision + 1) {
+      // Only the name is another one: both can go on.
+      this.#revision = news.revision
+      this.whenRenamed(news.name)
+    } else if (news.revision > this.#revision) this.#state = 'elsewhere'
   }
 
   get id() {
@@ -36,7 +47,7 @@ export class Keeper {
   /** Something has changed; `project` is asked for when it is time to save. */
   changed(project: () => Project): void {
     this.#waiting = project
-    if (this.#state === 'elsewhere') return
+    if (this.#state === 'elsewhere' || this.#state === 'gone') return
     this.#state = 'saving'
     clearTimeout(this.#timer)
     this.#timer = setTimeout(() => void this.flush(), PAUSE)
@@ -66,6 +77,7 @@ export class Keeper {
 
   #take(outcome: Saved): void {
     if (outcome.kind === 'newer') this.#state = 'elsewhere'
+    else if (outcome.kind === 'gone') this.#state = 'gone'
     else if (outcome.kind === 'saved') {
       this.#revision = outcome.revision
       this.#storage = 'ok'
@@ -83,7 +95,7 @@ export class Keeper {
     this.#revision = 0
     this.#state = 'saving'
     this.#waiting = project
-    this.#stopListening = whenSavedElsewhere(id, () => (this.#state = 'elsewhere'))
+    this.#stopListening = whenChangedElsewhere(id, (news) => this.#hear(news))
     return this.flush()
   }
 

@@ -1,6 +1,11 @@
 import type { Facts } from '@botgarten/blocks'
-import { parseProject, ProjectError, writeProject, type Project } from '@botgarten/programs'
-import { freshId, save } from './projects.ts'
+import { parseProject, ProjectError, type Project } from '@botgarten/programs'
+import { placeOf } from '#lib/content/cards.ts'
+import * as m from '#lib/words/generated/messages.js'
+import { handOut } from './handout.ts'
+import { isHome, mostHomeBytes, readHome, writeHome } from './home-file.ts'
+import { mergeHome } from './merge.ts'
+import { add, freshId, list, save } from './projects.ts'
 
 /** Why a file was not taken up, as the words `problem.<problem>.title` and `.text` with their facts. */
 export interface Refusal {
@@ -8,19 +13,29 @@ export interface Refusal {
   readonly facts: Facts
 }
 
-/** A file that was opened is a new project of this device. */
-export type OpenedFile = { readonly id: string; readonly project: Project } | Refusal
+/** How many projects of a home file are new here, stand here as a copy, were here already, or are broken. */
+export interface Merged {
+  readonly added: number
+  readonly copies: number
+  readonly same: number
+  readonly broken: number
+}
+
+/** A file of one project is a new project of this device; a home file lays its projects beside those that are here. */
+export type OpenedFile =
+  { readonly id: string; readonly project: Project } | { readonly merged: Merged } | Refusal
 
 const MOST_BYTES = 5_000_000
 
-/** Takes a project file up; what was open before stays as it is. */
+/** Takes a file up; what is here already stays as it is. */
 export async function openProjectFile(file: File): Promise<OpenedFile> {
-  if (file.size > MOST_BYTES) return { problem: 'tooBig', facts: {} }
+  if (file.size > mostHomeBytes) return { problem: 'homeTooBig', facts: {} }
   try {
-    const project = parseProject(await file.text())
-    const id = freshId(project.card ?? 'free')
-    const { kind } = await save(id, project, 0)
-    return kind === 'saved' ? { id, project } : { problem: 'notKept', facts: {} }
+    const text = await file.text()
+    const home = homeIn(text)
+    if (home) return await takeHomeFile(home)
+    if (file.size > MOST_BYTES) return { problem: 'tooBig', facts: {} }
+    return await keepProject(parseProject(text))
   } catch (error) {
     if (!(error instanceof ProjectError)) throw error
     console.warn('The project file was refused.', error)
@@ -28,12 +43,39 @@ export async function openProjectFile(file: File): Promise<OpenedFile> {
   }
 }
 
-/** Hands the project out as a file, through the browser's own download. */
-export function saveProjectFile(project: Project): void {
-  const address = URL.createObjectURL(new Blob([writeProject(project)], { type: 'application/json' }))
-  const link = document.createElement('a')
-  link.href = address
-  link.download = `${project.name.replace(/[^\p{L}\p{N} _-]/gu, '') || 'botgarten'}.botgarten.json`
-  link.click()
-  setTimeout(() => URL.revokeObjectURL(address), 1000)
+/** What a home file holds; null for every other text. */
+function homeIn(text: string): unknown {
+  try {
+    const data: unknown = text.includes('"botgartenHome"') ? JSON.parse(text) : null
+    return isHome(data) ? data : null
+  } catch {
+    return null
+  }
+}
+
+async function takeHomeFile(data: unknown): Promise<OpenedFile> {
+  const { projects, broken } = readHome(data)
+  const { added, copies, same } = mergeHome(await list(), projects, {
+    fresh: freshId,
+    copy: (name) => m['session.copy']({ name }),
+    place: placeOf,
+  })
+  const trouble = await add(added)
+  if (trouble) return { problem: 'notKept', facts: {} }
+  return { merged: { added: added.length, copies, same, broken } }
+}
+
+/** Puts a foreign project beside those that are here. */
+export async function keepProject(project: Project): Promise<OpenedFile> {
+  const id = freshId(placeOf(project))
+  const { kind } = await save(id, project, 0)
+  return kind === 'saved' ? { id, project } : { problem: 'notKept', facts: {} }
+}
+
+/** Hands everything that lies on this device out as one file. Returns whether there was anything. */
+export async function saveHomeFile(day: Date): Promise<boolean> {
+  const all = await list()
+  if (all.length === 0) return false
+  handOut(`${m['projects.homeFile']()} ${day.toISOString().slice(0, 10)}`, writeHome(all))
+  return true
 }

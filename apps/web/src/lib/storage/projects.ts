@@ -1,36 +1,10 @@
 import type { Project } from '@botgarten/programs'
-import { openDB, type DBSchema, type IDBPDatabase } from 'idb'
+import { announce } from './channel.ts'
+import { database, troubleOf, type Kept, type Trouble } from './database.ts'
 
-/** A project on this device. `revision` grows by one with every save, so that two tabs notice each other. */
-export interface Kept {
-  readonly id: string
-  readonly project: Project
-  /** Milliseconds since 1970. */
-  readonly changed: number
-  readonly revision: number
-}
-
-/** `newer`: another tab has saved meanwhile · `full`: no room left · `refused`: the device keeps nothing. */
+/** `newer`: another tab has saved meanwhile · `gone`: another tab has thrown it away. */
 export type Saved =
-  { readonly kind: 'saved'; readonly revision: number } | { readonly kind: 'newer' | 'full' | 'refused' }
-
-interface Schema extends DBSchema {
-  projects: { key: string; value: Kept }
-}
-
-let opened: Promise<IDBPDatabase<Schema>> | undefined
-
-const forget = () => (opened = undefined)
-
-function database(): Promise<IDBPDatabase<Schema>> {
-  opened ??= openDB<Schema>('botgarten', 1, {
-    upgrade: (db) => void db.createObjectStore('projects', { keyPath: 'id' }),
-    terminated: forget,
-  })
-  // What is refused once may be allowed the next time.
-  opened.catch(forget)
-  return opened
-}
+  { readonly kind: 'saved'; readonly revision: number } | { readonly kind: 'newer' | 'gone' | Trouble }
 
 /** One project, or null where there is none or the device refuses. */
 export async function load(id: string): Promise<Kept | null> {
@@ -53,35 +27,57 @@ export async function list(): Promise<readonly Kept[]> {
   }
 }
 
+/**
+ * A revision for a project that has none yet: a moment. A key that is used anew after the bin never comes back to a
+ * revision that an old tab still holds.
+ */
+export const firstRevision = (): number => Date.now()
+
 /** Saves unless somebody else has saved since `basedOn` (0: it is new). Reading and writing are one transaction. */
 export async function save(id: string, project: Project, basedOn: number): Promise<Saved> {
   try {
     const transaction = (await database()).transaction('projects', 'readwrite', { durability: 'strict' })
     const found = await transaction.store.get(id)
+    if (basedOn > 0 && !found) return { kind: 'gone' }
     if ((found?.revision ?? 0) !== basedOn) return { kind: 'newer' }
-    const revision = basedOn + 1
+    const revision = found ? found.revision + 1 : firstRevision()
     // Strings and plain objects only; a proxy or a function here would be a mistake of ours.
     await transaction.store.put({ id, project, changed: Date.now(), revision })
     await transaction.done
-    announce(id, revision)
+    announce({ kind: 'saved', id, revision })
     return { kind: 'saved', revision }
   } catch (cause) {
-    console.warn('The project could not be saved.', cause)
-    return { kind: cause instanceof DOMException && cause.name === 'QuotaExceededError' ? 'full' : 'refused' }
+    return { kind: troubleOf(cause) }
   }
 }
 
-const channel = typeof BroadcastChannel === 'undefined' ? null : new BroadcastChannel('botgarten-projects')
-
-const announce = (id: string, revision: number) => channel?.postMessage({ id, revision })
-
-/** Calls back when another tab has saved a project. Returns how to stop. */
-export function whenSavedElsewhere(id: string, heard: (revision: number) => void): () => void {
-  const listen = ({ data }: MessageEvent<{ id: string; revision: number }>) => {
-    if (data.id === id) heard(data.revision)
+/** Gives a project another name and leaves the rest as whoever saved last has left it. */
+export async function rename(id: string, name: string): Promise<Saved> {
+  try {
+    const transaction = (await database()).transaction('projects', 'readwrite', { durability: 'strict' })
+    const found = await transaction.store.get(id)
+    if (!found) return { kind: 'gone' }
+    const revision = found.revision + 1
+    await transaction.store.put({ ...found, project: { ...found.project, name }, revision })
+    await transaction.done
+    announce({ kind: 'saved', id, revision, name })
+    return { kind: 'saved', revision }
+  } catch (cause) {
+    return { kind: troubleOf(cause) }
   }
-  channel?.addEventListener('message', listen)
-  return () => channel?.removeEventListener('message', listen)
+}
+
+/** Keeps projects under keys that are free. All of them, or none. */
+export async function add(projects: readonly Omit<Kept, 'revision'>[]): Promise<Trouble | null> {
+  try {
+    const transaction = (await database()).transaction('projects', 'readwrite', { durability: 'strict' })
+    const revision = firstRevision()
+    await Promise.all(projects.map((one) => transaction.store.add({ ...one, revision })))
+    await transaction.done
+    return null
+  } catch (cause) {
+    return troubleOf(cause)
+  }
 }
 
 /** A key for a project that has none yet; safe in an address. */

@@ -1,3 +1,4 @@
+import { resolve } from '$app/paths'
 import type { LoadedCard } from '#lib/content/cards.ts'
 import { language } from '#lib/words/language.svelte.ts'
 import { m } from '#lib/words/generated/messages.js'
@@ -15,10 +16,11 @@ const paragraph = (value: string): MarkdownNode => ({
 /** The front of a card as the frame shows it. */
 export function faceOf(loaded: LoadedCard): CardFace {
   const { title, story, goal, further } = textOf(loaded)
-  const { code, needs, minutes, grades } = loaded.card
+  const { code, playground, needs, minutes, grades } = loaded.card
   return {
     title,
     code,
+    playground,
     picture: loaded.picture,
     sections: { story, goal: [paragraph(goal.sentence)], further },
     needs,
@@ -44,5 +46,7 @@ export function nextStep(card: LoadedCard, passedStarts: readonly number[]): Nex
   const index = card.card.starts.findIndex((_, start) => !passedStarts.includes(start))
   if (index >= 0) return { kind: 'start', index }
   const { next } = card.card
-  return next ? { kind: 'card', href: `/lab/${next}`, name: say(`home.${next}`) } : { kind: 'none' }
+  return next
+    ? { kind: 'card', href: resolve('/lab/[card]', { card: next }), name: say(`home.${next}`) }
+    : { kind: 'none' }
 }

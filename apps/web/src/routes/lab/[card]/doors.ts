@@ -4,7 +4,6 @@ import { placeOf } from '#lib/content/cards.ts'
 import type { Desk } from '#lib/state/desk.svelte.ts'
 import type { Opened } from '#lib/state/opening.ts'
 import type { Session } from '#lib/state/session.svelte.ts'
-import { openProjectFile } from '#lib/storage/files.ts'
 import { freshId } from '#lib/storage/projects.ts'
 import { m } from '#lib/words/generated/messages.js'
 
@@ -18,11 +17,13 @@ export function leaveBroken({ id, project, trouble }: Opened): void {
 
 /** Opens a project file in place of this project, which stays on the device. */
 export async function openFile(file: File, desk: Desk): Promise<void> {
+  const { openProjectFile } = await import('#lib/storage/later.ts')
   const outcome = await openProjectFile(file)
   if ('problem' in outcome) {
     const { problem, facts } = outcome
     desk.say(`problem.${problem}.title`, `problem.${problem}.text`, facts)
-  } else await show(placeOf(outcome.project), outcome.id)
+  } else if ('merged' in outcome) await goto(resolve('/projects'), { state: { merged: outcome.merged } })
+  else await show(placeOf(outcome.project), outcome.id)
 }
 
 /** Another tab has saved this project: what stands here becomes one of its own, and goes on undisturbed. */
@@ -30,6 +31,14 @@ export function keepCopy(session: Session, title: string): void {
   const place = placeOf(session.project)
   const id = freshId(place)
   void session.continueAsCopy(id, m['session.copy']({ name: title }))
+  void replaceState(addressOf(place, id), {})
+}
+
+/** Another tab has thrown this project away: what stands here goes on as one of its own. */
+export function keepGone(session: Session): void {
+  const place = placeOf(session.project)
+  const id = freshId(place)
+  void session.continueAsCopy(id, session.name)
   void replaceState(addressOf(place, id), {})
 }
 

@@ -1,6 +1,8 @@
 import type { Snippet } from 'svelte'
 import type { Phase } from '@botgarten/lab'
+import type { Project } from '@botgarten/programs'
 import type { Markdown } from '#lib/parts/markdown.ts'
+import type { Card } from '@botgarten/materials'
 
 /** A pane of the lab. */
 export type PaneName = 'program' | 'world' | 'network'
@@ -12,7 +14,7 @@ interface PaneState {
 }
 
 /** `elsewhere`: another tab holds this project; `failed` offers to try again. */
-type SaveState = 'saving' | 'saved' | 'failed' | 'elsewhere'
+type SaveState = 'saving' | 'saved' | 'failed' | 'elsewhere' | 'gone'
 
 export interface Goal {
   readonly id: string
@@ -37,13 +39,14 @@ export interface Starts {
 }
 
 /** What is laid out under "You need" on a card. */
-export type Need = 'distanceSensors' | 'motors' | 'blueSquare'
+export type Need = Card['needs'][number]
 
 /** The front of a card. */
 export interface CardFace {
   readonly title: string
   /** "NN 1". */
   readonly code: string
+  readonly playground: Card['playground']
   /** Address of the card's picture, or null. */
   readonly picture: string | null
   readonly sections: { readonly story: Markdown; readonly goal: Markdown; readonly further: Markdown }
@@ -111,6 +114,8 @@ export interface LabFrameProps {
   card: CardFace | null
   onopenfile: (file: File) => void
   onsavefile: () => void
+  /** The project as a link would carry it. */
+  onshare: () => Project
   settings: WorldSettings
   onsettings: (settings: WorldSettings) => void
 
@@ -164,6 +169,9 @@ export interface LabFrameProps {
   conflict: boolean
   onkeepcopy: () => void
   onloadnewer: () => void
+  /** Another tab has thrown this project away meanwhile. */
+  gone: boolean
+  onkeepgone: () => void
   /** The device has no room left, or refuses to keep anything. The panel offers to save a file. */
   storage: 'ok' | 'full' | 'refused'
   /** A plain message with one OK: a broken project file, for instance. */

@@ -1,0 +1,15 @@
+import { writeProject, type Project } from '@botgarten/programs'
+
+const nameOfFile = (name: string) => name.replace(/[^\p{L}\p{N} _-]/gu, '').slice(0, 80) || 'botgarten'
+
+/** Hands the project out as a file, through the browser's own download. */
+export const saveProjectFile = (project: Project): void => handOut(project.name, writeProject(project))
+
+export function handOut(name: string, text: string): void {
+  const address = URL.createObjectURL(new Blob([text], { type: 'application/json' }))
+  const link = document.createElement('a')
+  link.href = address
+  link.download = `${nameOfFile(name)}.botgarten.json`
+  link.click()
+  setTimeout(() => URL.revokeObjectURL(address), 1000)
+}

@@ -1,0 +1,111 @@
+import { parseProject, ProjectError, type Project } from '@botgarten/programs'
+import fc from 'fast-check'
+import { readFileSync } from 'node:fs'
+import { expect, test } from 'vitest'
+import type { Kept } from './database.ts'
+import { readHome, writeHome } from './home-file.ts'
+import { mergeHome } from './merge.ts'
+
+const read = (path: string) =>
+  JSON.parse(readFileSync(new URL(`../../../../../content/${path}`, import.meta.url), 'utf8')) as object
+const card = (id: string, folder: string): Project =>
+  parseProject({
+    ...{ botgarten: 1, name: id, card: id, assets: {} },
+    ...read(`cards/network/${folder}/start.json`),
+    world: read(`worlds/${id}/world.json`),
+  })
+const friendship = card('friendship', '05-friendship')
+const fear = card('fear', '06-fear')
+const moved = (project: Project, hints: number): Project => ({ ...project, progress: { starts: [], hints } })
+const kept = (id: string, project: Project, changed = 1): Kept => ({ id, project, changed, revision: 7 })
+
+let fresh = 0
+const names = {
+  fresh: (place: string) => `${place}-fresh${fresh++}`,
+  copy: (name: string) => `${name} (copy)`,
+  place: (project: Project) => project.card ?? 'free',
+}
+const merge = (here: readonly Kept[], file: string) =>
+  mergeHome(here, readHome(JSON.parse(file)).projects, names)
+
+test('what was taken home is there again on an empty device, under its keys', () => {
+  const all = [kept('friendship', friendship), kept('fear-x1', fear, 99)]
+  const { added, same, copies } = merge([], writeHome(all))
+  expect(added).toEqual(all.map(({ revision: _, ...one }) => one))
+  expect([same, copies]).toEqual([0, 0])
+})
+
+test('what is here already is not doubled, whatever its key and its name', () => {
+  const here = [kept('friendship-other', { ...friendship, name: 'Mine' })]
+  const { added, same } = merge(here, writeHome([kept('friendship', friendship)]))
+  expect([added.length, same]).toEqual([0, 1])
+})
+
+test('another project of the same key is not overwritten: the one from the file becomes a copy', () => {
+  const here = [kept('friendship', friendship)]
+  const { added, copies } = merge(here, writeHome([kept('friendship', moved(friendship, 3))]))
+  expect(copies).toBe(1)
+  expect(added[0]!.id).toMatch(/^friendship-fresh/)
+  expect(added[0]!.project.name).toBe('friendship (copy)')
+})
+
+test('opening the same file once more adds nothing', () => {
+  const here = [kept('friendship', friendship)]
+  const file = writeHome([kept('friendship', moved(friendship, 3)), kept('fear', fear)])
+  const after = [...here, ...merge(here, file).added.map((one) => ({ ...one, revision: 1 }))]
+  expect(merge(after, file).added).toEqual([])
+})
+
+test('a key that belongs to another card is not taken over', () => {
+  const { added } = merge([], writeHome([kept('friendship', fear)]))
+  expect(added[0]!.id).toMatch(/^fear-fresh/)
+})
+
+test('whatever the keys are, nothing here loses its own and no two get the same', () => {
+  const key = fc.constantFrom('friendship', 'friendship-a', 'friendship-b', 'fear', 'fear-a')
+  const project = fc
+    .tuple(fc.constantFrom(friendship, fear), fc.nat(5))
+    .map(([one, hints]) => moved(one, hints))
+  const list = fc.uniqueArray(fc.tuple(key, project), { selector: ([id]) => id })
+  fc.assert(
+    fc.property(list, list, (mine, theirs) => {
+      const here = mine.map(([id, one]) => kept(id, one))
+      const { added } = merge(here, writeHome(theirs.map(([id, one]) => kept(id, one))))
+      const ids = [...here, ...added].map(({ id }) => id)
+      expect(new Set(ids).size).toBe(ids.length)
+      // Everything of the file is somewhere now, to the letter.
+      const all = [...here, ...added].map(({ project: { name: _, ...rest } }) => JSON.stringify(rest))
+      for (const [, { name: _, ...rest }] of theirs) expect(all).toContain(JSON.stringify(rest))
+    }),
+  )
+})
+
+test('one broken project does not keep the others out', () => {
+  const file = JSON.parse(writeHome([kept('friendship', friendship)])) as { projects: unknown[] }
+  file.projects.push({ id: 'x', changed: 1, project: { botgarten: 1 } }, null, { id: '../x' })
+  const { projects, broken } = readHome(file)
+  expect(projects.map(({ id }) => id)).toEqual(['friendship'])
+  expect(broken).toBe(3)
+})
+
+test('whatever a home file holds, the answer is what could be read or a reason', () => {
+  const data = fc.oneof(
+    fc.jsonValue(),
+    fc.record({ botgartenHome: fc.constant(1), projects: fc.array(fc.jsonValue()) }),
+  )
+  fc.assert(
+    fc.property(data, (foreign) => {
+      try {
+        expect(readHome(foreign).projects).toEqual([])
+      } catch (cause) {
+        if (!(cause instanceof ProjectError)) throw cause
+      }
+    }),
+  )
+})
+
+test('a home file of a later version says so', () => {
+  expect(() => readHome({ botgartenHome: 2, projects: [] })).toThrow(
+    expect.objectContaining({ reason: 'newerVersion' }),
+  )
+})

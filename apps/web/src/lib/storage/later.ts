@@ -1,0 +1,3 @@
+// What reads foreign files and links: only a click asks for it.
+export { keepProject, openProjectFile, saveHomeFile } from './files.ts'
+export { LinkError, readLink, writeLink } from './link.ts'

@@ -1,0 +1,50 @@
+import { writeProject, type Project } from '@botgarten/programs'
+import type { Kept } from './database.ts'
+import type { ReadHome } from './home-file.ts'
+
+/** What becomes of the projects of a home file on a device that has some already. */
+export interface Merge {
+  /** To be written. None of their keys is one of this device. */
+  readonly added: readonly Omit<Kept, 'revision'>[]
+  /** How many of the added ones stand beside another project of the same key. */
+  readonly copies: number
+  /** How many are here already, to the letter. */
+  readonly same: number
+}
+
+const fingerprint = ({ name: _name, ...project }: Project) => writeProject({ name: '', ...project })
+
+/**
+ * Lays projects beside those of this device. What is here stays as it is: a project that differs from the one under its
+ * key gets a key and a name of its own.
+ * @param place where the lab opens a project: its card, or `free`
+ */
+export function mergeHome(
+  here: readonly Kept[],
+  file: ReadHome['projects'],
+  name: { fresh(place: string): string; copy(name: string): string; place(project: Project): string },
+): Merge {
+  const known = new Set(here.map(({ project }) => fingerprint(project)))
+  const taken = new Set(here.map(({ id }) => id))
+  const added: Omit<Kept, 'revision'>[] = []
+  let copies = 0
+  for (const one of file) {
+    const print = fingerprint(one.project)
+    if (known.has(print)) continue
+    known.add(print)
+    const place = name.place(one.project)
+    const fits = one.id === place || one.id.startsWith(`${place}-`)
+    const clash = taken.has(one.id)
+    const id = fits && !clash ? one.id : name.fresh(place)
+    taken.add(id)
+    copies += clash ? 1 : 0
+    added.push({
+      ...one,
+      id,
+      project: clash ? renamed(one.project, name.copy(one.project.name)) : one.project,
+    })
+  }
+  return { added, copies, same: file.length - added.length }
+}
+
+const renamed = (project: Project, name: string): Project => ({ ...project, name })

@@ -1,0 +1,1 @@
+export { readFreeText } from '@botgarten/materials'
