@@ -292,7 +292,7 @@ class OneLab implements Lab {
 
   state = () => this.#run.moment()
   view = (robot?: string) =>
-    viewOf(this.#run, this.#run.inPast ? 'paused' : this.#phase, this.#robotAt(robot))
+    viewOf(this.#run, this.#run.inPast ? 'paused' : this.#phase, this.#robotAt(robot), this.#other !== null)
   document = () => this.#document
   hash = () => hex(this.#run.hash)
 }

@@ -319,7 +319,7 @@ export class Run {
     })
   }
 
-  time(): TimeView {
+  time(): Omit<TimeView, 'other'> {
     const now = this.#now
     return {
       first: this.#timeline.first,

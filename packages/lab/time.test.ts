@@ -76,6 +76,7 @@ describe('rule 9: the timeline', () => {
     expect(lab.view()).toMatchObject({ phase: 'running', time: { past: false, now: 90 } })
     expect(lab.document().brains['net']!.weights['eyeLeft']).toEqual({ wheelLeft: 0.5 })
     expect(lab.document().world.obstacles[0]!.pose).toMatchObject({ x: 200, y: 260 })
+    expect(lab.view().time.other).toBe(true)
     lab.advance(10)
     const here = seen(lab)
     expect(lab.swap()).toBe(true)

@@ -94,6 +94,8 @@ export interface TimeView {
   readonly marks: readonly Mark[]
   /** Where the robots stand at present while a moment of the past is shown, else empty. */
   readonly present: readonly { readonly id: string; readonly pose: Pose }[]
+  /** Is there another future that could come back? */
+  readonly other: boolean
 }
 
 /** What the screen shows, asked for once a frame. */

@@ -12,7 +12,7 @@ type Placed = { readonly x: number; readonly y: number; readonly heading: number
 const poseOf = ({ x, y, heading }: Placed): Pose => ({ x, y, heading: degreesOf(heading) })
 
 /** What the screen shows of a run at this moment. `robot`: index of the one whose networks are shown. */
-export function viewOf(run: Run, phase: Phase, robot: number): View {
+export function viewOf(run: Run, phase: Phase, robot: number, other: boolean): View {
   return {
     phase,
     tick: run.tick,
@@ -22,7 +22,7 @@ export function viewOf(run: Run, phase: Phase, robot: number): View {
       id: obstacle.id,
       pose: poseOf(obstacle),
     })),
-    time: run.time(),
+    time: { ...run.time(), other },
     brains: run.brains,
     networks: networksOf(run, phase, robot),
     checks: results(run.checks, run.watches),

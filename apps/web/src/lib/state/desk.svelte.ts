@@ -105,7 +105,10 @@ export class Desk {
 
   /** Takes a step back or goes one forth. */
   go(direction: 'undo' | 'redo'): void {
-    void told().then(() => this.#session.undo[direction]())
+    void told().then(() => {
+      this.#session.lab.goTo(Infinity)
+      this.#session.undo[direction]()
+    })
   }
 
   /** A hidden page pauses the run and says so on return (running.md 12). */

@@ -51,11 +51,15 @@ async function readKept(id: string) {
   }
 }
 
-const assetOf = ({ world, assets }: Project) =>
+/** Address of the picture a world lies on; null where it lies on a colour. */
+export const floorPictureOf = (world: World, assets: Project['assets']): string | null =>
+  pictureOf({ world, assets })
+
+const assetOf = ({ world, assets }: Pick<Project, 'world' | 'assets'>) =>
   'asset' in world.floor && Object.hasOwn(assets, world.floor.asset) ? assets[world.floor.asset] : undefined
 
 /** Address of the floor's picture, from the product or from the project itself. */
-function pictureOf(project: Project): string | null {
+function pictureOf(project: Pick<Project, 'world' | 'assets'>): string | null {
   const asset = assetOf(project)
   return asset ? `data:image/png;base64,${asset.base64}` : floorAddress(project.world)
 }

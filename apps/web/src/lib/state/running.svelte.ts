@@ -10,7 +10,12 @@ import {
 } from '@botgarten/lab'
 import type { Brain } from '@botgarten/learning/neural-network'
 import type { Program } from '@botgarten/programs'
-import type { Floor, Pose } from '@botgarten/simulation'
+import type { Floor, Pose, RobotKey } from '@botgarten/simulation'
+
+/** Milliseconds of a frame that ticks may take: the rest is for drawing. */
+const BUDGET = 10
+/** After so many ticks the clock is looked at again. */
+const SLICE = 10
 
 /** A lab for the screen: one view a frame, and the verbs of a child's hand. */
 export class RunningLab {
@@ -20,6 +25,11 @@ export class RunningLab {
   #document = $state.raw<Document>() as Document
   #frame = 0
   #before = 0
+  /** A moment that is asked for; it is shown with the next frame. */
+  #wanted: number | null = null
+  #other = $state(false)
+  /** Simulated seconds a real second; Infinity: as fast as it can. */
+  speed = $state(1)
 
   constructor(document: Document, floor: Floor, checks: readonly Check[]) {
     this.#lab.load(document, floor, { seed: 1, checks })
@@ -38,26 +48,61 @@ export class RunningLab {
   run(): () => void {
     const frame = (now: number) => {
       this.#frame = requestAnimationFrame(frame)
-      const ticks = this.#pace.ticksFor(this.#before ? now - this.#before : 0)
+      const speed = this.#view.phase === 'running' ? this.speed : 1
+      const ticks = this.#pace.ticksFor(this.#before ? now - this.#before : 0, speed)
       this.#before = now
-      if (this.#lab.advance(ticks)) this.#show()
+      if (this.#wanted !== null) this.goTo(this.#wanted)
+      else if (this.#advance(ticks)) this.#show()
     }
     this.#frame = requestAnimationFrame(frame)
     return () => cancelAnimationFrame(this.#frame)
   }
 
+  /** In slices: where ticks take longer than a frame has time for, there are fewer. Returns whether anything moved. */
+  #advance(ticks: number): boolean {
+    const end = performance.now() + BUDGET
+    let moved = false
+    for (let left = ticks; left > 0; left -= SLICE) {
+      if (!this.#lab.advance(Math.min(left, SLICE))) break
+      moved = true
+      if (performance.now() > end) break
+    }
+    return moved
+  }
+
   #show(): void {
     this.#view = this.#lab.view()
+    this.#other = this.#view.time.other
     this.#document = this.#lab.document()
   }
 
+  /** Is there another future that could come back? */
+  get other() {
+    return this.#other
+  }
+
+  /** Asks for a moment of the run: the last one that was asked for is shown in the next frame. */
+  lookAt(tick: number): void {
+    this.#wanted = tick
+  }
+
+  goTo = (tick: number) =>
+    this.#then(() => {
+      this.#wanted = null
+      this.#lab.goTo(tick)
+    })
+  branch = () => this.#then(() => this.#lab.branch())
+  swap = () => this.#then(() => this.#lab.swap())
   start = () => this.#then(() => this.#lab.start())
   stop = () => this.#then(() => this.#lab.stop())
   pause = () => this.#then(() => this.#lab.pause())
   resume = () => this.#then(() => this.#lab.resume())
+  rebuild = (document: Document, floor?: Floor) => this.#then(() => this.#lab.rebuild(document, floor))
   reset = () => this.#then(() => this.#lab.reset())
   step = (kind: StepKind) => this.#then(() => this.#lab.step(kind))
   press = (key: DriveKey, down: boolean) => this.#lab.press(key, down)
+  pressButton = (key: RobotKey, down: boolean, robot: string) => this.#lab.pressButton(key, down, robot)
+  senses = (robot: string) => this.#lab.senses(robot)
   place = (id: string, pose: Pose) => this.#then(() => this.#lab.place(id, pose))
   setWeight = (brain: string, from: string, to: string, weight: number) =>
     this.#then(() => this.#lab.setWeight(brain, from, to, weight))

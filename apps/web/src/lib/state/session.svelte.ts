@@ -1,10 +1,11 @@
 import type { Finding } from '@botgarten/blocks'
 import type { DriveKey } from '@botgarten/lab'
 import { copyWeights, emptyBrain, withoutWeights, type Brain } from '@botgarten/learning/neural-network'
-import { check, networks, type Program, type Progress, type Project } from '@botgarten/programs'
-import type { Pose } from '@botgarten/simulation'
+import { check, inScene, networks, sceneOf } from '@botgarten/programs'
+import type { Program, Progress, Project, Scene } from '@botgarten/programs'
+import type { Floor, Pose, RobotConfig } from '@botgarten/simulation'
 import { Keeper } from './keeper.svelte.ts'
-import type { Opened } from './opening.ts'
+import { floorPictureOf, type Opened } from './opening.ts'
 import { RunningLab } from './running.svelte.ts'
 import { UndoStack } from './undo.svelte.ts'
 
@@ -18,6 +19,10 @@ export class Session {
   readonly opened: Opened
   /** Takes one of Blockly's own steps back or forth; the editor sets it. */
   moveBlocks: (direction: 'undo' | 'redo') => boolean = () => false
+  /** Paints the floor of a scene that is taken back; who builds sets it. */
+  paint: (scene: Scene) => Floor | null = () => null
+  /** Pictures of floors, those of steps that can be taken back too. */
+  #pictures = $state.raw<Project['assets']>({})
   #name = $state('')
   #program = $state.raw<Program>() as Program
   #progress = $state.raw<Progress>({ starts: [], hints: 0 })
@@ -34,11 +39,18 @@ export class Session {
     this.#progress = project.progress ?? { starts: [], hints: 0 }
     this.lab = new RunningLab(project, opened.floor, card?.card.checks ?? [])
     this.keeper = new Keeper(opened.id, opened.revision)
+    this.keeper.whenRenamed = (name) => (this.#name = name)
     this.undo = new UndoStack({
       blocks: (direction) => this.moveBlocks(direction),
       place: (id, pose) => this.#changed(() => this.lab.place(id, pose)),
       brain: (id, brain) => this.#changed(() => this.lab.setBrain(id, brain)),
+      future: () => this.#changed(() => this.lab.swap()),
+      hasFuture: () => this.lab.other,
+      now: () => this.lab.view.time.now,
+      config: (id, config) => this.#equip(id, config),
+      scene: (scene) => this.#build(scene),
     })
+    this.#pictures = project.assets
     this.#look()
   }
 
@@ -64,8 +76,22 @@ export class Session {
   /** The project as it stands now: what is kept and what a file holds. */
   get project(): Project {
     const { programs, world, brains } = this.lab.document
-    return { ...this.opened.project, name: this.#name, programs, world, brains, progress: this.#progress }
+    const parts = { programs, world, brains, progress: this.#progress, assets: this.#pictureIn(world.floor) }
+    return { ...this.opened.project, name: this.#name, ...parts }
   }
+
+  /** Only the picture that lies there is kept. */
+  #pictureIn(floor: Scene['floor']): Project['assets'] {
+    const own = 'asset' in floor ? this.#pictures[floor.asset] : undefined
+    return 'asset' in floor && own ? { [floor.asset]: own } : {}
+  }
+
+  get pictures() {
+    return this.#pictures
+  }
+
+  /** Address of the floor's picture, null where it has none. */
+  floorUrl = $derived.by(() => floorPictureOf(this.lab.document.world, this.#pictures))
 
   get name() {
     return this.#name
@@ -104,7 +130,21 @@ export class Session {
 
   #brain = (id: string): Brain => this.lab.document.brains[id] ?? emptyBrain
 
+  /** A hand changes something in a moment of the past: that is the present from here on (running.md 9). */
+  goOn(): void {
+    const { tick, time } = this.lab.view
+    if (!time.past) return
+    this.#changed(() => this.lab.branch())
+    this.undo.branch(tick)
+  }
+
+  resume(): void {
+    this.goOn()
+    this.lab.resume()
+  }
+
   setWeight(network: string, from: string, to: string, weight: number, phase: Phase): void {
+    this.goOn()
     if (phase === 'start') this.#before = { brain: this.#brain(network) }
     this.#changed(() => this.lab.setWeight(network, from, to, weight))
     const before = this.#before.brain
@@ -114,6 +154,7 @@ export class Session {
   }
 
   resetWeights(network: string): void {
+    this.goOn()
     const before = this.#brain(network)
     const after = withoutWeights(before)
     this.#changed(() => this.lab.setBrain(network, after))
@@ -126,6 +167,7 @@ export class Session {
   }
 
   place(id: string, pose: Pose, phase: Phase): void {
+    this.goOn()
     if (phase === 'start') this.#before = { pose: this.#poseOf(id) }
     this.#startedFrom = null
     const after = this.#changed(() => this.lab.place(id, pose))
@@ -136,6 +178,41 @@ export class Session {
   press(key: DriveKey, down: boolean): void {
     if (down) this.#startedFrom = null
     this.lab.press(key, down)
+  }
+
+  #equip(id: string, config: RobotConfig): void {
+    const { document } = this.lab
+    const robots = document.world.robots.map((robot) => (robot.id === id ? { ...robot, config } : robot))
+    this.#changed(() => this.lab.rebuild({ ...document, world: { ...document.world, robots } }))
+    this.#look()
+    if (this.#findings.some(({ stops }) => stops)) this.lab.stop()
+  }
+
+  /** Another configuration for a robot, in effect at once. `joined`: one step with what was done before it. */
+  equip(id: string, config: RobotConfig, joined = false): void {
+    const before = this.lab.document.world.robots.find((robot) => robot.id === id)?.config
+    if (!before || JSON.stringify(before) === JSON.stringify(config)) return
+    this.#equip(id, config)
+    this.undo.note({ kind: 'config', id, before, after: config, joined })
+  }
+
+  #build(scene: Scene): void {
+    const { document } = this.lab
+    this.#startedFrom = null
+    this.#changed(() =>
+      this.lab.rebuild(
+        { ...document, world: inScene(document.world, scene) },
+        this.paint(scene) ?? undefined,
+      ),
+    )
+  }
+
+  /** A child has built: another scene takes the place of this one. `pictures`: new ones that lie in it. */
+  build(scene: Scene, pictures: Project['assets'] = {}): void {
+    const before = sceneOf(this.lab.document.world)
+    this.#pictures = { ...this.#pictures, ...pictures }
+    this.#build(scene)
+    this.undo.note({ kind: 'scene', before, after: sceneOf(this.lab.document.world) })
   }
 
   /** Puts the robot on one of the card's start poses. */
@@ -162,6 +239,7 @@ export class Session {
     const standsAt = this.lab.view.robots[0]?.pose
     this.#startedFrom = this.opened.card?.card.starts.findIndex((start) => samePose(start, standsAt)) ?? -1
     this.lab.start()
+    this.undo.begin()
     return null
   }
 

@@ -1,0 +1,52 @@
+import type { Session } from './session.svelte.ts'
+
+/** Speeds to choose from, in simulated seconds a real second. Infinity: as fast as it can. */
+export const speeds = [0.25, 0.5, 1, 2, 4, 8, 16, Infinity] as const
+
+/** The bar of time below the world: whether it is open, which moment is shown, how fast time passes. */
+export class TimeMachine {
+  #session: Session
+  /** Does the child want to see the bar? */
+  #wanted = $state(false)
+  past = $derived.by(() => this.#session.lab.view.time.past)
+  /** Nothing has run yet. */
+  empty = $derived.by(() => this.#session.lab.view.time.now === 0)
+  open = $derived.by(() => this.#wanted && !this.empty)
+
+  constructor(session: Session) {
+    this.#session = session
+  }
+
+  get view() {
+    return this.#session.lab.view
+  }
+  get speed() {
+    return this.#session.lab.speed
+  }
+  set speed(speed: number) {
+    this.#session.lab.speed = speed
+  }
+
+  /** Shows the bar, or puts it away and comes back to the present. */
+  toggle(): void {
+    this.#wanted = !this.#wanted
+    if (!this.#wanted) this.now()
+  }
+
+  lookAt(tick: number): void {
+    this.#session.lab.lookAt(tick)
+  }
+
+  /** One tick back or forth. */
+  step(by: 1 | -1): void {
+    this.#session.lab.goTo(this.view.tick + by)
+  }
+
+  goOn(): void {
+    this.#session.resume()
+  }
+
+  now(): void {
+    this.#session.lab.goTo(Infinity)
+  }
+}
