@@ -1,0 +1,55 @@
+import { stream } from '@botgarten/numbers'
+import { describe, expect, test } from 'vitest'
+import { bestWay, createLearner, layOutWorld, run, step, type QMap, type Settings } from './index.ts'
+import graphs from './reference/graphs.json' with { type: 'json' }
+import study from './reference/study.json' with { type: 'json' }
+
+type Name = keyof typeof graphs
+
+/** Of a drawing's roads, both directions. */
+function task(name: Name) {
+  const { stations, edges, start, goal, closed } = graphs[name]
+  const map: QMap = {
+    moves: Array.from({ length: stations }, (_, from) =>
+      edges.filter((edge) => edge.includes(from)).map(([a, b]) => ({ to: a === from ? b! : a! })),
+    ),
+  }
+  return { map, start, goal, closed: closed as [number, number][] }
+}
+
+const settings = ([alpha, gamma, nu, rho]: number[]): Settings => ({
+  ...{ rules: 'study', algorithm: 'q', alpha: alpha!, gamma: gamma!, nu: nu!, rho: rho! },
+})
+
+describe('the study rules', () => {
+  test.each(study.moves)('give the tables of Algorithm 1, move for move: $map $setting', (run) => {
+    const learner = createLearner(layOutWorld(task(run.map as Name)), settings(run.setting), run.stream)
+    for (const table of run.tables) {
+      step(learner)
+      expect([...learner.q]).toEqual(table)
+    }
+  })
+
+  test.each(study.shares)('find a shortest way as often as Algorithm 1: $map $setting', (row) => {
+    const name = row.map as Name
+    const world = layOutWorld(task(name))
+    const hits = study.after.map(() => 0)
+    for (let index = 0; index < row.runs; index++) {
+      const learner = createLearner(
+        world,
+        settings(row.setting),
+        stream(index, `learn/${row.setting.join()}/${index}`),
+      )
+      study.after.forEach((moves, column) => {
+        run(learner, moves - learner.moves)
+        if (bestWay(learner).stations?.length === graphs[name].shortest) hits[column]! += 1
+      })
+    }
+    hits.forEach((ours, column) => {
+      const theirs = row.shortest[column]!
+      const together = (ours + theirs) / (2 * row.runs)
+      const error = Math.sqrt((2 * together * (1 - together)) / row.runs)
+      expect(Math.abs(ours - theirs) / row.runs).toBeLessThanOrEqual(4.5 * error)
+    })
+  })
+})

@@ -1,0 +1,2 @@
+export type * from './types.ts'
+export { readMap, type ReadMap } from './readMap.ts'
