@@ -58,6 +58,7 @@ describe('what is said aloud', () => {
     touching: [],
     rays: {},
     tones: [],
+    problem: null,
     trail: [],
     lit: null,
   }

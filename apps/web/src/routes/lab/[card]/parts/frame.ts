@@ -2,6 +2,7 @@ import type { Snippet } from 'svelte'
 import type { Phase } from '@botgarten/lab'
 import type { Project } from '@botgarten/programs'
 import type { Markdown } from '#lib/parts/markdown.ts'
+import type { TimeMachine } from '#lib/state/time.svelte.ts'
 import type { Card } from '@botgarten/materials'
 
 /** A pane of the lab. */
@@ -156,6 +157,9 @@ export interface LabFrameProps {
   /** Both given: a sound switch stands beside Start (running.md 12). */
   sound?: boolean
   onsound?: (on: boolean) => void
+
+  /** Back and forth in the run, and how fast it goes (running.md 9, 10). */
+  time: TimeMachine
 
   // ---- world ----
   /** null: no chooser. */

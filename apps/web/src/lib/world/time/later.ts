@@ -1,0 +1,2 @@
+// What a child meets only after a tap on the clock.
+export { default as TimeBar } from './TimeBar.svelte'
