@@ -32,7 +32,7 @@ const noJoints: Plugin = {
 
 // Few requests: what one card needs comes together, what all pages share, and what the lab's parts share.
 const cardOf = (id: string) =>
-  /content[\\/](?:cards[\\/]\w+[\\/]\d+-|worlds[\\/])(\w+)[\\/](?:\w+\.md|start\.json|world\.json)$/.exec(
+  /content[\\/](?:cards[\\/][\w-]+[\\/]\d+-|worlds[\\/])(\w+)[\\/](?:\w+\.md|start\.json|world\.json)$/.exec(
     id,
   )?.[1] ?? null
 const chunks = [

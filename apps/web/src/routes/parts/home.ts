@@ -14,10 +14,19 @@ export interface Level {
   readonly of: number
 }
 
+/** A card of a bed. */
+export interface BedCard {
+  readonly href: string
+  readonly label: string
+  readonly level: Level
+}
+
 export interface HomeProps {
   /** Newest first; empty on the first visit. */
   recent: readonly RecentProject[]
-  progress: { readonly friendship: Level; readonly fear: Level }
+  /** The cards of the two beds that have some. */
+  drive: readonly BedCard[]
+  network: readonly BedCard[]
   onopenfile: (file: File) => void
 }
 

@@ -81,6 +81,13 @@ export type NextStep =
   | { readonly kind: 'card'; readonly href: string; readonly name: string }
   | { readonly kind: 'none' }
 
+/** What of the robot can be opened from the world's menu. */
+export interface RobotMenu {
+  readonly senses: boolean
+  readonly panel: boolean
+  show(tool: 'build' | 'senses' | 'panel', open: boolean): void
+}
+
 /** What the gear of the world switches. */
 interface WorldSettings {
   readonly rays: boolean
@@ -119,6 +126,7 @@ export interface LabFrameProps {
   onshare: () => Project
   settings: WorldSettings
   onsettings: (settings: WorldSettings) => void
+  robot: RobotMenu
 
   // ---- task strip ----
   task: Task
