@@ -1,6 +1,7 @@
 import * as Blockly from 'blockly/core'
 import type { Finding, Template } from '@botgarten/blocks'
 import type { Program } from '@botgarten/programs'
+import type { RobotConfig } from '@botgarten/simulation'
 import { listen, type Reports } from './events.ts'
 import { showFindings } from './finding-icon.ts'
 import { keepEscape } from './escape.ts'
@@ -9,6 +10,7 @@ import { addNeuron } from './network.ts'
 import { restore, statesOn, toProgram, toWorkspace } from './program.ts'
 import { rendererName } from './renderer.ts'
 import { setUp, speak } from './setup.ts'
+import { knowRobot } from './sockets.ts'
 import { font, theme } from './theme.ts'
 import { shelfPlugins, toolboxInfo } from './toolbox.ts'
 import { wordsIn, type Locale } from './words.ts'
@@ -155,6 +157,11 @@ export class Pane {
   focusBlock(id: string): void {
     const block = this.#workspace.getBlockById(id)
     if (block) Blockly.getFocusManager().focusNode(block)
+  }
+
+  /** What is plugged into the robot: new neurons take ports that fit. */
+  setRobot(config: RobotConfig): void {
+    knowRobot(this.#workspace, config)
   }
 
   setField(blockId: string, field: string, value: string): void {

@@ -69,6 +69,10 @@ export class Session {
   get outlines() {
     return networks(this.#program)
   }
+  /** Id of the robot whose program and network are on the screen. */
+  get robotId() {
+    return this.lab.document.world.robots[0]!.id
+  }
   get config() {
     return this.lab.document.world.robots[0]!.config
   }

@@ -39,7 +39,7 @@ export interface Hands {
 const LONGEST = 500
 const future: Step = { kind: 'future' }
 /** Steps that end the timeline, and every other future with it. */
-const ending: readonly Step['kind'][] = ['blocks', 'scene']
+const ending: readonly Step['kind'][] = ['blocks', 'scene', 'config']
 
 /** One stack over blocks, world and weights (running.md 9). */
 export class UndoStack {
@@ -63,6 +63,11 @@ export class UndoStack {
   }
 
   #stands = (step: Step): boolean => step !== future || this.#hands.hasFuture()
+
+  /** How many steps can be taken back, for who joins one to what came before it. */
+  get count() {
+    return this.#done.length
+  }
 
   /** The other future stays to come back, whatever else is done in this one (running.md 9). */
   note(step: Step): void {
@@ -92,6 +97,7 @@ export class UndoStack {
     this.#done = this.#done.slice(0, -1)
     if (step === future) [this.#done, this.#elsewhere] = [this.#elsewhere, this.#done]
     this.#undone = [...this.#undone, step]
+    if (isJoined(step)) this.undo()
   }
 
   redo(): void {
@@ -101,6 +107,8 @@ export class UndoStack {
     this.#undone = this.#undone.slice(0, -1)
     if (step === future) [this.#done, this.#elsewhere] = [this.#elsewhere, this.#done]
     this.#done = [...this.#done, step]
+    const next = this.#undone.at(-1)
+    if (next && isJoined(next)) this.redo()
   }
 
   #forgetFuture(): void {

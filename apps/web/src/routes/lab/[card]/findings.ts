@@ -2,13 +2,15 @@ import { say } from '#lib/words/say.ts'
 import type { Finding } from '@botgarten/blocks'
 import type { FindingWords } from './parts/frame.ts'
 
+type Fix = NonNullable<Finding['fixes']>[number]
+
 /** A finding in a child's words, with its ways out. */
-export const wordsOf = (finding: Finding, mend: (field: string, value: string) => void): FindingWords => ({
+export const wordsOf = (finding: Finding, mend: (fix: Fix) => void): FindingWords => ({
   title: say(`${finding.problem}.title`, finding.facts),
   text: say(`${finding.problem}.text`, finding.facts),
-  fixes: (finding.fixes ?? []).map(({ field, value, words, facts }) => ({
-    label: say(words, facts),
-    mend: () => mend(field, value),
+  fixes: (finding.fixes ?? []).map((fix) => ({
+    label: say(fix.words, fix.facts),
+    mend: () => mend(fix),
   })),
 })
 

@@ -1,0 +1,47 @@
+import type { Finding } from '@botgarten/blocks'
+import { placeFor, withSensor, type SensorKind, type SensorPort } from '@botgarten/simulation'
+import { told } from '#lib/editor/told.ts'
+import type { Session } from '#lib/state/session.svelte.ts'
+
+type Fix = NonNullable<Finding['fixes']>[number]
+
+/** What the blocks can be told from here. */
+interface Blocks {
+  setField(block: string, field: string, value: string): void
+  addNeuron(network: string, layer: 'input' | 'output'): string | null
+}
+
+/** Carries out a way out of a finding: sets the field and plugs the sensor in, as one step. */
+export function mend(session: Session, blocks: Blocks, block: string, fix: Fix): void {
+  const { field, value, plug } = fix
+  const before = session.undo.count
+  blocks.setField(block, field, value)
+  if (plug) void told().then(() => plugIn(session, plug, before))
+}
+
+/** Adds a neuron; where nothing sits at the port it looks to, its sensor is plugged in there in the same step. */
+export async function addNeuron(
+  session: Session,
+  blocks: Blocks,
+  network: string,
+  layer: 'input' | 'output',
+) {
+  const before = session.undo.count
+  const block = blocks.addNeuron(network, layer)
+  await told()
+  const finding = session.findings.find((found) => found.block === block)
+  const plug = finding?.fixes?.find((fix) => fix.plug?.port === finding.facts?.port)?.plug
+  if (plug) plugIn(session, plug, before)
+}
+
+interface Plug {
+  readonly port: SensorPort
+  readonly kind: SensorKind
+}
+
+/** `before`: how many steps could be taken back before; one more is what this goes together with. */
+function plugIn(session: Session, { port, kind }: Plug, before: number): void {
+  const { config } = session
+  const changed = withSensor(config, port, placeFor(kind, config))
+  session.equip(session.robotId, changed, session.undo.count > before)
+}
