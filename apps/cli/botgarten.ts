@@ -1,18 +1,23 @@
 #!/usr/bin/env node
 import { cards } from './cards.ts'
 import { CallError, FileError } from './errors.ts'
+import { learn } from './learn.ts'
 import { run } from './run.ts'
 
-const verbs: { readonly [name: string]: (args: string[]) => string } = { run, cards }
+const verbs: { readonly [name: string]: (args: string[]) => string | Promise<string> } = {
+  run,
+  cards,
+  learn,
+}
 
-const usage = `botgarten run FILE|CARD [--solution|--wrong N] [--weights FILE] [--start N] [--seconds N] [--seed N] [--json] | botgarten cards [--json]`
+const usage = `botgarten run FILE|CARD [--solution|--wrong N] [--weights FILE] [--start N] [--seconds N] [--seed N] [--json] | botgarten cards [--json] | botgarten learn q --map M|FILE.svg --start A --goal B [--closed 3-2,2-3] [--rules standard|study] [--algorithm q|sarsa] [--alpha --gamma --nu --rho] [--alpha-decay --rho-decay] [--episodes N] [--time MOVES] [--seed N] [--json] | botgarten learn q-sweep … [--runs N] [--csv FILE] [--shard I/N] [--threads N]`
 
 /** Carries one call out. Exit 0: it ran · 1: a file is at fault · 2: the call is at fault. */
-function main([verb = '', ...args]: string[]): number {
+async function main([verb = '', ...args]: string[]): Promise<number> {
   try {
     const carryOut = Object.hasOwn(verbs, verb) ? verbs[verb] : undefined
     if (!carryOut) throw new CallError(usage)
-    process.stdout.write(carryOut(args) + '\n')
+    process.stdout.write((await carryOut(args)) + '\n')
     return 0
   } catch (error) {
     if (!(error instanceof CallError || error instanceof FileError)) throw error
@@ -21,4 +26,4 @@ function main([verb = '', ...args]: string[]): number {
   }
 }
 
-process.exitCode = main(process.argv.slice(2))
+process.exitCode = await main(process.argv.slice(2))

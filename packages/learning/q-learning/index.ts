@@ -4,3 +4,4 @@ export { createLearner, restoreLearner, saveLearner, type Learner } from './lear
 export { run, step } from './step.ts'
 export { gridMap, type Grid, type GridOptions } from './grid.ts'
 export { bestMove, bestWay, policy, type BestWay } from './best-way.ts'
+export { learnWatching, shortestWay } from './first-shortest.ts'

@@ -6,10 +6,12 @@ import {
   createLearner,
   gridMap,
   layOutWorld,
+  learnWatching,
   policy,
   restoreLearner,
   run,
   saveLearner,
+  shortestWay,
   step,
   type QState,
   type Settings,
@@ -234,4 +236,21 @@ test('on the cliff SARSA takes the safe way and gets more while it learns (Sutto
   expect(q).toBeLessThan(-35)
   expect(sarsa).toBeGreaterThan(-35)
   expect(sarsa).toBeLessThan(-15)
+})
+
+test('the first move with a shortest way is the one that looking after every move finds', () => {
+  fc.assert(
+    fc.property(anyTask, anySettings, (task, settings) => {
+      const watched = learnerOf(task, settings)
+      const looked = learnerOf(task, settings)
+      const first = learnWatching(watched, 300)
+      let wanted: number | null = null
+      while (looked.moves < 300) {
+        step(looked)
+        if (bestWay(looked).stations?.length === shortestWay(looked.world)) wanted ??= looked.moves
+      }
+      expect(task.start === task.goal || first === wanted).toBe(true)
+      expect(saveLearner(watched)).toEqual(saveLearner(looked))
+    }),
+  )
 })

@@ -67,4 +67,7 @@ function arcLength(from: Point, [rx, ry, , large, , x, y]: number[]): number | n
   return radius * (large ? 2 * Math.PI - angle : angle)
 }
 
-export const distance = (a: Point, b: Point): number => Math.sqrt((a.x - b.x) ** 2 + (a.y - b.y) ** 2)
+export function distance(a: Point, b: Point): number {
+  const [x, y] = [a.x - b.x, a.y - b.y]
+  return Math.sqrt(x * x + y * y)
+}

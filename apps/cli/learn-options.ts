@@ -1,0 +1,81 @@
+import type { Decay, Settings, Task } from '@botgarten/learning/q-learning'
+import type { MapFile } from '@botgarten/materials/maps'
+import { CallError, numberIn, wholeNumberIn } from './errors.ts'
+
+/** What `learn q` and `learn q-sweep` both take to say what is to be learned. */
+export const taskOptions = {
+  map: { type: 'string' },
+  start: { type: 'string' },
+  goal: { type: 'string' },
+  closed: { type: 'string' },
+  'goal-reward': { type: 'string' },
+  'step-cost': { type: 'string' },
+  'length-cost': { type: 'string' },
+  rules: { type: 'string' },
+  algorithm: { type: 'string' },
+  episodes: { type: 'string' },
+  time: { type: 'string' },
+  seed: { type: 'string' },
+} as const
+
+type Given = { readonly [name in keyof typeof taskOptions]?: string }
+
+const most = 1e9
+const huge = 1e12
+
+/** The task: the map's own start, goal and rewards, unless the call sets others. */
+export function taskOf(file: MapFile, given: Given): Task {
+  const last = file.map.moves.length - 1
+  const station = (name: 'start' | 'goal') => {
+    const preset = file[name]
+    if (given[name] === undefined && preset === undefined)
+      throw new CallError(`--${name} is needed: a station from 0 to ${last}.`)
+    return wholeNumberIn(name, given[name], preset ?? 0, 0, last)
+  }
+  return {
+    map: file.map,
+    start: station('start'),
+    goal: station('goal'),
+    closed: closedIn(file, given.closed),
+    goalReward: numberIn('goal-reward', given['goal-reward'], file.goalReward ?? 50, -huge, huge),
+    stepCost: numberIn('step-cost', given['step-cost'], file.stepCost ?? 0, -huge, huge),
+    lengthCost: numberIn('length-cost', given['length-cost'], 0, -huge, huge),
+  }
+}
+
+function closedIn({ map }: MapFile, text: string | undefined): [number, number][] {
+  if (text === undefined || text === '') return []
+  return text.split(',').map((name) => {
+    const [, from, to] = /^(\d+)-(\d+)$/.exec(name.trim())?.map(Number) ?? []
+    if (from === undefined || to === undefined || !map.moves[from]?.some((road) => road.to === to))
+      throw new CallError(`--closed takes roads of the map such as 3-2,2-3; there is no road "${name}".`)
+    return [from, to]
+  })
+}
+
+/** How long: moves and episodes; whichever is done first ends it. */
+export function limitsOf({ time, episodes }: Given): { readonly moves: number; readonly episodes: number } {
+  const moves = wholeNumberIn('time', time, most, 1, most)
+  const preset = time === undefined ? 1000 : most
+  return { moves, episodes: wholeNumberIn('episodes', episodes, preset, 1, most) }
+}
+
+export const seedOf = ({ seed }: Given) => wholeNumberIn('seed', seed, 1, 0, 4_294_967_295)
+
+export const rulesOf = ({ rules }: Given): Settings['rules'] =>
+  oneOf('rules', rules, ['standard', 'study'] as const)
+export const algorithmOf = ({ algorithm }: Given): Settings['algorithm'] =>
+  oneOf('algorithm', algorithm, ['q', 'sarsa'] as const)
+
+function oneOf<Name extends string>(name: string, text: string | undefined, names: readonly Name[]): Name {
+  const found = text === undefined ? names[0] : names.find((one) => one === text)
+  if (found === undefined) throw new CallError(`--${name} takes ${names.join(' or ')}, not "${text}".`)
+  return found
+}
+
+/** `0.999`: times so much after every episode; `visits` (α alone): times 10 / (9 + n) at the n-th update. */
+export function decayOf(name: 'alpha-decay' | 'rho-decay', text: string | undefined): Decay {
+  if (text === undefined) return { kind: 'constant' }
+  if (text === 'visits' && name === 'alpha-decay') return { kind: 'visits' }
+  return { kind: 'episodes', factor: numberIn(name, text, 1, 0, 1) }
+}

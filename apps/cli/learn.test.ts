@@ -1,0 +1,130 @@
+import { spawnSync } from 'node:child_process'
+import { mkdtempSync, readFileSync, writeFileSync } from 'node:fs'
+import { tmpdir } from 'node:os'
+import { join } from 'node:path'
+import { Ajv2020 } from 'ajv/dist/2020.js'
+import { describe, expect, it } from 'vitest'
+
+const folder = mkdtempSync(join(tmpdir(), 'botgarten-'))
+const program = join(import.meta.dirname, 'botgarten.ts')
+
+function learn(...args: string[]) {
+  const { status, stdout, stderr } = spawnSync(process.execPath, [program, 'learn', ...args], {
+    encoding: 'utf8',
+  })
+  return { status, stdout, stderr, json: () => JSON.parse(stdout) as { [key: string]: unknown } }
+}
+
+function expectToFit(value: unknown, name: string) {
+  const schema = JSON.parse(readFileSync(join(import.meta.dirname, 'schemas', name), 'utf8')) as object
+  const fits = new Ajv2020().compile(schema)
+  fits(value)
+  expect(fits.errors).toBeNull()
+}
+
+const railway = ['--map', 'railway', '--start', '3', '--goal', '1', '--closed', '3-2,2-3']
+
+describe('botgarten learn q', () => {
+  it('finds the shortest way of each card task, as one line of JSON that fits its schema', () => {
+    const tasks: [string[], number[]][] = [
+      [railway, [3, 5, 0, 1]],
+      [
+        ['--map', 'forest', '--start', '0', '--goal', '7', '--closed', '4-6'],
+        [0, 2, 3, 5, 7],
+      ],
+      [
+        ['--map', 'mars', '--start', '0', '--goal', '8'],
+        [0, 3, 4, 5, 8],
+      ],
+    ]
+    for (const [task, way] of tasks) {
+      const { status, stdout, json } = learn('q', ...task, '--episodes', '500', '--json')
+      expect(status).toBe(0)
+      expect(stdout.trim()).not.toContain('\n')
+      expectToFit(json(), 'learn-q.json')
+      expect(json()).toMatchObject({ bestWay: way, reason: 'found' })
+    }
+  })
+
+  it('says why there is no way, and ends by time or episodes, whichever is done first', () => {
+    const short = learn('q', ...railway, '--time', '2', '--json').json()
+    expect(short).toMatchObject({ bestWay: null, reason: 'neverReached', moves: 2, firstShortestMove: null })
+    const study = learn('q', ...railway, '--rules', 'study', '--episodes', '30', '--time', '50', '--json')
+    expect(study.json()).toMatchObject({ moves: 30, episodes: 30 })
+    expect(learn('q', ...railway, '--time', '2').stdout).toMatch(
+      /^After 2 moves .* no way yet \(neverReached\)/,
+    )
+  })
+
+  it('is the same for the same seed and another for another one', () => {
+    const [one, again, other] = ['7', '7', '8'].map(
+      (seed) => learn('q', ...railway, '--time', '40', '--seed', seed, '--json').stdout,
+    )
+    expect(again).toBe(one)
+    expect(other).not.toBe(one)
+  })
+
+  it('reads a map from a file, and names what is wrong with it', () => {
+    const text = readFileSync(join(import.meta.dirname, '../../content/maps/railway/map.svg'), 'utf8')
+    const whole = join(folder, 'whole.svg')
+    writeFileSync(whole, text)
+    expect(learn('q', '--map', whole, ...railway.slice(2)).status).toBe(0)
+    const broken = join(folder, 'broken.svg')
+    writeFileSync(broken, text.replace('id="path-3-5"', 'id="path-3-9"'))
+    const { status, stderr } = learn('q', '--map', broken, ...railway.slice(2))
+    expect(status).toBe(1)
+    expect(stderr).toBe(
+      `botgarten: "${broken}" is not a map: path-3-9 leads to a station 9 that is not there.\n`,
+    )
+  })
+
+  it.each([
+    [['p'], 'takes one of: q, q-sweep'],
+    [['q'], '--map is needed'],
+    [['q', '--map', 'moon'], 'There is no map and no file called "moon"'],
+    [['q', '--map', 'railway'], '--start is needed: a station from 0 to 5'],
+    [['q', ...railway.slice(0, 4), '--goal', '9'], '--goal takes a number from 0 to 5'],
+    [['q', ...railway.slice(0, 6), '--closed', '3-1'], 'there is no road "3-1"'],
+    [['q', ...railway, '--alpha', 'NaN'], '--alpha takes a number from 0 to 1, not "NaN"'],
+    [['q', ...railway, '--rules', 'own'], '--rules takes standard or study'],
+    [['q', ...railway, '--rho-decay', 'visits'], '--rho-decay takes a number from 0 to 1'],
+    [['q-sweep', ...railway, '--shard', '3/2'], '--shard takes a part'],
+    [['q-sweep', ...railway, '--rho', '.5,2'], '--rho takes numbers from 0 to 1'],
+  ])('refuses %j', (args, words) => {
+    const { status, stderr } = learn(...args)
+    expect(status).toBe(2)
+    expect(stderr).toContain(words)
+  })
+})
+
+describe('botgarten learn q-sweep', () => {
+  const grid = [...railway, ...['--rules', 'study', '--time', '60', '--runs', '8']]
+  const lists = ['--alpha', '.1,.5,.9', '--gamma', '.2,.8', '--rho', '.5,.9']
+
+  it('gives the same table whatever the number of threads, a row a setting', () => {
+    const [one, three] = ['1', '3'].map((threads) =>
+      learn('q-sweep', ...grid, ...lists, '--threads', threads),
+    )
+    expect(three!.stdout).toBe(one!.stdout)
+    expect(one!.stdout.trim().split('\n')).toHaveLength(1 + 3 * 2 * 2)
+  })
+
+  it('gives parts that joined are the whole', () => {
+    const whole = join(folder, 'whole.csv')
+    expect(learn('q-sweep', ...grid, ...lists, '--csv', whole).status).toBe(0)
+    const parts = [1, 2, 3, 4, 5].map((part) => {
+      const path = join(folder, `part${part}.csv`)
+      learn('q-sweep', ...grid, ...lists, '--shard', `${part}/5`, '--csv', path)
+      return readFileSync(path, 'utf8')
+    })
+    expect(parts.join('')).toBe(readFileSync(whole, 'utf8'))
+  })
+
+  it('keeps every row when another setting is added', () => {
+    const rows = (alpha: string) =>
+      learn('q-sweep', ...grid, '--alpha', alpha, '--json').json() as unknown as object[]
+    const both = rows('.1,.5')
+    expectToFit(both, 'learn-q-sweep.json')
+    expect(both[1]).toEqual(rows('.5')[0])
+  })
+})
