@@ -166,7 +166,7 @@ describe('what is refused, and why', () => {
   })
 
   it('any JSON is accepted or refused with a reason, nothing else', () => {
-    const answers = ['accepted', 'notAScene', 'isAProject', 'tooManyThings', 'newerVersion']
+    const answers = ['accepted', 'notAScene', 'isAProject', 'tooManyThings', 'newerVersion', 'notAProject']
     fc.assert(
       fc.property(fc.jsonValue({ maxDepth: 5 }), (value) => {
         expect(answers).toContain(reasonOf(value))

@@ -37,6 +37,17 @@ export function scaleFor(pane: Size, floor: Size, need: Size): number {
   return whole >= least ? Math.min(whole, wholeFloor) : clamp(fit(need, 0), least, nearest)
 }
 
+/** Px per cm beyond which a hand cannot bring the floor nearer. */
+export const nearestZoom = 8
+
+/** Px per cm at which the whole floor and its frame fit into the pane. */
+export const wholeScale = (pane: Size, floor: Size): number =>
+  Math.min(
+    (pane.width - 2 * frameWidth) / floor.width,
+    (pane.height - 2 * frameWidth) / floor.height,
+    nearestZoom,
+  )
+
 /** Room in cm for the robot and the thing nearest to it, with elbow room around the robot. */
 export function needOf(robot: Point, things: readonly Sight[]): Size {
   const near = nearestTo(robot, things)

@@ -28,6 +28,7 @@ export class RunningLab {
   /** A moment that is asked for; it is shown with the next frame. */
   #wanted: number | null = null
   #other = $state(false)
+  #chosen = $state('')
   /** Simulated seconds a real second; Infinity: as fast as it can. */
   speed = $state(1)
 
@@ -71,10 +72,16 @@ export class RunningLab {
   }
 
   #show(): void {
-    this.#view = this.#lab.view()
+    this.#view = this.#lab.view(this.#chosen)
     this.#other = this.#view.time.other
     this.#document = this.#lab.document()
   }
+
+  /** Id of the robot whose networks the view has, whom keys drive and steps wait for; '' the first. */
+  get chosen() {
+    return this.#chosen
+  }
+  choose = (robot: string) => this.#then(() => (this.#chosen = robot))
 
   /** Is there another future that could come back? */
   get other() {
@@ -99,13 +106,13 @@ export class RunningLab {
   resume = () => this.#then(() => this.#lab.resume())
   rebuild = (document: Document, floor?: Floor) => this.#then(() => this.#lab.rebuild(document, floor))
   reset = () => this.#then(() => this.#lab.reset())
-  step = (kind: StepKind) => this.#then(() => this.#lab.step(kind))
-  press = (key: DriveKey, down: boolean) => this.#lab.press(key, down)
+  step = (kind: StepKind) => this.#then(() => this.#lab.step(kind, this.#chosen))
+  press = (key: DriveKey, down: boolean) => this.#lab.press(key, down, this.#chosen)
   pressButton = (key: RobotKey, down: boolean, robot: string) => this.#lab.pressButton(key, down, robot)
   senses = (robot: string) => this.#lab.senses(robot)
   place = (id: string, pose: Pose) => this.#then(() => this.#lab.place(id, pose))
-  setWeight = (brain: string, from: string, to: string, weight: number) =>
-    this.#then(() => this.#lab.setWeight(brain, from, to, weight))
+  setWeight = (brain: string, from: string, to: string, weight: number, set = '') =>
+    this.#then(() => this.#lab.setWeight(brain, from, to, weight, set))
   setBrain = (id: string, brain: Brain) => this.#then(() => this.#lab.setBrain(id, brain))
   edit = (programs: { readonly [id: string]: Program }) => this.#then(() => this.#lab.edit(programs))
 

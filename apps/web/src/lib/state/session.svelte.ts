@@ -1,6 +1,12 @@
 import type { Finding } from '@botgarten/blocks'
-import type { DriveKey } from '@botgarten/lab'
-import { copyWeights, emptyBrain, withoutWeights, type Brain } from '@botgarten/learning/neural-network'
+import type { Document, DriveKey } from '@botgarten/lab'
+import {
+  copyWeights,
+  emptyBrain,
+  weightsOf,
+  withoutWeights,
+  type Brain,
+} from '@botgarten/learning/neural-network'
 import { check, inScene, networks, sceneOf } from '@botgarten/programs'
 import type { Program, Progress, Project, Scene } from '@botgarten/programs'
 import type { Floor, Pose, RobotConfig } from '@botgarten/simulation'
@@ -18,15 +24,15 @@ export class Session {
   readonly keeper: Keeper
   readonly opened: Opened
   /** Takes one of Blockly's own steps back or forth; the editor sets it. */
-  moveBlocks: (direction: 'undo' | 'redo') => boolean = () => false
+  moveBlocks: (direction: 'undo' | 'redo', program: string) => boolean = () => false
   /** Paints the floor of a scene that is taken back; who builds sets it. */
   paint: (scene: Scene) => Floor | null = () => null
   /** Pictures of floors, those of steps that can be taken back too. */
   #pictures = $state.raw<Project['assets']>({})
   #name = $state('')
-  #program = $state.raw<Program>() as Program
   #progress = $state.raw<Progress>({ starts: [], hints: 0 })
-  #findings = $state.raw<readonly Finding[]>([])
+  /** By the id of the robot. */
+  #findings = $state.raw<{ readonly [robot: string]: readonly Finding[] }>({})
   #before: { readonly pose?: Pose; readonly brain?: Brain } = {}
   /** Start pose that the present run began from; null once a hand has helped. */
   #startedFrom: number | null = null
@@ -35,13 +41,13 @@ export class Session {
     this.opened = opened
     const { project, card } = opened
     this.#name = project.name
-    this.#program = project.programs[this.#programId(project)]!
     this.#progress = project.progress ?? { starts: [], hints: 0 }
     this.lab = new RunningLab(project, opened.floor, card?.card.checks ?? [])
     this.keeper = new Keeper(opened.id, opened.revision)
     this.keeper.whenRenamed = (name) => (this.#name = name)
     this.undo = new UndoStack({
-      blocks: (direction) => this.moveBlocks(direction),
+      blocks: (direction, program) => this.#goBack(direction, program),
+      robots: (document) => this.#crew(document),
       place: (id, pose) => this.#changed(() => this.lab.place(id, pose)),
       brain: (id, brain) => this.#changed(() => this.lab.setBrain(id, brain)),
       future: () => this.#changed(() => this.lab.swap()),
@@ -54,27 +60,32 @@ export class Session {
     this.#look()
   }
 
-  #programId = (project: Project) => project.world.robots[0]?.program ?? 'main'
-
-  get program() {
-    return this.#program
+  /** The robot whose program and network are on the screen. */
+  readonly robot = $derived.by(() => {
+    const { robots } = this.lab.document.world
+    return robots.find(({ id }) => id === this.lab.chosen) ?? robots[0]!
+  })
+  get robotId() {
+    return this.robot.id
   }
+  readonly program = $derived.by(() => this.lab.document.programs[this.robot.program] ?? noProgram)
   get findings() {
-    return this.#findings
+    return this.#findings[this.robotId] ?? []
   }
   get progress() {
     return this.#progress
   }
   /** The networks of the program, first the one that the playground shows. */
   get outlines() {
-    return networks(this.#program)
-  }
-  /** Id of the robot whose program and network are on the screen. */
-  get robotId() {
-    return this.lab.document.world.robots[0]!.id
+    return networks(this.program)
   }
   get config() {
-    return this.lab.document.world.robots[0]!.config
+    return this.robot.config
+  }
+  /** The weights that are shown: those of the moment, in the set that the robot drives with. */
+  weightsIn(network: string) {
+    const brain = this.lab.view.brains[network]
+    return brain ? weightsOf(brain, this.robot.brain) : {}
   }
 
   /** The project as it stands now: what is kept and what a file holds. */
@@ -114,16 +125,50 @@ export class Session {
   }
 
   #look(): void {
-    this.#findings = check(this.#program, this.config)
+    const { programs, world } = this.lab.document
+    const found = world.robots.map(({ id, program, config }) => [
+      id,
+      check(programs[program] ?? noProgram, config),
+    ])
+    this.#findings = Object.fromEntries(found) as { [robot: string]: Finding[] }
   }
 
-  editProgram(program: Program): void {
-    this.#program = program
-    this.#changed(() =>
-      this.lab.edit({ ...this.lab.document.programs, [this.#programId(this.project)]: program }),
-    )
+  /** The first robot whose program has to be mended before it can run. */
+  get #stuck(): string | undefined {
+    const robots = this.lab.document.world.robots.map(({ id }) => id)
+    return robots.find((id) => this.#findings[id]?.some(({ stops }) => stops))
+  }
+
+  choose(robot: string): void {
+    this.lab.choose(robot)
+  }
+
+  /** Blocks are taken back where they are seen. */
+  #goBack(direction: 'undo' | 'redo', program: string): boolean {
+    const own = this.lab.document.world.robots.find((robot) => robot.program === program)
+    if (own && this.robot.program !== program) this.choose(own.id)
+    return this.moveBlocks(direction, program)
+  }
+
+  #crew(document: Document): void {
+    const { world } = this.lab.document
+    this.#startedFrom = null
+    this.#changed(() => this.lab.rebuild({ ...document, world: { ...world, robots: document.world.robots } }))
     this.#look()
-    if (this.#findings.some(({ stops }) => stops)) this.lab.stop()
+  }
+
+  /** Robots came or went, with what is theirs. */
+  changeCrew(after: Document): void {
+    this.lab.goTo(Infinity)
+    const before = this.lab.document
+    this.#crew(after)
+    this.undo.note({ kind: 'robots', before, after: this.lab.document })
+  }
+
+  editProgram(program: Program, id: string = this.robot.program): void {
+    this.#changed(() => this.lab.edit({ ...this.lab.document.programs, [id]: program }))
+    this.#look()
+    if (this.#stuck !== undefined) this.lab.stop()
   }
 
   /** Duplicated neurons take the weights of their originals along. */
@@ -150,17 +195,17 @@ export class Session {
   setWeight(network: string, from: string, to: string, weight: number, phase: Phase): void {
     this.goOn()
     if (phase === 'start') this.#before = { brain: this.#brain(network) }
-    this.#changed(() => this.lab.setWeight(network, from, to, weight))
+    this.#changed(() => this.lab.setWeight(network, from, to, weight, this.robot.brain))
     const before = this.#before.brain
     const after = this.#brain(network)
-    if (phase === 'end' && before && before.weights !== after.weights)
+    if (phase === 'end' && before && before !== after)
       this.undo.note({ kind: 'brain', id: network, before, after })
   }
 
   resetWeights(network: string): void {
     this.goOn()
     const before = this.#brain(network)
-    const after = withoutWeights(before)
+    const after = withoutWeights(before, this.robot.brain)
     this.#changed(() => this.lab.setBrain(network, after))
     this.undo.note({ kind: 'brain', id: network, before, after })
   }
@@ -189,7 +234,7 @@ export class Session {
     const robots = document.world.robots.map((robot) => (robot.id === id ? { ...robot, config } : robot))
     this.#changed(() => this.lab.rebuild({ ...document, world: { ...document.world, robots } }))
     this.#look()
-    if (this.#findings.some(({ stops }) => stops)) this.lab.stop()
+    if (this.#stuck !== undefined) this.lab.stop()
   }
 
   /** Another configuration for a robot, in effect at once. `joined`: one step with what was done before it. */
@@ -238,13 +283,23 @@ export class Session {
 
   /** Begins a run. Returns the finding that keeps it from running, if there is one. */
   start(): Finding | null {
-    const finding = this.#findings.find(({ stops }) => stops)
-    if (finding) return finding
+    const stuck = this.#stuck
+    if (stuck !== undefined) {
+      this.choose(stuck)
+      return this.findings.find(({ stops }) => stops) ?? null
+    }
     const standsAt = this.lab.view.robots[0]?.pose
     this.#startedFrom = this.opened.card?.card.starts.findIndex((start) => samePose(start, standsAt)) ?? -1
     this.lab.start()
     this.undo.begin()
     return null
+  }
+
+  /** Hertz of the tone that is heard: the chosen robot's, else that of the first one that sounds. */
+  get heard(): number | null {
+    const { robots } = this.lab.view
+    const chosen = robots.find(({ id }) => id === this.robotId)
+    return chosen?.frequency ?? robots.find(({ frequency }) => frequency)?.frequency ?? null
   }
 
   /** All checks of the card are green at this moment. */
@@ -272,6 +327,8 @@ export class Session {
     this.keeper.changed(() => this.project)
   }
 }
+
+const noProgram: Program = { stacks: [], config: { stacks: [] } }
 
 const samePose = (a: Pose, b: Pose | undefined) =>
   b !== undefined && Math.abs(a.x - b.x) + Math.abs(a.y - b.y) + Math.abs(a.heading - b.heading) < 1e-6

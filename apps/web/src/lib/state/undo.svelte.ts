@@ -1,3 +1,4 @@
+import type { Document } from '@botgarten/lab'
 import type { Brain } from '@botgarten/learning/neural-network'
 import type { Scene } from '@botgarten/programs'
 import type { Pose, RobotConfig } from '@botgarten/simulation'
@@ -5,7 +6,9 @@ import type { Pose, RobotConfig } from '@botgarten/simulation'
 /** One step over the document. Blocks are taken back by Blockly, which keeps what changed. */
 export type Step =
   | { readonly kind: 'future' }
-  | { readonly kind: 'blocks' }
+  | { readonly kind: 'blocks'; readonly program: string }
+  /** Robots that came or went, with their programs and brains. */
+  | { readonly kind: 'robots'; readonly before: Document; readonly after: Document }
   | { readonly kind: 'place'; readonly id: string; readonly before: Pose; readonly after: Pose }
   | { readonly kind: 'brain'; readonly id: string; readonly before: Brain; readonly after: Brain }
   | ConfigStep
@@ -23,7 +26,8 @@ interface ConfigStep {
 /** Who carries a step out, in either direction. */
 export interface Hands {
   /** @returns whether it happened: not while a hand holds a block */
-  blocks(direction: 'undo' | 'redo'): boolean
+  blocks(direction: 'undo' | 'redo', program: string): boolean
+  robots(document: Document): void
   place(id: string, pose: Pose): void
   brain(id: string, brain: Brain): void
   /** Changes places with the other future (running.md 9). */
@@ -119,13 +123,14 @@ export class UndoStack {
   }
 
   #carryOut(step: Step, direction: 'undo' | 'redo'): boolean {
-    if (step.kind === 'blocks') return this.#hands.blocks(direction)
+    if (step.kind === 'blocks') return this.#hands.blocks(direction, step.program)
     if (step.kind === 'future') {
       this.#hands.future()
       return true
     }
     const value = direction === 'undo' ? step.before : step.after
     if (step.kind === 'place') this.#hands.place(step.id, value as Pose)
+    else if (step.kind === 'robots') this.#hands.robots(value as Document)
     else if (step.kind === 'scene') this.#hands.scene(value as Scene)
     else if (step.kind === 'config') this.#hands.config(step.id, value as RobotConfig)
     else this.#hands.brain(step.id, value as Brain)

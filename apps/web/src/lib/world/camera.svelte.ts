@@ -10,12 +10,17 @@ export class FollowingCamera {
   /** Looks where a child has pushed the floor, until the target moves away from this. */
   #pushed: Camera | null = null
 
+  /** A hand has chosen where to look: the next target is what it looks away from. */
+  #holds = false
+
   get at(): Camera {
     return this.#at
   }
 
   /** Goes to `target`: at once with `jump` or at another scale, else smoothly. */
   goTo(target: Camera, jump: boolean): void {
+    if (this.#holds) this.#pushed = target
+    this.#holds = false
     if (this.#pushed && target.scale === this.#pushed.scale && near(target, this.#pushed)) return
     this.#pushed = null
     this.#target = target
@@ -34,6 +39,15 @@ export class FollowingCamera {
   push(to: Camera): void {
     this.#pushed ??= this.#target
     this.#at = to
+  }
+
+  /** Looks there, at another scale perhaps, and stays until the target moves. */
+  hold(at: Camera): void {
+    cancelAnimationFrame(this.#frame)
+    this.#frame = 0
+    this.#at = at
+    this.#target = at
+    this.#holds = true
   }
 
   #step(now: number): void {
@@ -66,10 +80,18 @@ export class Zoom {
   #floor: Size | null = null
 
   get at(): number {
-    return this.#at
+    return this.#asked ?? this.#at
+  }
+
+  /** How close a hand has asked for; null: as is best. */
+  #asked = $state<number | null>(null)
+
+  ask(scale: number | null): void {
+    this.#asked = scale
   }
 
   fit(pane: Size, floor: Size, wanted: number): void {
+    if (!same(this.#floor, floor)) this.#asked = null
     const sameRoom = same(this.#pane, pane) && same(this.#floor, floor)
     this.#pane = pane
     this.#floor = floor

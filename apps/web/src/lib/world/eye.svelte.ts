@@ -1,12 +1,30 @@
 import type { View } from '@botgarten/lab'
 import type { World } from '@botgarten/simulation'
-import { aim, floorCorner, fromPane, keepOnFloor, needOf, scaleFor } from '../drawing/camera.ts'
-import type { Point, Size } from '../drawing/points.ts'
+import {
+  aim,
+  floorCorner,
+  fromPane,
+  keepOnFloor,
+  needOf,
+  nearestZoom,
+  scaleFor,
+  wholeScale,
+} from '../drawing/camera.ts'
+import { clamp, type Point, type Size } from '../drawing/points.ts'
 import { radiusOf } from '../drawing/things.ts'
 import { FollowingCamera, Zoom } from './camera.svelte.ts'
 
 // Px from the pane's edge within which a handle could not be grabbed.
 const edge = 22
+
+// Px that an arrow key pushes the floor.
+const step = 60
+const arrows: { readonly [key: string]: readonly [right: number, down: number] } = {
+  ArrowLeft: [1, 0],
+  ArrowRight: [-1, 0],
+  ArrowUp: [0, 1],
+  ArrowDown: [0, -1],
+}
 
 /** What part of the world is seen in the pane, and the ways between the two. */
 export class Eye {
@@ -14,6 +32,7 @@ export class Eye {
   #camera = new FollowingCamera()
   #zoom = new Zoom()
   #world: () => World
+  #radii = $derived.by(() => new Map(this.#world().obstacles.map(({ id, shape }) => [id, radiusOf(shape)])))
   /** The floor's top left corner in px of the pane. */
   corner = $derived.by(() => floorCorner(this.#camera.at, this.pane, this.#world().size))
 
@@ -44,11 +63,11 @@ export class Eye {
   target({ robots, obstacles }: View) {
     const robot = robots[0]
     if (!robot || !this.open) return null
-    const shapes = this.#world().obstacles
-    const things = obstacles.map(({ id, pose }) => {
-      const shape = shapes.find((one) => one.id === id)?.shape
-      return { x: pose.x, y: pose.y, radius: shape ? radiusOf(shape) : 0 }
-    })
+    const things = obstacles.map(({ id, pose }) => ({
+      x: pose.x,
+      y: pose.y,
+      radius: this.#radii.get(id) ?? 0,
+    }))
     return aim(robot.pose, things, this.scale, this.pane, this.#world().size)
   }
 
@@ -65,6 +84,44 @@ export class Eye {
     const { x, y } = this.#camera.at
     const to = { x: x - right / this.scale, y: y + down / this.scale, scale: this.scale }
     this.#camera.push(keepOnFloor(to, this.pane, this.#world().size))
+  }
+
+  /** How close the whole floor fits into the pane. */
+  get wholeScale(): number {
+    return wholeScale(this.pane, this.#world().size)
+  }
+
+  /** Brings the floor nearer by a factor; the point of it that lies there (px of the pane) stays where it is. */
+  zoom(factor: number, at: Point = { x: this.pane.width / 2, y: this.pane.height / 2 }): void {
+    const least = Math.min(this.wholeScale, this.scale)
+    const scale = clamp(this.scale * factor, least, nearestZoom)
+    const fixed = this.floorAt(at)
+    this.#zoom.ask(scale)
+    const camera = {
+      x: fixed.x - (at.x - this.pane.width / 2) / scale,
+      y: fixed.y + (at.y - this.pane.height / 2) / scale,
+      scale,
+    }
+    this.#camera.hold(keepOnFloor(camera, this.pane, this.#world().size))
+  }
+
+  /** The whole floor in sight. */
+  fitAll(): void {
+    const { width, height } = this.#world().size
+    this.#zoom.ask(this.wholeScale)
+    this.#camera.hold({ x: width / 2, y: height / 2, scale: this.wholeScale })
+  }
+
+  /** What of the floor lies in the middle of the pane, in cm. */
+  get middle(): Point {
+    return this.floorAt({ x: this.pane.width / 2, y: this.pane.height / 2 })
+  }
+
+  /** Pushes the floor the way of an arrow key. Returns whether it is one. */
+  pan(key: string): boolean {
+    const way = arrows[key]
+    if (way) this.push(way[0] * step, way[1] * step)
+    return way !== undefined
   }
 
   /** Px in the pane to cm on the floor. */

@@ -41,3 +41,11 @@ export function movedBy(press: KeyPress, pose: Pose): Pose | null {
   const far = press.shiftKey ? 10 : 1
   return { ...pose, x: pose.x + by[0] * far, y: pose.y + by[1] * far }
 }
+
+/** Plus and minus bring the floor nearer and farther, 0 brings all of it into sight; null for other keys. */
+export function zoomKey(press: KeyPress): 'nearer' | 'farther' | 'all' | null {
+  if (withCommand(press)) return null
+  if (press.key === '+' || press.key === '=') return 'nearer'
+  if (press.key === '-') return 'farther'
+  return press.key === '0' ? 'all' : null
+}

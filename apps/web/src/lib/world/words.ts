@@ -8,7 +8,11 @@ const names: { readonly [look: string]: () => string } = {
   tree: m['world.thing.tree'],
   wall: m['world.thing.wall'],
   ball: m['world.thing.ball'],
+  rectangle: m['world.thing.rectangle'],
+  triangle: m['world.thing.triangle'],
+  circle: m['world.thing.circle'],
 }
 
-/** What a child calls an obstacle that looks like this. */
-export const thingName = ({ look }: Obstacle): string => (names[look ?? ''] ?? m['world.thing.plain'])()
+/** What a child calls an obstacle that looks like this; one without a look by its shape. */
+export const thingName = ({ look, shape }: Obstacle): string =>
+  (names[look ?? ''] ?? names[shape.kind] ?? m['world.thing.plain'])()

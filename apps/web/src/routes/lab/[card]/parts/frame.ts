@@ -111,6 +111,7 @@ export interface LabFrameProps {
   world: Snippet<[PaneState]>
   network: Snippet<[PaneState]>
   /** Further tools in a pane's head, before the fill button. */
+  worldTools?: Snippet
   networkTools?: Snippet
 
   // ---- top bar ----
