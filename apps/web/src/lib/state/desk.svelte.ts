@@ -1,3 +1,4 @@
+import { untrack } from 'svelte'
 import type { Facts, Finding } from '@botgarten/blocks'
 import type { StepKind } from '@botgarten/lab'
 import { told } from '#lib/editor/told.ts'
@@ -66,14 +67,15 @@ export class Desk {
     const { lab, keeper } = this.#session
     const stopFrames = lab.run()
     const stopWatching = $effect.root(() => {
-      const frequency = $derived(
-        lab.view.phase === 'running' ? (lab.view.robots[0]?.frequency ?? null) : null,
-      )
+      const frequency = $derived(lab.view.phase === 'running' ? this.#session.heard : null)
       const problem = $derived(lab.view.problem)
       const succeeded = $derived(this.#session.succeeded)
       const bumped = $derived(this.#session.bumped)
       $effect(() => this.speaker.play(frequency))
-      $effect(() => this.show(problem))
+      $effect(() => {
+        const failure = problem
+        untrack(() => this.#failed(failure))
+      })
       $effect(() => {
         if (succeeded) this.#celebrate()
       })
@@ -144,6 +146,13 @@ export class Desk {
     const { phase } = this.#session.lab.view
     if (phase === 'ready' || phase === 'ended') this.start()
     if (!this.#shown) this.#session.lab.step(kind)
+  }
+
+  /** A program that cannot go on is shown, whosever it is. */
+  #failed(problem: Finding | null): void {
+    const robot = this.#session.lab.view.robots.find((one) => one.problem === problem)
+    if (problem && robot) this.#session.choose(robot.id)
+    this.show(problem)
   }
 
   show(finding: Finding | null): void {

@@ -2,6 +2,7 @@ import type { Snippet } from 'svelte'
 import type { Phase } from '@botgarten/lab'
 import type { Project } from '@botgarten/programs'
 import type { Markdown } from '#lib/parts/markdown.ts'
+import type { Crew } from '#lib/robots/robots.svelte.ts'
 import type { TimeMachine } from '#lib/state/time.svelte.ts'
 import type { Card } from '@botgarten/materials'
 
@@ -171,6 +172,7 @@ export interface LabFrameProps {
   time: TimeMachine
 
   // ---- world ----
+  crew: Crew
   /** null: no chooser. */
   starts: Starts | null
   onchoosestart: (index: number) => void

@@ -1,0 +1,114 @@
+import type { Document } from '@botgarten/lab'
+import {
+  emptyBrain,
+  weightsOf,
+  withWeights,
+  type Brain,
+  type Weights,
+} from '@botgarten/learning/neural-network'
+import { networks, type Program } from '@botgarten/programs'
+import type { Pose, RobotPlacement } from '@botgarten/simulation'
+import { renamed } from './renamed.ts'
+
+/** More would not fit on a slow laptop's screen, nor into its processor. */
+export const MOST_ROBOTS = 4
+
+/** `shared`: the same program, weights of its own · `own`: a program of its own, with weights of its own. */
+export type NewRobot = 'shared' | 'own'
+
+/** Colours of bodies and trails, by the robot's place in the crew. */
+export const bodies = ['#F28C45', '#5AA9DE', '#8CC63F', '#B98AE0'] as const
+
+const noProgram: Program = { stacks: [], config: { stacks: [] } }
+
+/** A new name that no robot, program or weight set has. */
+function freshName({ world, programs, brains }: Document): string {
+  const sets = Object.values(brains).flatMap((brain) => Object.keys(brain.sets))
+  const things = [...world.robots, ...world.obstacles, ...world.areas, ...world.lines].map(({ id }) => id)
+  const taken = new Set([...things, ...Object.keys(programs), ...sets])
+  for (let number = 2; ; number++) if (!taken.has(`bo${number}`)) return `bo${number}`
+}
+
+/** Beside another one, on the side where there is more floor. */
+function beside({ x, y, heading }: Pose, width: number): Pose {
+  const away = 36
+  return { x: x + away < width - 12 ? x + away : x - away, y, heading }
+}
+
+/** The document with one more robot, made after one that is there. Returns its id too. */
+export function withRobot(
+  document: Document,
+  from: string,
+  kind: NewRobot,
+): { id: string; document: Document } {
+  const id = freshName(document)
+  const model = document.world.robots.find((robot) => robot.id === from) ?? document.world.robots[0]!
+  const pose = beside(model.pose, document.world.size.width)
+  const grown = kind === 'shared' ? withOwnWeights(document, model, id) : withOwnProgram(document, model, id)
+  const own = kind === 'shared' ? { brain: id } : { brain: '', program: id }
+  const robots = [...document.world.robots, { ...model, id, pose, ...own }]
+  return { id, document: { ...grown, world: { ...document.world, robots } } }
+}
+
+function withOwnWeights(document: Document, { program, brain }: RobotPlacement, set: string): Document {
+  const brains: { [network: string]: Brain } = { ...document.brains }
+  for (const { id } of networks(document.programs[program] ?? noProgram)) {
+    const before = brains[id] ?? emptyBrain
+    brains[id] = withWeights(before, weightsOf(before, brain), set)
+  }
+  return { ...document, brains }
+}
+
+function withOwnProgram(document: Document, { program, brain }: RobotPlacement, name: string): Document {
+  const original = document.programs[program] ?? noProgram
+  const idOf = (id: string) => `${name}-${id}`
+  const brains: { [network: string]: Brain } = { ...document.brains }
+  for (const { id } of networks(original)) {
+    const before = brains[id] ?? emptyBrain
+    const layers = before.layers.map((layer) => layer.map((one) => ({ ...one, id: idOf(one.id) })))
+    brains[idOf(id)] = {
+      ...before,
+      layers,
+      weights: renamedWeights(weightsOf(before, brain), idOf),
+      sets: {},
+    }
+  }
+  return { ...document, programs: { ...document.programs, [name]: renamed(original, idOf) }, brains }
+}
+
+const renamedWeights = (weights: Weights, idOf: (id: string) => string): Weights =>
+  Object.fromEntries(
+    Object.entries(weights).map(([from, row]) => [
+      idOf(from),
+      Object.fromEntries(Object.entries(row).map(([to, weight]) => [idOf(to), weight])),
+    ]),
+  )
+
+/** The document without a robot, and without what only that robot had. */
+export function withoutRobot(document: Document, id: string): Document {
+  const gone = document.world.robots.find((robot) => robot.id === id)
+  const robots = document.world.robots.filter((robot) => robot !== gone)
+  if (!gone || robots.length === 0) return document
+  const usesProgram = robots.some(({ program }) => program === gone.program)
+  const usesSet = gone.brain === '' || robots.some(({ brain }) => brain === gone.brain)
+  const nets = usesProgram ? [] : networks(document.programs[gone.program] ?? noProgram).map((net) => net.id)
+  const kept = Object.entries(document.brains).filter(([net]) => !nets.includes(net))
+  return {
+    programs: usesProgram ? document.programs : without(document.programs, gone.program),
+    brains: Object.fromEntries(
+      kept.map(([net, brain]) => [
+        net,
+        usesSet ? brain : { ...brain, sets: without(brain.sets, gone.brain) },
+      ]),
+    ),
+    world: { ...document.world, robots },
+  }
+}
+
+function without<Value>(
+  all: { readonly [key: string]: Value },
+  key: string,
+): { readonly [key: string]: Value } {
+  const { [key]: _, ...rest } = all
+  return rest
+}

@@ -1,0 +1,2 @@
+// What a child meets only when another robot is wanted.
+export { default as AddRobot } from './AddRobot.svelte'

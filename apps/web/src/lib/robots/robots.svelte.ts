@@ -1,0 +1,41 @@
+import type { Session } from '#lib/state/session.svelte.ts'
+import { MOST_ROBOTS, withoutRobot, withRobot, type NewRobot } from './crew.ts'
+
+/** The robots of a world, for the row of chips: who is there, whose program and network are shown. */
+export class Crew {
+  #session: Session
+  /** Does the child choose what a new robot is to be? */
+  asking = $state(false)
+  /** Ids, joined: equal from frame to frame. */
+  #ids = $derived.by(() => this.#session.lab.document.world.robots.map(({ id }) => id).join(' '))
+  ids = $derived.by(() => this.#ids.split(' '))
+
+  constructor(session: Session) {
+    this.#session = session
+  }
+
+  get chosen() {
+    return this.#session.robotId
+  }
+  get full() {
+    return this.ids.length >= MOST_ROBOTS
+  }
+
+  choose(id: string): void {
+    this.#session.choose(id)
+  }
+
+  add(kind: NewRobot): void {
+    this.asking = false
+    if (this.full) return
+    const { id, document } = withRobot(this.#session.lab.document, this.chosen, kind)
+    this.#session.changeCrew(document)
+    this.choose(id)
+  }
+
+  /** The first robot stays: a card's goals look at it. */
+  remove(): void {
+    if (this.chosen === this.ids[0]) return
+    this.#session.changeCrew(withoutRobot(this.#session.lab.document, this.chosen))
+  }
+}
