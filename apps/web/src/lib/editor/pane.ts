@@ -11,11 +11,19 @@ import { restore, statesOn, toProgram, toWorkspace } from './program.ts'
 import { rendererName } from './renderer.ts'
 import { setUp, speak } from './setup.ts'
 import { knowRobot } from './sockets.ts'
-import { font, theme } from './theme.ts'
+import { fontFor, themeFor } from './theme.ts'
 import { shelfPlugins, toolboxInfo } from './toolbox.ts'
 import { wordsIn, type Locale } from './words.ts'
 
 const startScale = 0.76
+/** For the last row of a class. */
+const largeScale = 1
+
+/** How blocks are drawn: clear letters, and large for a wall. */
+export interface Looks {
+  readonly letters: boolean
+  readonly large: boolean
+}
 
 /** What the pane tells the page. */
 export interface PaneReports extends Reports {
@@ -23,15 +31,15 @@ export interface PaneReports extends Reports {
 }
 
 /** Resolves when blocks can be measured: Blockly asks once how wide its words are. */
-export async function fontReady(): Promise<void> {
-  await document.fonts.load(`700 16px ${font}`)
+export async function fontReady(letters: boolean): Promise<void> {
+  await document.fonts.load(`700 16px ${fontFor(letters)}`)
 }
 
-function options(locale: Locale, media: string): Blockly.BlocklyOptions {
+function options(locale: Locale, media: string, { letters, large }: Looks): Blockly.BlocklyOptions {
   return {
     toolbox: toolboxInfo(wordsIn(locale)),
     renderer: rendererName,
-    theme,
+    theme: themeFor(letters),
     media,
     plugins: shelfPlugins,
     sounds: false,
@@ -45,12 +53,19 @@ function options(locale: Locale, media: string): Blockly.BlocklyOptions {
       controls: false,
       wheel: false,
       pinch: true,
-      startScale,
+      startScale: large ? largeScale : startScale,
       minScale: 0.4,
       maxScale: 2,
       scaleSpeed: 1.2,
     },
   }
+}
+
+/** Clear letters stand 2 % apart; Blockly measures words on a canvas that has to know. */
+function spaceLetters(letters: boolean) {
+  const canvas = document.querySelector<HTMLCanvasElement>('canvas.blocklyComputeCanvas')
+  const context = canvas?.getContext('2d')
+  if (context) context.letterSpacing = letters ? '0.32px' : '0px'
 }
 
 /** One Blockly workspace in a pane, with the verbs that the page needs. */
@@ -62,17 +77,27 @@ export class Pane {
   /** A pane that is not shown has no size: the view finds its place when it is. */
   #placed: boolean
   #locale: Locale
+  #looks: Looks
   #program: Program
   #findings: readonly Finding[] = []
   #lit: string | null = null
 
-  constructor(host: HTMLElement, locale: Locale, program: Program, media: string, reports: PaneReports) {
+  constructor(
+    host: HTMLElement,
+    locale: Locale,
+    program: Program,
+    media: string,
+    looks: Looks,
+    reports: PaneReports,
+  ) {
     setUp()
     speak(locale)
     this.#locale = locale
     this.#program = program
     this.#reports = reports
-    this.#workspace = Blockly.inject(host, options(locale, media))
+    this.#looks = looks
+    this.#workspace = Blockly.inject(host, options(locale, media, looks))
+    spaceLetters(looks.letters)
     this.#workspace.MAX_UNDO = Infinity
     this.#host = host
     this.#placed = host.clientWidth > 0
@@ -95,7 +120,7 @@ export class Pane {
     if (shown) return
     this.#refill(() => toWorkspace(program, this.#workspace))
     this.#workspace.clearUndo()
-    this.#workspace.setScale(startScale)
+    this.#workspace.setScale(this.#looks.large ? largeScale : startScale)
     this.#place()
   }
 
@@ -105,6 +130,20 @@ export class Pane {
     const states = statesOn(this.#workspace)
     speak(locale)
     this.#workspace.updateToolbox(toolboxInfo(wordsIn(locale)))
+    this.#refill(() => restore(states, this.#workspace))
+  }
+
+  /** Draws the blocks anew where their font or their size is another. */
+  async setLooks(looks: Looks): Promise<void> {
+    const { letters, large } = this.#looks
+    this.#looks = looks
+    if (looks.large !== large) this.#workspace.setScale(looks.large ? largeScale : startScale)
+    if (looks.letters === letters) return
+    await fontReady(looks.letters)
+    if (this.#looks !== looks) return
+    spaceLetters(looks.letters)
+    const states = statesOn(this.#workspace)
+    this.#workspace.setTheme(themeFor(looks.letters))
     this.#refill(() => restore(states, this.#workspace))
   }
 

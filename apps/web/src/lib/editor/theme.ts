@@ -1,7 +1,11 @@
 import * as Blockly from 'blockly/core'
 import { categoryColours, darker, layerGround, paper, unknownColour } from './colours.ts'
 
-export const font = 'Nunito, sans-serif'
+const plain = 'Nunito, sans-serif'
+const clear = "'Atkinson Hyperlegible Next', sans-serif"
+
+/** The font of the blocks. `letters`: the one whose letters are hard to mix up. */
+export const fontFor = (letters: boolean): string => (letters ? clear : plain)
 
 /** Fields stand 18 % darker on the block, outlines 26 % (visual.md 2). */
 function style(colour: string): Blockly.Theme.BlockStyle {
@@ -15,23 +19,30 @@ function style(colour: string): Blockly.Theme.BlockStyle {
 
 const colours = { ...categoryColours, layer: layerGround, unknown: unknownColour }
 
-export const theme = Blockly.Theme.defineTheme('botgarten', {
-  name: 'botgarten',
-  blockStyles: Object.fromEntries(Object.entries(colours).map(([name, colour]) => [name, style(colour)])),
-  categoryStyles: Object.fromEntries(Object.entries(colours).map(([name, colour]) => [name, { colour }])),
-  componentStyles: {
-    workspaceBackgroundColour: paper,
-    toolboxBackgroundColour: 'transparent',
-    toolboxForegroundColour: '#3A2A20',
-    flyoutBackgroundColour: '#FBF5EA',
-    flyoutForegroundColour: '#3A2A20',
-    flyoutOpacity: 1,
-    scrollbarColour: '#DCC7A5',
-    scrollbarOpacity: 1,
-    insertionMarkerColour: '#4A3428',
-    insertionMarkerOpacity: 0.25,
-    selectedGlowColour: '#FFC83D',
-  },
-  // 12 pt = 16 px at scale 1.
-  fontStyle: { family: font, weight: '700', size: 12 },
-})
+/** Two fonts, else equal: the name tells Blockly's styles apart. */
+function define(name: string, letters: boolean): Blockly.Theme {
+  return Blockly.Theme.defineTheme(name, {
+    name,
+    blockStyles: Object.fromEntries(Object.entries(colours).map(([name, colour]) => [name, style(colour)])),
+    categoryStyles: Object.fromEntries(Object.entries(colours).map(([name, colour]) => [name, { colour }])),
+    componentStyles: {
+      workspaceBackgroundColour: paper,
+      toolboxBackgroundColour: 'transparent',
+      toolboxForegroundColour: '#3A2A20',
+      flyoutBackgroundColour: '#FBF5EA',
+      flyoutForegroundColour: '#3A2A20',
+      flyoutOpacity: 1,
+      scrollbarColour: '#DCC7A5',
+      scrollbarOpacity: 1,
+      insertionMarkerColour: '#4A3428',
+      insertionMarkerOpacity: 0.25,
+      selectedGlowColour: '#FFC83D',
+    },
+    // 12 pt = 16 px at scale 1.
+    fontStyle: { family: fontFor(letters), weight: '700', size: 12 },
+  })
+}
+
+const themes = { plain: define('botgarten', false), clear: define('botgarten-clear', true) }
+
+export const themeFor = (letters: boolean): Blockly.Theme => (letters ? themes.clear : themes.plain)

@@ -1,10 +1,12 @@
+import { readSetting, writeSetting } from '#lib/storage/settings.ts'
+
 /** Loudest output: a tone on headphones must never hurt. */
 const LOUDEST = 0.08
 const FADE_SECONDS = 0.02
 
 /** What the robot's loudspeaker plays. Silent until a tap has allowed it (running.md 12). */
 export class Loudspeaker {
-  #on = $state(true)
+  #on = $state(readSetting<unknown>('sound', true) !== false)
   #audio: { context: AudioContext; tone: OscillatorNode; volume: GainNode } | null = null
   #frequency = 0
 
@@ -38,6 +40,7 @@ export class Loudspeaker {
 
   switch(on: boolean): void {
     this.#on = on
+    writeSetting('sound', on)
     if (!on) this.play(null)
   }
 

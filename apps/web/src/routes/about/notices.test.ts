@@ -5,7 +5,7 @@ test('each font is named with whose it is', () => {
   expect(fonts.map((font) => font.replace(/ Copyright.*/, ''))).toEqual(
     expect.arrayContaining(['Baloo 2', 'Nunito']),
   )
-  for (const font of fonts) expect(font).toMatch(/Copyright \d{4} .+ Authors/)
+  for (const font of fonts) expect(font).toMatch(/Copyright \d{4}(-\d{4})? .+ Authors/)
 })
 
 test('each library is named with whose it is and its licence', () => {

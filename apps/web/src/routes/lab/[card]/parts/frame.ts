@@ -126,6 +126,8 @@ export interface LabFrameProps {
   onsavefile: () => void
   /** The project as a link would carry it. */
   onshare: () => Project
+  /** Shows the tour again; not given where there is none. */
+  ontour?: (() => void) | undefined
   settings: WorldSettings
   onsettings: (settings: WorldSettings) => void
   robot: RobotMenu
