@@ -84,7 +84,7 @@ export default {
   ],
   options: {
     doNotFollow: { path: 'node_modules' },
-    exclude: { path: '(/build/|/generated/|\\.svelte-kit/)' },
+    exclude: { path: '(^build/|^apps/[^/]+/build/|/generated/|\\.svelte-kit/)' },
     tsPreCompilationDeps: true,
     tsConfig: { fileName: 'tsconfig.json' },
     enhancedResolveOptions: {

@@ -18,7 +18,8 @@ export default ts.config(
     ignores: [
       '**/node_modules/',
       '**/.svelte-kit/',
-      '**/build/',
+      'build/',
+      'apps/*/build/',
       '**/generated/',
       'pictures/',
       '**/test-results/',
