@@ -36,9 +36,10 @@ function hsv(r: number, g: number, b: number): readonly [hue: number, saturation
   return [hueOf(r, g, b, most, range), saturation, (most / 255) * 100]
 }
 
+/** The product first: so a hue that is a whole number comes out as one, and limits are where the rules have them. */
 function hueOf(r: number, g: number, b: number, most: number, range: number): number {
   if (range === 0) return 0
-  if (most === r) return 60 * ((g - b) / range + (g < b ? 6 : 0))
-  if (most === g) return 60 * ((b - r) / range + 2)
-  return 60 * ((r - g) / range + 4)
+  if (most === r) return (60 * (g - b)) / range + (g < b ? 360 : 0)
+  if (most === g) return (60 * (b - r)) / range + 120
+  return (60 * (r - g)) / range + 240
 }
