@@ -81,6 +81,7 @@ export class Pane {
   #program: Program
   #findings: readonly Finding[] = []
   #lit: string | null = null
+  #glow: readonly string[] = []
 
   constructor(
     host: HTMLElement,
@@ -160,6 +161,25 @@ export class Pane {
     this.#mark(this.#lit, false)
     this.#mark(id, true)
     this.#lit = id
+  }
+
+  /** Lets blocks light up together with their nodes and with parts of the robot. */
+  setGlow(ids: readonly string[]): void {
+    for (const id of this.#glow) this.#classOf(id, 'editor-glow', false)
+    for (const id of ids) this.#classOf(id, 'editor-glow', true)
+    this.#glow = ids
+  }
+
+  /** The type of the block that an element of the pane belongs to, on the paper or on the open shelf. */
+  blockAt(element: Element): { readonly id: string; readonly type: string } | null {
+    const id = element.closest('.blocklyDraggable')?.getAttribute('data-id') ?? ''
+    const shelf = this.#workspace.getFlyout()?.getWorkspace()
+    const block = this.#workspace.getBlockById(id) ?? shelf?.getBlockById(id)
+    return block ? { id, type: block.type } : null
+  }
+
+  typeOf(id: string): string | null {
+    return this.#workspace.getBlockById(id)?.type ?? null
   }
 
   /** Takes back one step of the blocks; false where there is none, or a hand holds a block. */
@@ -248,11 +268,16 @@ export class Pane {
     }
     this.#nameParts()
     this.setLit(this.#lit)
+    this.setGlow(this.#glow)
     this.setFindings(this.#findings)
     if (selected !== undefined) this.focusBlock(selected)
   }
 
   #mark(id: string | null, lit: boolean) {
-    if (id !== null) this.#workspace.getBlockById(id)?.getSvgRoot().classList.toggle('editor-lit', lit)
+    if (id !== null) this.#classOf(id, 'editor-lit', lit)
+  }
+
+  #classOf(id: string, name: string, on: boolean) {
+    this.#workspace.getBlockById(id)?.getSvgRoot().classList.toggle(name, on)
   }
 }
