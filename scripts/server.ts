@@ -4,6 +4,7 @@ import type { IncomingMessage, Server, ServerResponse } from 'node:http'
 import type { AddressInfo } from 'node:net'
 import { join } from 'node:path'
 import { pathToFileURL } from 'node:url'
+import { readOperator } from './operator.ts'
 import { baseline, readPolicies } from './policies.ts'
 import { inHouse } from './prepare/house.mjs'
 
@@ -15,6 +16,15 @@ export interface RunningServer {
   readonly url: string
   /** Answers what was asked already, then lets go of the port. */
   close(): Promise<void>
+}
+
+export interface ServerOptions {
+  /** 0: any free one. */
+  readonly port: number
+  /** All addresses of the machine where none is named. */
+  readonly host?: string
+  /** What whoever runs the lab says about themselves; read from a file where it is not given. */
+  readonly operator?: string | null
 }
 
 const patience = 3000
@@ -42,15 +52,17 @@ async function close(server: Server) {
 
 /**
  * Serves the built web app.
- * @param options `port` 0: any free one · `host`: all addresses of the machine where none is named
  * @throws the error of `listen`, with its `code` (EADDRINUSE …)
  */
-export async function startServer(options: { port: number; host?: string }): Promise<RunningServer> {
+export async function startServer(options: ServerOptions): Promise<RunningServer> {
   const build = inHouse('apps', 'web', 'build')
   const [handler, policies] = [await handlerOf(build), readPolicies(join(build, 'prerendered'))]
+  const { operator = readOperator(process.env) } = options
   const server = createServer((request, response) => {
     const path = (request.url ?? '/').replace(/[?#].*/, '').replace(/(?<=.)\/$/, '')
     dress(response, policies.get(path) ?? baseline)
+    if (operator !== null && path === '/operator.md')
+      return void response.setHeader('content-type', 'text/markdown; charset=utf-8').end(operator)
     handler(request, response, () => response.writeHead(404).end())
   })
   server.listen({ port: options.port, host: options.host })

@@ -3,6 +3,7 @@ import adapter from '@sveltejs/adapter-node'
 import { sveltekit } from '@sveltejs/kit/vite'
 import { defineConfig, type Plugin } from 'vite'
 import { readCardText } from '../../packages/materials/cardText.ts'
+import { webSpace } from './web-space.ts'
 
 /** Cards' words become syntax trees at build: no Markdown parser is sent to the page. */
 const cardTexts: Plugin = {
@@ -39,9 +40,18 @@ const chunks = [
   // SvelteKit's first script imports it and must not pull anything else in before the page is set up.
   { name: 'preload', test: /preload-helper/, priority: 3 },
   { name: cardOf, priority: 2 },
+  // A chunk takes along what its modules import: what all words import comes first.
+  { name: 'words', test: /generated[\\/]runtime\.js/, priority: 3 },
+  // Words that only the pages about projects need.
+  {
+    name: 'shelf',
+    test: /generated[\\/]messages[\\/](projects|share|about|offline)_/,
+    minShareCount: 2,
+    priority: 2,
+  },
   {
     name: 'common',
-    test: /(src[\\/]lib[\\/](parts|storage|words)|node_modules[\\/]svelte)[\\/]/,
+    test: /(src[\\/]lib[\\/](content|offline|parts|words)|node_modules[\\/]svelte)[\\/]|storage[\\/](bin|channel|database|handout|projects|settings)\.ts|state[\\/]comfort/,
     minShareCount: 2,
     priority: 1,
   },
@@ -52,15 +62,27 @@ const chunks = [
     minShareCount: 2,
     priority: 1,
   },
-  { name: 'engine', test: /[\\/](packages|node_modules[\\/]planck|src[\\/]lib)[\\/]/, minShareCount: 2 },
+  {
+    name: 'engine',
+    test: /[\\/](packages|node_modules[\\/](planck|fflate)|src[\\/]lib[\\/](?!storage|share))[\\/]/,
+    minShareCount: 2,
+  },
 ]
 
+/** Where files for a web space go, without a server; not given: the build for our own server. */
+const folder = process.env['BOTGARTEN_WEB_SPACE']
+
 export default defineConfig({
+  define: { __WEB_SPACE__: JSON.stringify(folder !== undefined) },
   plugins: [
     cardTexts,
     noJoints,
     sveltekit({
-      adapter: adapter({ precompress: true }),
+      adapter: folder ? webSpace(folder) : adapter({ precompress: true }),
+      // The sizes of the one build are not those of the other.
+      outDir: folder ? '.svelte-kit/web-space' : '.svelte-kit',
+      // It comes after the page: lib/offline.
+      serviceWorker: { register: false },
       csp: {
         mode: 'hash',
         directives: {

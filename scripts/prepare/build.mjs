@@ -8,6 +8,7 @@ import { runtime } from './runtime.mjs'
 
 const web = inHouse('apps', 'web')
 const stamp = join(web, 'build', 'sources.sha256')
+const webSpaceStamp = inHouse('build', 'web-space.sha256')
 const sources = [
   'apps/web/src',
   'apps/web/static',
@@ -15,6 +16,7 @@ const sources = [
   'apps/web/project.inlang/paraglide.config.js',
   'apps/web/project.inlang/settings.json',
   'apps/web/vite.config.ts',
+  'apps/web/web-space.ts',
   'content',
   'package-lock.json',
   'packages',
@@ -45,16 +47,39 @@ function hashOfSources() {
   return hash.digest('hex')
 }
 
+const vite = () =>
+  join(dirname(createRequire(join(web, 'package.json')).resolve('vite/package.json')), 'bin', 'vite.js')
+
 /**
  * Builds the web app.
  * @param {(program: string, args: string[], options: { cwd: string }) => number | Promise<number>} [start]
  */
 export async function build(start = run) {
   const hash = hashOfSources()
-  const vite = dirname(createRequire(join(web, 'package.json')).resolve('vite/package.json'))
-  const code = await start(runtime(), [join(vite, 'bin', 'vite.js'), 'build'], { cwd: web })
+  const code = await start(runtime(), [vite(), 'build'], { cwd: web })
   if (code !== 0) throw new Trouble('The build failed; what Vite said stands above.')
   writeFileSync(stamp, hash)
+}
+
+/** The folder that `npm run build:static` writes. */
+export const webSpace = inHouse('build', 'web-space')
+
+/**
+ * Builds files for a web space.
+ * @param {(program: string, args: string[], options: object) => number | Promise<number>} [start]
+ */
+export async function buildStatic(start = run) {
+  const hash = hashOfSources()
+  const env = { ...process.env, BOTGARTEN_WEB_SPACE: webSpace }
+  const code = await start(runtime(), [vite(), 'build'], { cwd: web, env })
+  if (code !== 0) throw new Trouble('The build failed; what Vite said stands above.')
+  writeFileSync(webSpaceStamp, hash)
+}
+
+/** Builds the files for a web space when a source is not the one that was built. */
+export async function buildStaticWhenNeeded() {
+  if (existsSync(webSpaceStamp) && readFileSync(webSpaceStamp, 'utf8') === hashOfSources()) return
+  await buildStatic(runQuietly)
 }
 
 /** Builds the web app when a source is not the one that was built. */

@@ -1,6 +1,9 @@
 import type { Merged } from '#lib/storage/files.ts'
 
 declare global {
+  /** Is this the build for a web space? */
+  const __WEB_SPACE__: boolean
+
   namespace App {
     interface PageState {
       /** What became of a home file that was opened on the way to this page. */

@@ -1,9 +1,12 @@
-import { writeProject, type Project } from '@botgarten/programs'
+import type { Project } from '@botgarten/programs'
 
 const nameOfFile = (name: string) => name.replace(/[^\p{L}\p{N} _-]/gu, '').slice(0, 80) || 'botgarten'
 
-/** Hands the project out as a file, through the browser's own download. */
-export const saveProjectFile = (project: Project): void => handOut(project.name, writeProject(project))
+/**
+ * Hands the project out as a file, through the browser's own download. What is written is what `writeProject` writes,
+ * without bringing along what reads.
+ */
+export const saveProjectFile = (project: Project): void => handOut(project.name, JSON.stringify(project))
 
 export function handOut(name: string, text: string): void {
   const address = URL.createObjectURL(new Blob([text], { type: 'application/json' }))

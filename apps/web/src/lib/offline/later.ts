@@ -1,0 +1,1 @@
+export { default as Offline } from './Offline.svelte'

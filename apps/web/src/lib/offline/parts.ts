@@ -1,0 +1,50 @@
+import { dev } from '$app/env'
+import { immutable } from '$app/manifest'
+import { resolve } from '$app/paths'
+
+/** A service worker keeps everything on this device: on https and on the machine itself, not over plain http. */
+export const isSheltered = typeof navigator !== 'undefined' && 'serviceWorker' in navigator
+
+const base = () => new URL(resolve('/'), location.href)
+
+export function register(): void {
+  if (dev) return
+  navigator.serviceWorker
+    .register(new URL('service-worker.js', base()), { type: 'module' })
+    .catch((cause: unknown) => console.warn('The lab cannot be kept for times without a network.', cause))
+}
+
+const idle = (): Promise<unknown> =>
+  new Promise((done) => {
+    if ('requestIdleCallback' in window) requestIdleCallback(done, { timeout: 2000 })
+    else setTimeout(done, 50)
+  })
+
+/** Brings one part: scripts and styles to where the page finds them without asking, the rest into the browser's cache. */
+async function bring(address: string): Promise<void> {
+  const link = document.createElement('link')
+  link.href = address
+  if (address.endsWith('.js')) link.rel = 'modulepreload'
+  else if (address.endsWith('.css')) link.rel = 'stylesheet'
+  else return void (await (await fetch(address)).arrayBuffer())
+  if (document.querySelector(`link[rel="${link.rel}"][href="${CSS.escape(address)}"]`)) return
+  await new Promise((done) => {
+    link.onload = link.onerror = done
+    document.head.append(link)
+  })
+}
+
+/** Brings all parts of the product, one after the other, so that no click of this page needs the server later. */
+export function prefetchParts(): () => void {
+  let stopped = false
+  const run = async () => {
+    for (const { path } of immutable) {
+      await idle()
+      if (stopped) return
+      await bring(new URL(path, base()).href)
+    }
+    document.documentElement.dataset['parts'] = 'here'
+  }
+  run().catch((cause: unknown) => console.warn('Not all parts of the lab could be brought.', cause))
+  return () => (stopped = true)
+}

@@ -1,0 +1,35 @@
+import { expect, test } from 'vitest'
+import { wayOf } from './way.ts'
+
+const scope = 'https://school.example/bot/'
+const own = {
+  scope,
+  pages: new Set([scope, `${scope}lab/fear`, `${scope}about/`]),
+  files: new Set([`${scope}_app/immutable/a.js`, `${scope}operator.md`]),
+}
+const way = (path: string, mode = 'navigate', method = 'GET') =>
+  wayOf({ url: new URL(path, scope).href, mode, method }, own)
+
+test('parts and pages of this version are kept ones, whatever they are asked with', () => {
+  expect(way('_app/immutable/a.js', 'cors')).toEqual({ kind: 'kept', address: `${scope}_app/immutable/a.js` })
+  expect(way('lab/fear?p=fear-1x&start#there')).toEqual({ kind: 'kept', address: `${scope}lab/fear` })
+  expect(way('./')).toEqual({ kind: 'kept', address: scope })
+})
+
+test('a page is found with and without a slash at its end', () => {
+  expect(way('lab/fear/')).toEqual({ kind: 'kept', address: `${scope}lab/fear` })
+  expect(way('about')).toEqual({ kind: 'kept', address: `${scope}about/` })
+})
+
+test('what the operator writes is asked for anew', () =>
+  expect(way('operator.md', 'cors').kind).toBe('newest'))
+
+test('an address that is no page leads home where there is no server', () =>
+  expect(way('lab/nosuchcard').kind).toBe('home'))
+
+test('what is no part of the product is left alone', () => {
+  expect(way('https://other.example/bot/', 'navigate').kind).toBe('server')
+  expect(way('https://school.example/wiki').kind).toBe('server')
+  expect(way('lab/fear', 'navigate', 'POST').kind).toBe('server')
+  expect(way('nosuchfile.js', 'cors').kind).toBe('server')
+})
