@@ -47,11 +47,11 @@ describe('botgarten learn q', () => {
   })
 
   it('says why there is no way, and ends by time or episodes, whichever is done first', () => {
-    const short = learn('q', ...railway, '--time', '2', '--json').json()
+    const short = learn('q', ...railway, '--nu', '0', '--time', '2', '--json').json()
     expect(short).toMatchObject({ bestWay: null, reason: 'neverReached', moves: 2, firstShortestMove: null })
     const study = learn('q', ...railway, '--rules', 'study', '--episodes', '30', '--time', '50', '--json')
     expect(study.json()).toMatchObject({ moves: 30, episodes: 30 })
-    expect(learn('q', ...railway, '--time', '2').stdout).toMatch(
+    expect(learn('q', ...railway, '--nu', '0', '--time', '2').stdout).toMatch(
       /^After 2 moves .* no way yet \(neverReached\)/,
     )
   })
@@ -79,7 +79,7 @@ describe('botgarten learn q', () => {
   })
 
   it.each([
-    [['p'], 'takes one of: q, q-sweep'],
+    [['p'], 'takes one of: q, q-sweep, q-thesis'],
     [['q'], '--map is needed'],
     [['q', '--map', 'moon'], 'There is no map and no file called "moon"'],
     [['q', '--map', 'railway'], '--start is needed: a station from 0 to 5'],
@@ -126,5 +126,24 @@ describe('botgarten learn q-sweep', () => {
     const both = rows('.1,.5')
     expectToFit(both, 'learn-q-sweep.json')
     expect(both[1]).toEqual(rows('.5')[0])
+  })
+})
+
+describe('botgarten learn q-thesis', () => {
+  it('is the grid of the thesis: 225 settings on each of three maps', () => {
+    const { stdout } = learn('q-thesis', '--runs', '1')
+    const rows = stdout.trim().split('\n')
+    expect(rows[0]).toMatch(/^map,alpha,gamma,nu,rho,/)
+    for (const map of ['railway', 'forest', 'city'])
+      expect(rows.filter((row) => row.startsWith(`${map},`))).toHaveLength(225)
+  })
+
+  it('gives JSON that fits its schema', () => {
+    expectToFit(learn('q-thesis', '--runs', '2', '--json').json(), 'learn-q-sweep.json')
+  })
+
+  it('gives parts that joined are the whole', () => {
+    const parts = ['1/2', '2/2'].map((shard) => learn('q-thesis', '--runs', '1', '--shard', shard).stdout)
+    expect(parts.join('')).toBe(learn('q-thesis', '--runs', '1', '--threads', '1').stdout)
   })
 })

@@ -10,6 +10,7 @@ import { CallError, numberIn, options } from './errors.ts'
 import { algorithmOf, decayOf, limitsOf, rulesOf, seedOf, taskOf, taskOptions } from './learn-options.ts'
 import { findMap } from './maps.ts'
 import { sweep } from './sweep/sweep.ts'
+import { thesis } from './sweep/thesis.ts'
 
 const known = {
   ...taskOptions,
@@ -27,6 +28,7 @@ type Values = ReturnType<typeof options<typeof known>>['values']
 const methods: { readonly [name: string]: (args: string[]) => string | Promise<string> } = {
   q,
   'q-sweep': sweep,
+  'q-thesis': thesis,
 }
 
 /** `botgarten learn METHOD …`: learning without a screen. */

@@ -33,10 +33,13 @@ test('draws are spread evenly over [0, 1)', () => {
   expect(bins.reduce((sum, n) => sum + (n - 1000) ** 2 / 1000, 0)).toBeLessThan(37.7)
 })
 
-test('draws without boxes are the same draws', () => {
+test('a fast stream gives the upper word of every output of the plain one', () => {
   const state = stream(3, 'learn/a/1')
   const fast = fastStream(state)
-  const both = Array.from({ length: 1000 }, () => [draw(state), fastDraw(fast)] as const)
-  expect(both.every(([plain, quick]) => plain === quick)).toBe(true)
+  for (let pair = 0; pair < 1000; pair++) {
+    const upper = Math.floor(fastDraw(fast) * 2 ** 27)
+    const lower = Math.floor(fastDraw(fast) * 2 ** 26)
+    expect(draw(state)).toBe((upper * 2 ** 26 + lower) / 2 ** 53)
+  }
   expect([...fast]).toEqual(state)
 })

@@ -21,6 +21,12 @@ export interface Job {
   readonly seed: number
 }
 
+/** One setting of a job: what a thread is told. */
+export interface Work {
+  readonly job: Job
+  readonly setting: Setting
+}
+
 /** A row: one setting, all its runs. Moves are counted from 1; null: no run, or not half of them, came so far. */
 export interface Row extends Setting {
   readonly runs: number

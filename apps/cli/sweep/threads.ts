@@ -1,12 +1,10 @@
 import { availableParallelism } from 'node:os'
 import { Worker } from 'node:worker_threads'
-import type { Setting } from './grid.ts'
-import type { Job, Row } from './runs.ts'
+import type { Row, Work } from './runs.ts'
 
-/** Rows of all settings, in their order, worked out by so many threads. `done` hears how many are ready. */
+/** Rows of all pieces of work, in their order, worked out by so many threads. `done` hears how many are ready. */
 export async function rowsOf(
-  job: Job,
-  settings: readonly Setting[],
+  all: readonly Work[],
   threads = availableParallelism(),
   done: (count: number) => void = () => undefined,
 ): Promise<Row[]> {
@@ -15,11 +13,11 @@ export async function rowsOf(
   let ready = 0
   const work = () =>
     new Promise<void>((finished, failed) => {
-      const worker = new Worker(new URL('./worker.ts', import.meta.url), { workerData: job })
+      const worker = new Worker(new URL('./worker.ts', import.meta.url))
       let mine = -1
       const give = () => {
         mine = next++
-        if (mine < settings.length) worker.postMessage(settings[mine])
+        if (mine < all.length) worker.postMessage(all[mine])
         else void worker.terminate().then(() => finished())
       }
       worker.on('error', failed)
@@ -30,6 +28,6 @@ export async function rowsOf(
       })
       give()
     })
-  await Promise.all(Array.from({ length: Math.min(threads, settings.length) }, work))
+  await Promise.all(Array.from({ length: Math.min(threads, all.length) }, work))
   return rows
 }

@@ -1,6 +1,5 @@
-// A thread of a sweep: is told one setting at a time and answers with its row.
-import { parentPort, workerData } from 'node:worker_threads'
-import type { Setting } from './grid.ts'
-import { rowOf, type Job } from './runs.ts'
+// A thread of a sweep: is told one piece of work at a time and answers with its row.
+import { parentPort } from 'node:worker_threads'
+import { rowOf, type Work } from './runs.ts'
 
-parentPort!.on('message', (setting: Setting) => parentPort!.postMessage(rowOf(workerData as Job, setting)))
+parentPort!.on('message', ({ job, setting }: Work) => parentPort!.postMessage(rowOf(job, setting)))

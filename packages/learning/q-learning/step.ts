@@ -1,3 +1,4 @@
+import { fast, isPlain } from './fast.ts'
 import type { Learner } from './learner.ts'
 import { move } from './move.ts'
 import type { QTrace } from './types.ts'
@@ -21,5 +22,6 @@ export function step(learner: Learner): QTrace {
 export function run(learner: Learner, moves: number, episodes = Infinity): void {
   const lastMove = learner.moves + moves
   const lastEpisode = learner.episodes + episodes
+  if (isPlain(learner)) fast(learner, lastMove, lastEpisode)
   while (learner.moves < lastMove && learner.episodes < lastEpisode) move(learner)
 }

@@ -69,7 +69,7 @@ def shown_way(graph, table):
 
 
 def xoshiro128(state):
-    """xoshiro128** 1.1 of Blackman and Vigna; two outputs make one number, as in mt19937ar.c."""
+    """xoshiro128** 1.1 of Blackman and Vigna; an output of 32 bits makes one number from 0 to 1."""
     mask = 0xFFFFFFFF
     s = list(state)
 
@@ -87,7 +87,7 @@ def xoshiro128(state):
         s[3] = rotate(s[3], 11)
         return result
 
-    return lambda: ((word() >> 5) * 67108864 + (word() >> 6)) / 9007199254740992
+    return lambda: word() / 2**32
 
 
 def opened(name, setting, seed):
