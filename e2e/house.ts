@@ -7,6 +7,8 @@ interface Wishes {
   /** Which language the browser asks for. */
   readonly language: Language
   readonly hand: 'mouse' | 'finger'
+  /** Nobody has used this browser yet: the tour is offered. */
+  readonly newcomer: boolean
   readonly child: Child
   /** What the browser may complain about here, because the test asks for it. */
   readonly complaints: readonly RegExp[]
@@ -45,6 +47,18 @@ export const test = base.extend<Wishes, Worker>({
   baseURL: async ({ house }, use) => use(house),
   language: ['en', { option: true }],
   hand: ['mouse', { option: true }],
+  newcomer: [false, { option: true }],
+  context: async ({ context, newcomer }, use) => {
+    if (!newcomer)
+      await context.addInitScript(() => {
+        try {
+          localStorage.setItem('botgarten.tour', '"seen"')
+        } catch {
+          // A browser that keeps nothing offers the tour every time.
+        }
+      })
+    await use(context)
+  },
   locale: async ({ language }, use) => use({ en: 'en-GB', de: 'de-DE' }[language]),
   child: async ({ page, language, hand }, use) => use(new Child(page, language, hand)),
   complaints: [[], { option: true }],

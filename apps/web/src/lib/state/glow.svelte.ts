@@ -27,6 +27,10 @@ export class Glow {
   readonly #robot: () => string
   #pointed = $state.raw<Lit | null>(null)
   #touched = $state.raw<Lit | null>(null)
+  get touched() {
+    return this.#touched
+  }
+
   /** What is pointed at, else what was touched last. */
   readonly now = $derived(this.#pointed ?? this.#touched)
 
