@@ -77,9 +77,12 @@ const project: Project = {
           sensors: {
             1: { kind: 'colour', x: 9, y: 0, angle: 0 },
             2: { kind: 'ultrasonic', x: 10, y: 5, angle: 20 },
+            4: { kind: 'position', x: 0, y: 0, angle: 0 },
           },
           drive: { left: 'C', right: 'B' },
           noise: 5,
+          delay: 12,
+          strength: { left: 0.8, right: 1 },
         },
       },
     ],
@@ -174,6 +177,10 @@ describe('what is refused, and why', () => {
     ['a picture from elsewhere', 'world.floor.asset', 'https://example.org/x.png'],
     ['an asset that is no base64', `assets.${sha256}.base64`, '<svg>'],
     ['a noise above 100', 'world.robots.0.config.noise', 101],
+    ['a delay above 60 ticks', 'world.robots.0.config.delay', 61],
+    ['a delay of half a tick', 'world.robots.0.config.delay', 0.5],
+    ['a motor that hardly turns', 'world.robots.0.config.strength', { left: 0.4, right: 1 }],
+    ['a sensor nobody knows', 'world.robots.0.config.sensors.1.kind', 'nose'],
     ['a world without size', 'world.size.width', 0],
     ['a world without a robot', 'world.robots', []],
   ])('%s', (_what, path, value) => {

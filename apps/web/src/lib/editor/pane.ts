@@ -171,11 +171,11 @@ export class Pane {
   }
 
   /** The type of the block that an element of the pane belongs to, on the paper or on the open shelf. */
-  blockAt(element: Element): { readonly id: string; readonly type: string } | null {
+  typeAt(element: Element): string | null {
     const id = element.closest('.blocklyDraggable')?.getAttribute('data-id') ?? ''
     const shelf = this.#workspace.getFlyout()?.getWorkspace()
     const block = this.#workspace.getBlockById(id) ?? shelf?.getBlockById(id)
-    return block ? { id, type: block.type } : null
+    return block?.type ?? null
   }
 
   typeOf(id: string): string | null {

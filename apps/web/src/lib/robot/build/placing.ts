@@ -1,4 +1,12 @@
-import { FRONT, HALF_WIDTH, REAR, type Cm, type Degrees, type SensorKind, type SensorPlace } from '@botgarten/simulation'
+import {
+  FRONT,
+  HALF_WIDTH,
+  REAR,
+  type Cm,
+  type Degrees,
+  type SensorKind,
+  type SensorPlace,
+} from '@botgarten/simulation'
 
 /** A point of the picture, in cm: the robot's front is up, the middle of its axle is 0. */
 export interface Spot {

@@ -56,16 +56,30 @@ export const rowsOf = (senses: Senses, { drive }: RobotConfig, locale: string): 
   })),
 ]
 
-const portRows = ({ port, values }: PortSense, locale: string): SenseRow[] =>
-  (Object.entries(values) as [ReadMode, number | Colour | null][]).map(([mode, value]) => ({
+type Reading = number | Colour | null
+
+const portRows = (
+  { port, values: { red, green, blue, ...values } }: PortSense,
+  locale: string,
+): SenseRow[] => [
+  ...(Object.entries(values) as [ReadMode, Reading][]).map(([mode, value]) => ({
     id: `${port} ${mode}`,
     place: port,
     label: say(`robot.mode.${mode}`),
     value: valueOf(mode, value, locale),
-    ...(mode === 'colour' && typeof value === 'string' ? { colour: value } : {}),
-  }))
+    ...(mode === 'colour' && value !== '' ? { colour: String(value) } : {}),
+  })),
+  ...(red === undefined ? [] : [channelsRow(port, [red, green, blue], locale)]),
+]
 
-function valueOf(mode: ReadMode, value: number | Colour | null, locale: string): string {
+const channelsRow = (port: string, channels: readonly (Reading | undefined)[], locale: string): SenseRow => ({
+  id: `${port} channels`,
+  place: port,
+  label: say('robot.mode.channels'),
+  value: channels.map((channel) => formatNumber(Number(channel), locale, 0)).join(' · '),
+})
+
+function valueOf(mode: ReadMode, value: Reading, locale: string): string {
   if (mode === 'touch') return say(value === 1 ? 'robot.pressed' : 'robot.free')
   if (mode === 'colour') {
     const name = colourNames.get(String(value))
