@@ -112,7 +112,11 @@ describe('a scene file of Open Roberta', () => {
       Math.round(area.pose.x + x * Math.cos(turn) - y * Math.sin(turn)),
       Math.round(area.pose.y + x * Math.sin(turn) + y * Math.cos(turn)),
     ]
-    const corners = [corner(-width / 2, -height / 2), corner(width / 2, -height / 2), corner(tip, height / 2)]
+    const corners = [
+      corner(0 - width / 2, 0 - height / 2),
+      corner(width / 2, 0 - height / 2),
+      corner(tip, height / 2),
+    ]
     // (100, 100), (100, 220), (190, 220) px.
     expect(corners.sort((a, b) => a[0]! - b[0]! || a[1]! - b[1]!)).toEqual([[30, 83], [30, 123], [60, 83]]) // prettier-ignore
   })

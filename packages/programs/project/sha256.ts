@@ -7,7 +7,7 @@ function fraction(prime: number, degree: 2 | 3): number {
   let high = 1n << 40n
   while (high - low > 1n) {
     const middle = (low + high) / 2n
-    if (middle ** BigInt(degree) <= wanted) low = middle
+    if (middle * middle * (degree === 3 ? middle : 1n) <= wanted) low = middle
     else high = middle
   }
   return Number(low & 0xffffffffn) | 0

@@ -9,9 +9,9 @@ export type Outline =
 export const radiusOf = (shape: Outline): number =>
   shape.kind === 'circle' ? shape.radius : Math.hypot(shape.width, shape.height) / 2
 
-/** Corners of a triangle about its middle, y down: the tip at the top. */
-export const triangleCorners = (width: number, height: number): readonly Point[] => [
-  { x: 0, y: -height / 2 },
+/** Corners of a triangle about its middle, y down: the tip at the top, `tip` to the right of the middle. */
+export const triangleCorners = (width: number, height: number, tip = 0): readonly Point[] => [
+  { x: tip, y: -height / 2 },
   { x: width / 2, y: height / 2 },
   { x: -width / 2, y: height / 2 },
 ]

@@ -16,7 +16,10 @@ export class BuildMode {
   constructor(session: Session, desk: Desk) {
     this.session = session
     this.desk = desk
-    this.eye = new Eye(() => this.shop?.world ?? session.lab.document.world)
+    this.eye = new Eye(
+      () => this.shop?.world ?? session.lab.document.world,
+      () => session.robotId,
+    )
     this.hand = new Hand((id, pose, phase) => (this.shop ?? session).place(id, pose, phase))
   }
 
@@ -46,7 +49,7 @@ export class BuildMode {
 
   async #open(): Promise<Opened> {
     if (this.#shop) return this.#shop
-    const { openWorkshop } = await import('./build/later.ts')
+    const { openWorkshop } = await import('./building/later.ts')
     this.#shop ??= await openWorkshop(this)
     return this.#shop
   }

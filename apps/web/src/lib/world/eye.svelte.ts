@@ -9,6 +9,7 @@ import {
   nearestZoom,
   scaleFor,
   wholeScale,
+  type Camera,
 } from '../drawing/camera.ts'
 import { clamp, type Point, type Size } from '../drawing/points.ts'
 import { radiusOf } from '../drawing/things.ts'
@@ -26,22 +27,34 @@ const arrows: { readonly [key: string]: readonly [right: number, down: number] }
   ArrowDown: [0, -1],
 }
 
+const radiiOf = ({ obstacles }: World): ReadonlyMap<string, number> =>
+  new Map(obstacles.map(({ id, shape }) => [id, radiusOf(shape)]))
+
 /** What part of the world is seen in the pane, and the ways between the two. */
 export class Eye {
   pane = $state.raw<Size>({ width: 0, height: 0 })
   #camera = new FollowingCamera()
   #zoom = new Zoom()
   #world: () => World
-  #radii = $derived.by(() => new Map(this.#world().obstacles.map(({ id, shape }) => [id, radiusOf(shape)])))
+  #chosen: () => string
+  #radii = $derived.by(() => radiiOf(this.#world()))
   /** The floor's top left corner in px of the pane. */
-  corner = $derived.by(() => floorCorner(this.#camera.at, this.pane, this.#world().size))
+  corner = $derived.by(() => floorCorner(this.#at, this.pane, this.#world().size))
 
-  constructor(world: () => World) {
+  /** `followed`: id of the robot that the camera follows; the first where there is none of this name. */
+  constructor(world: () => World, followed: () => string = () => '') {
     this.#world = world
+    this.#chosen = followed
   }
 
   get scale(): number {
     return this.#zoom.at
+  }
+
+  /** A resting camera is not told of another scale. */
+  get #at(): Camera {
+    const { x, y } = this.#camera.at
+    return { x, y, scale: this.scale }
   }
 
   get open(): boolean {
@@ -52,8 +65,12 @@ export class Eye {
   get wantedScale(): number {
     const { robots, obstacles, size } = this.#world()
     const things = obstacles.map(({ pose, shape }) => ({ x: pose.x, y: pose.y, radius: radiusOf(shape) }))
-    return scaleFor(this.pane, size, robots[0] ? needOf(robots[0].pose, things) : size)
+    const robot = this.#followed(robots)
+    return scaleFor(this.pane, size, robot ? needOf(robot.pose, things) : size)
   }
+
+  #followed = <Robot extends { id: string }>(robots: readonly Robot[]): Robot | undefined =>
+    robots.find(({ id }) => id === this.#chosen()) ?? robots[0]
 
   stand(scale: number): void {
     this.#zoom.fit(this.pane, this.#world().size, scale)
@@ -61,7 +78,7 @@ export class Eye {
 
   /** Where the camera should be for this view; null without a robot. */
   target({ robots, obstacles }: View) {
-    const robot = robots[0]
+    const robot = this.#followed(robots)
     if (!robot || !this.open) return null
     const things = obstacles.map(({ id, pose }) => ({
       x: pose.x,
@@ -81,8 +98,8 @@ export class Eye {
 
   /** Pushes the floor by px. */
   push(right: number, down: number): void {
-    const { x, y } = this.#camera.at
-    const to = { x: x - right / this.scale, y: y + down / this.scale, scale: this.scale }
+    const { x, y, scale } = this.#at
+    const to = { x: x - right / scale, y: y + down / scale, scale }
     this.#camera.push(keepOnFloor(to, this.pane, this.#world().size))
   }
 
@@ -125,7 +142,7 @@ export class Eye {
   }
 
   /** Px in the pane to cm on the floor. */
-  floorAt = (at: Point): Point => fromPane(at, this.#camera.at, this.pane)
+  floorAt = (at: Point): Point => fromPane(at, this.#at, this.pane)
 
   /** Can this point (px of the floor's box) be grabbed in the pane? */
   sees = ({ x, y }: Point): boolean => {

@@ -43,7 +43,12 @@ describe('items of a world', () => {
     const changed = withItem(world, put(item('b'), { ...pose, x: 7 }))
     expect(changed.areas[1]!.pose.x).toBe(7)
     expect(changed.areas[0]).toBe(world.areas[0])
-    expect(withItem(world, { kind: 'areas', thing: area('d') }).areas.map(({ id }) => id)).toEqual(['a', 'b', 'c', 'd'])
+    expect(withItem(world, { kind: 'areas', thing: area('d') }).areas.map(({ id }) => id)).toEqual([
+      'a',
+      'b',
+      'c',
+      'd',
+    ])
     expect(without(world, item('b')).areas.map(({ id }) => id)).toEqual(['a', 'c'])
   })
 

@@ -111,13 +111,13 @@ const side = (cm: number) => Math.min(longest, Math.max(shortest, Math.round(cm 
 
 /** The corner that stretches a shape, in its own frame. */
 export function cornerOf(shape: Shape): Point {
-  if (shape.kind === 'circle') return { x: shape.radius * Math.SQRT1_2, y: -shape.radius * Math.SQRT1_2 }
-  return { x: shape.width / 2, y: -shape.height / 2 }
+  if (shape.kind === 'circle') return { x: shape.radius * Math.SQRT1_2, y: 0 - shape.radius * Math.SQRT1_2 }
+  return { x: shape.width / 2, y: 0 - shape.height / 2 }
 }
 
 /** A point of the floor in the frame of something that stands at `pose`, and back. */
 export function toOwn({ x, y, heading }: Pose, at: Point): Point {
-  return turned({ x: at.x - x, y: at.y - y }, -heading)
+  return turned({ x: at.x - x, y: at.y - y }, 0 - heading)
 }
 
 export function toFloor({ x, y, heading }: Pose, own: Point): Point {

@@ -10,7 +10,9 @@ const png = encode({ width: 7, height: 5, data: new Uint8Array(7 * 5 * 3), chann
 
 // First bytes as the formats' own descriptions have them: JFIF with a frame of 20000 × 300; GIF89a 640 × 480;
 // WebP: lossy 1600 × 1200, extended 400 × 300, lossless 16 × 9.
-const jpeg = bytes('ffd8 ffe0 0010 4a46494600 0101 00 0001 0001 0000 ffc0 0011 08 012c 4e20 03 011100 021101 031101')
+const jpeg = bytes(
+  'ffd8 ffe0 0010 4a46494600 0101 00 0001 0001 0000 ffc0 0011 08 012c 4e20 03 011100 021101 031101',
+)
 const gif = bytes('474946383961 8002 e001 f70000')
 const webpLossy = bytes('52494646 24000000 57454250 56503820 18000000 300100 9d012a 4006 b004 0000')
 const webpWide = bytes('52494646 24000000 57454250 56503858 0a000000 10000000 8f0100 2b0100')
@@ -30,7 +32,11 @@ test.each([
 test.each([
   ['a text that is called a picture', of('Dear diary, today Bo drove'), 'kind'],
   ['nothing', new Uint8Array(0), 'kind'],
-  ['an SVG', of('<?xml version="1.0"?><svg xmlns="http://www.w3.org/2000/svg"><script>1</script></svg>'), 'svg'],
+  [
+    'an SVG',
+    of('<?xml version="1.0"?><svg xmlns="http://www.w3.org/2000/svg"><script>1</script></svg>'),
+    'svg',
+  ],
   ['a PNG that was cut', png.subarray(0, png.length - 20), 'broken'],
   ['a PNG of no dots', Uint8Array.from(png, (byte, at) => (at >= 16 && at < 20 ? 0 : byte)), 'broken'],
   ['a JPEG without a frame', jpeg.subarray(0, 20), 'broken'],

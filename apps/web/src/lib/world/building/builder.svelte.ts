@@ -3,7 +3,15 @@ import { distance, type Point } from '../../drawing/points.ts'
 import type { BuildMode } from '../build-mode.svelte.ts'
 import type { Workshop } from '../workshop.ts'
 import { most, sceneOf, type Project, type Scene } from '@botgarten/programs'
-import { COLOURS, type Area, type Line, type Obstacle, type Pose, type Shape, type World } from '@botgarten/simulation'
+import {
+  COLOURS,
+  type Area,
+  type Line,
+  type Obstacle,
+  type Pose,
+  type Shape,
+  type World,
+} from '@botgarten/simulation'
 import { freshId, itemOf, moved, poseOf, put, wallBetween, withItem, without } from './edits.ts'
 import type { Item, Kind } from './edits.ts'
 import { Floors } from './floors.ts'
@@ -119,7 +127,8 @@ export class Builder implements Workshop {
     const { width, height } = this.world.size
     const middle = this.mode.eye.middle
     let at = { x: Math.min(width, Math.max(0, middle.x)), y: Math.min(height, Math.max(0, middle.y)) }
-    const taken = (spot: Point) => this.world[kind].some((thing) => distance(poseOf({ kind, thing } as Item), spot) < 3)
+    const taken = (spot: Point) =>
+      this.world[kind].some((thing) => distance(poseOf({ kind, thing } as Item), spot) < 3)
     for (let tries = 0; tries < 50 && taken(at); tries++) at = { x: at.x + 6, y: at.y - 6 }
     return { x: Math.round(at.x), y: Math.round(at.y) }
   }
@@ -203,7 +212,7 @@ export class Builder implements Workshop {
     const { item } = this
     if (!item) return
     const { x, y, heading } = poseOf(item)
-    const { width, height } = this.world.size
+    const { width } = this.world.size
     const beside = { x: x + (x + 12 > width ? -12 : 12), y: y + (y - 12 < 0 ? 12 : -12), heading }
     const twin = put(item, beside)
     this.add({ ...twin, thing: { ...twin.thing, id: freshId(this.world, item.kind) } } as Item)
