@@ -88,6 +88,11 @@ export class Session {
     return brain ? weightsOf(brain, this.robot.brain) : {}
   }
 
+  /** The weights of the present, whatever moment is shown. */
+  weightsNow(network: string) {
+    return weightsOf(this.#brain(network), this.robot.brain)
+  }
+
   /** The project as it stands now: what is kept and what a file holds. */
   get project(): Project {
     const { programs, world, brains } = this.lab.document

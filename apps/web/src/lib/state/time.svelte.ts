@@ -37,6 +37,10 @@ export class TimeMachine {
     this.#session.lab.lookAt(tick)
   }
 
+  goTo(tick: number): void {
+    this.#session.lab.goTo(tick)
+  }
+
   /** One tick back or forth. */
   step(by: 1 | -1): void {
     this.#session.lab.goTo(this.view.tick + by)

@@ -1,2 +1,3 @@
 // What a child meets only after a tap on the clock.
 export { default as TimeBar } from './TimeBar.svelte'
+export { default as ThenNote } from './ThenNote.svelte'
