@@ -138,7 +138,12 @@ export class Pane {
   async setLooks(looks: Looks): Promise<void> {
     const { letters, large } = this.#looks
     this.#looks = looks
-    if (looks.large !== large) this.#workspace.setScale(looks.large ? largeScale : startScale)
+    if (looks.large !== large) {
+      this.#workspace.setScale(looks.large ? largeScale : startScale)
+      // Its shelf is wider then.
+      this.#workspace.getToolbox()?.position()
+      this.resize()
+    }
     if (looks.letters === letters) return
     await fontReady(looks.letters)
     if (this.#looks !== looks) return
