@@ -1,0 +1,6 @@
+export type * from './types.ts'
+export { pointsOf } from './points.ts'
+export { distancesOf } from './distances.ts'
+export { plusPlusStart, randomStart } from './starts.ts'
+export { bestOf, cluster } from './run.ts'
+export { startAt, stepOne, stepPhase, type Stepped } from './step.ts'

@@ -1,0 +1,71 @@
+import type { StreamState } from '@botgarten/numbers'
+import { assignAll } from './assign.ts'
+import { flat } from './distances.ts'
+import { moveAll } from './move.ts'
+import { plusPlusStart, randomStart } from './starts.ts'
+import type { Clustering, Distance, Points } from './types.ts'
+
+const MOST_ROUNDS = 300
+
+/**
+ * Lloyd's algorithm (Lloyd 1982) from these centres until no point changes its group; at most 300 rounds. Rounds are
+ * counted as scikit-learn's `n_iter_` counts them: the last one, in which nothing changes, too.
+ */
+export function cluster(
+  points: Points,
+  start: readonly (readonly number[])[],
+  distance: Distance = 'euclidean',
+): Clustering {
+  refuse(points, start)
+  let centres = flat(start)
+  const labels = new Int32Array(points.count).fill(-1)
+  const inertia: number[] = []
+  let iterations = 0
+  for (let same = false; !same && iterations < MOST_ROUNDS;) {
+    const before = labels.slice()
+    inertia.push(assignAll(points, centres, distance, labels))
+    const moved = moveAll(points, labels, centres, distance).centres
+    iterations++
+    same = labels.every((label, point) => label === before[point])
+    if (!same) centres = moved
+  }
+  return { centres: rowsOf(centres, points.features), labels: [...labels], inertia, iterations }
+}
+
+/** The best of several starts: the smallest inertia at the end, of equal ones the first. */
+export function bestOf(
+  points: Points,
+  groups: number,
+  options: {
+    readonly starts: number
+    readonly init: 'random' | '++'
+    readonly distance: Distance
+    readonly stream: StreamState
+  },
+): Clustering {
+  const { starts, init, distance, stream } = options
+  let best: Clustering | null = null
+  for (let index = 0; index < starts; index++) {
+    const start =
+      init === '++' ? plusPlusStart(points, groups, distance, stream) : randomStart(points, groups, stream)
+    const found = cluster(points, start, distance)
+    if (best === null || found.inertia.at(-1)! < best.inertia.at(-1)!) best = found
+  }
+  if (best === null) throw new RangeError('One start is the least.')
+  return best
+}
+
+export function rowsOf(centres: Float64Array, features: number): number[][] {
+  return Array.from({ length: centres.length / features }, (_, group) => [
+    ...centres.subarray(group * features, (group + 1) * features),
+  ])
+}
+
+function refuse({ count, features }: Points, start: readonly (readonly number[])[]): void {
+  if (start.length < 1) throw new RangeError('There are 0 groups; one is the least.')
+  if (start.length > count)
+    throw new RangeError(`${start.length} groups need as many points; there are ${count}.`)
+  for (const centre of start)
+    if (centre.length !== features || !centre.every(Number.isFinite))
+      throw new RangeError(`A centre has ${features} numbers, as the points have.`)
+}
