@@ -14,6 +14,7 @@ function sources(folder: URL): string[] {
 const elsewhere = ['notKept']
 
 const code = rooms.flatMap((room) => sources(new URL(`${room}/`, import.meta.url))).join('\n')
+const screens = sources(new URL('../../../apps/web/src/lib/', import.meta.url)).join('\n')
 
 interface Said {
   readonly title: string
@@ -33,7 +34,8 @@ describe.each(['en', 'de'])('the problems in %s', (language) => {
       expect(title).toMatch(/[.?]$/)
       expect(text).toMatch(/[.?]$/)
       const stem = name.replace(/(Here|Empty|Anywhere)$/, '')
-      if (!elsewhere.includes(name)) expect(code).toMatch(new RegExp(`'(problem\\.)?${stem}'`))
+      if (!elsewhere.includes(name))
+        expect(`${code}\n${screens}`).toMatch(new RegExp(`'(problem\\.)?${stem}'`))
     },
   )
 
