@@ -2,9 +2,9 @@ import type { Page } from '@playwright/test'
 import { build } from 'vite'
 import type { Outcome } from './runs.ts'
 
-async function bundle(): Promise<string> {
-  const entry = new URL('runs.ts', import.meta.url).pathname
-  const lib = { entry, formats: ['iife' as const], name: 'runs' }
+/** A file and all that it imports as one script, which gives its exports to the page under `name`. */
+export async function bundle(file: URL, name: string): Promise<string> {
+  const lib = { entry: file.pathname, formats: ['iife' as const], name }
   const made = await build({
     ...{ configFile: false as const, logLevel: 'error' as const },
     build: { write: false, minify: false, target: 'es2022', lib },
@@ -16,6 +16,6 @@ async function bundle(): Promise<string> {
 
 /** The outcomes of the same code in a browser. */
 export async function outcomesIn(page: Page): Promise<Outcome[]> {
-  await page.addScriptTag({ content: await bundle() })
+  await page.addScriptTag({ content: await bundle(new URL('runs.ts', import.meta.url), 'runs') })
   return page.evaluate(() => (globalThis as unknown as { runs: { outcomes(): Outcome[] } }).runs.outcomes())
 }
