@@ -1,6 +1,6 @@
 import AxeBuilder from '@axe-core/playwright'
 import type { Page } from '@playwright/test'
-import type { Child } from '../child.ts'
+import { leftEye, leftWheel, type Child } from '../child.ts'
 import { expect, test } from '../house.ts'
 import { languages } from '../words.ts'
 
@@ -33,6 +33,27 @@ const screens: { readonly [name: string]: (child: Child) => Promise<void> } = {
     await expect(child.page.getByText(child.word('lab.hintTitle', { number: 1, of: 3 }))).toBeVisible()
   },
   'the free lab': (child) => child.opensLab('free'),
+  'my projects': async (child) => {
+    await child.opensLab('friendship')
+    await child.typesWeight(leftEye, leftWheel, 0.4)
+    await child.seesSaved()
+    await child.page.goto('/projects')
+    await expect(child.page.getByRole('article').first()).toBeVisible()
+    const name = child.word('home.friendship')
+    await child.presses('projects.more', { name })
+  },
+  'a project as a link': async (child) => {
+    await child.presses('parts.share')
+    await expect(child.page.getByRole('dialog')).toBeVisible()
+  },
+  'the bin': async (child) => {
+    await child.page.goto('/projects/bin')
+    await expect(child.words('projects.binEmpty')).toBeVisible()
+  },
+  'the page about': async (child) => {
+    await child.page.goto('/about')
+    await child.seesTitle()
+  },
   'a card that is not there': async (child) => {
     await child.page.goto('/lab/nothing')
     await expect(child.page.getByText(child.word('lab.unknownCardTitle'))).toBeVisible()

@@ -54,11 +54,14 @@ export function database(): Promise<Opened> {
 }
 
 /** Does this browser keep anything at all? */
-export const keepsAnything = (): Promise<boolean> =>
-  database().then(
-    () => true,
-    () => false,
-  )
+export async function keepsAnything(): Promise<boolean> {
+  try {
+    await database()
+    return true
+  } catch {
+    return false
+  }
+}
 
 /** `full`: no room left · `refused`: the device keeps nothing. */
 export type Trouble = 'full' | 'refused'

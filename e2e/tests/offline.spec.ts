@@ -1,0 +1,203 @@
+import type { Page } from '@playwright/test'
+import { flags } from '../browser.ts'
+import { findChromium } from '../chromium.mjs'
+import { Child, leftEye, leftWheel, rightEye, rightWheel } from '../child.ts'
+import { Shelf } from '../child-projects.ts'
+import { doormanOf, type Doorman } from '../doorman.ts'
+import { expect, test as base } from '../house.ts'
+import { languages } from '../words.ts'
+
+/** A name that leads to this machine: for the browser it is a classroom's server, plain http. */
+const classroom = 'classroom.test'
+
+const test = base.extend<{ door: Doorman; at: string }>({
+  at: ['localhost', { option: true }],
+  door: async ({ house }, use) => {
+    const door = await doormanOf(house)
+    await use(door)
+    await door.shut()
+  },
+  baseURL: async ({ door, at }, use) => use(`http://${at}:${door.port}`),
+})
+test.use({
+  // What the browser itself says about a server that is gone, and addresses of this machine.
+  complaints: [
+    /ERR_(CONNECTION_REFUSED|INTERNET_DISCONNECTED)|^A request to http:\/\/(localhost|classroom\.test):\d+\//,
+  ],
+  launchOptions: {
+    executablePath: findChromium() ?? undefined,
+    args: [...flags, `--host-resolver-rules=MAP ${classroom} 127.0.0.1`],
+  },
+})
+
+/** Everything is on the device, and this page is served from there. */
+async function isKept(page: Page) {
+  await page.waitForFunction(() => navigator.serviceWorker.controller?.state === 'activated')
+}
+
+for (const language of languages) {
+  test.describe(`the cable is pulled, in ${language}`, () => {
+    test.use({ language })
+
+    test('after one visit to home, over localhost, the lab starts, drives and keeps', async ({
+      child,
+      page,
+      door,
+    }) => {
+      await child.opensHome()
+      await isKept(page)
+      await door.shut()
+
+      await child.opensLab('friendship')
+      await child.typesWeight(leftEye, leftWheel, 0.8)
+      await child.typesWeight(rightEye, rightWheel, 0.8)
+      await child.pressesStart()
+      await child.seesDriving()
+      await child.pressesStop()
+      await child.seesSaved()
+      await child.reloads()
+      await child.seesWeight(leftEye, leftWheel, 0.8)
+    })
+
+    test('after one visit to the lab the other pages open, and what is no page leads home', async ({
+      child,
+      page,
+      door,
+    }) => {
+      await child.opensLab('friendship')
+      await child.typesWeight(leftEye, leftWheel, 0.8)
+      await child.seesSaved()
+      await isKept(page)
+      await door.shut()
+      const shelf = new Shelf(child)
+      await shelf.opens()
+      await shelf.seesNames(child.word('home.friendship'))
+      await page.goto('/about')
+      await expect(page.getByRole('heading', { level: 1 })).toHaveText(child.word('parts.about'))
+      await page.goto('/no/such/page')
+      await expect(page.getByRole('heading', { level: 1 })).toContainText(child.word('home.title'))
+    })
+
+    test('a link opens without a network', async ({ child, page, door }) => {
+      await child.opensLab('friendship')
+      await child.typesWeight(leftEye, leftWheel, 0.6)
+      await child.seesSaved()
+      await child.presses('lab.menu')
+      await child.presses('parts.share')
+      const link = await new Shelf(child).link()
+      await isKept(page)
+      await door.shut()
+      await page.goto('/about')
+      await page.goto(link)
+      await child.seesLab()
+      await child.seesWeight(leftEye, leftWheel, 0.6)
+    })
+  })
+
+  test.describe(`a new version, in ${language}`, () => {
+    test.use({ language })
+
+    test('waits while a lab is open, is offered at home and taken by a press', async ({
+      child,
+      page,
+      context,
+      door,
+    }) => {
+      await child.opensHome()
+      await isKept(page)
+      const before = await page.evaluate(() => caches.keys())
+      const version = /botgarten-(\d+)/.exec(before[0] ?? '')?.[1] ?? ''
+      const next = String(Number(version) + 1000)
+      door.change('/service-worker.js', (text) => text.replaceAll(version, next))
+
+      const lab = new Child(await context.newPage(), language)
+      await lab.opensLab('friendship')
+      await lab.typesWeight(leftEye, leftWheel, 0.3)
+      await lab.seesSaved()
+      // The lab shows that it is open once it has nothing else to do.
+      await lab.page.waitForFunction(async () => ((await navigator.locks.query()).held ?? []).length > 0)
+
+      await child.opensHome()
+      await expect(child.words('offline.newVersion')).toBeVisible()
+      await child.presses('offline.newVersionTake')
+      await expect(child.words('offline.newVersionLab')).toBeVisible()
+      await lab.reloads()
+      await lab.seesWeight(leftEye, leftWheel, 0.3)
+      expect(await lab.page.evaluate(() => navigator.serviceWorker.controller !== null)).toBe(true)
+      expect(
+        await page.evaluate(async () => (await navigator.serviceWorker.getRegistration())?.waiting?.state),
+      ).toBe('installed')
+
+      await lab.page.close()
+      await child.presses('offline.newVersionTake')
+      await page.waitForFunction(
+        async () => (await navigator.serviceWorker.getRegistration())?.waiting === null,
+      )
+      await child.seesTitle()
+      await expect(child.button('offline.newVersionTake')).toBeHidden()
+      expect(await page.evaluate(() => caches.keys())).toContain(`botgarten-${next}`)
+      await door.shut()
+      await child.opensLab('friendship')
+      await child.seesWeight(leftEye, leftWheel, 0.3)
+    })
+  })
+
+  test.describe(`a classroom's server over plain http, in ${language}`, () => {
+    test.use({ language, at: classroom })
+
+    test('an open page goes on with the cable pulled: every click finds its part, work is kept, and it says what needs the server', async ({
+      child,
+      page,
+      door,
+      context,
+    }) => {
+      await child.opensHome()
+      expect(await page.evaluate(() => isSecureContext)).toBe(false)
+      await page.waitForFunction(() => document.documentElement.dataset['parts'] === 'here')
+      await door.shut()
+      await context.setOffline(true)
+      await expect(page.getByRole('status').filter({ hasText: child.word('offline.cutOff') })).toBeVisible()
+      const asked = door.asked.length
+
+      await child.chooses('friendship')
+      await child.typesWeight(leftEye, leftWheel, 0.8)
+      await child.typesWeight(rightEye, rightWheel, 0.8)
+      await child.pressesStart()
+      await child.seesDriving()
+      await child.pressesStop()
+      await child.seesSaved()
+      await child.presses('lab.menu')
+      await child.presses('parts.share')
+      await expect(page.getByRole('textbox', { name: child.word('share.address') })).toHaveValue(/\/open#1\./)
+      await child.presses('parts.close')
+      await child.presses('lab.menu')
+      await page.getByRole('link', { name: child.word('parts.myProjects') }).click()
+      const shelf = new Shelf(child)
+      await shelf.seesNames(child.word('home.friendship'))
+      await expect(page.getByText(child.word('projects.plainHttp'))).toBeVisible()
+      await shelf.takesHome()
+      await child.presses('projects.new')
+      await child.seesLab()
+      expect(door.asked.length).toBe(asked)
+
+      await context.setOffline(false)
+      await door.open()
+      await child.opensLab('friendship')
+      await child.seesWeight(leftEye, leftWheel, 0.8)
+    })
+  })
+}
+
+test('what is kept for times without a network comes after the page, and is at most 1.6 MB on the wire', async ({
+  child,
+  page,
+  door,
+}) => {
+  await child.opensLab('friendship')
+  const [requests, bytes] = [door.asked.length, door.bytes]
+  expect(door.asked).not.toContain('/service-worker.js')
+  await isKept(page)
+  expect(door.asked).toContain('/service-worker.js')
+  expect(door.asked.length - requests).toBeLessThanOrEqual(200)
+  expect(door.bytes - bytes).toBeLessThanOrEqual(1_600_000)
+})

@@ -1,0 +1,301 @@
+import type { BrowserContext } from '@playwright/test'
+import { Child, leftEye, leftWheel, rightEye, rightWheel } from '../child.ts'
+import { Shelf } from '../child-projects.ts'
+import { expect, test } from '../house.ts'
+import { freeProgram } from '../projects.ts'
+import { languages, type Language } from '../words.ts'
+
+/** Puts projects of these names on the device, the last one changed last. */
+async function keeps(child: Child, ...names: readonly string[]) {
+  const shelf = new Shelf(child)
+  for (const [index, name] of names.entries()) {
+    await shelf.opens()
+    await shelf.opensFile(
+      `${name}.json`,
+      freeProgram(name, (make) => [make.wait(index)]),
+    )
+    await expect(child.page.getByRole('heading', { level: 1 })).toHaveText(name)
+  }
+  await shelf.opens()
+  return shelf
+}
+
+const otherTab = async (context: BrowserContext, language: Language) =>
+  new Child(await context.newPage(), language)
+const heading = (child: Child) => child.page.getByRole('heading', { level: 1 })
+
+for (const language of languages) {
+  test.describe(`my projects, in ${language}`, () => {
+    test.use({ language })
+
+    test('an empty shelf says what will lie there; home and the lab lead to it', async ({ child, page }) => {
+      await child.opensHome()
+      await page.getByRole('link', { name: child.word('parts.myProjects') }).click()
+      const shelf = new Shelf(child)
+      await shelf.isSeen()
+      await expect(child.words('projects.noneTitle')).toBeVisible()
+      await child.presses('projects.new')
+      await child.seesLab()
+      await child.presses('lab.menu')
+      await page.getByRole('link', { name: child.word('parts.myProjects') }).click()
+      await shelf.isSeen()
+    })
+
+    test('what was built lies there with its picture, and gets another name', async ({ child }) => {
+      await child.opensLab('friendship')
+      await child.typesWeight(leftEye, leftWheel, 0.4)
+      await child.seesSaved()
+      const shelf = new Shelf(child)
+      await shelf.opens()
+      const card = child.word('home.friendship')
+      await shelf.seesNames(card)
+      await expect(shelf.project(card).locator('svg image')).toHaveCount(1)
+      await shelf.renames(card, 'Mein bester Versuch')
+      await shelf.seesNames('Mein bester Versuch')
+      await shelf.opensProject('Mein bester Versuch')
+      await expect(heading(child)).toHaveText('Mein bester Versuch')
+      await child.seesWeight(leftEye, leftWheel, 0.4)
+    })
+
+    test('a name of spaces is no name, and a name that looks like a page is only a name', async ({
+      child,
+      page,
+    }) => {
+      const shelf = await keeps(child, 'Uno')
+      await shelf.chooses('Uno', 'rename')
+      const field = page.getByRole('textbox', { name: child.word('projects.name') })
+      await field.fill('   ')
+      await expect(child.button('projects.take')).toHaveAttribute('aria-disabled', 'true')
+      await field.fill('<img src=x onerror=alert(1)>')
+      await child.presses('projects.take')
+      await shelf.seesNames('<img src=x onerror=alert(1)>')
+    })
+
+    test('a copy goes its own way', async ({ child }) => {
+      await child.opensLab('friendship')
+      await child.typesWeight(leftEye, leftWheel, 0.4)
+      await child.seesSaved()
+      const shelf = new Shelf(child)
+      await shelf.opens()
+      const card = child.word('home.friendship')
+      const copy = child.word('session.copy', { name: card })
+      await shelf.chooses(card, 'duplicate')
+      await shelf.seesNames(copy, card)
+      await shelf.opensProject(copy)
+      await child.typesWeight(leftEye, leftWheel, 0.9)
+      await child.seesSaved()
+      await child.opensLab('friendship')
+      await child.seesWeight(leftEye, leftWheel, 0.4)
+    })
+
+    test('the bin gives back at once and later, and forgets only when it is emptied', async ({ child }) => {
+      const shelf = await keeps(child, 'Uno', 'Due')
+      await shelf.chooses('Due', 'throw')
+      await shelf.hears('projects.thrown', { name: 'Due' })
+      await shelf.seesNames('Uno')
+      await child.presses('projects.takeBack')
+      await shelf.seesNames('Due', 'Uno')
+
+      await shelf.chooses('Uno', 'throw')
+      await shelf.seesNames('Due')
+      await shelf.goesToBin()
+      await expect(shelf.inBin('Uno')).toContainText(child.word('projects.days', { days: 30 }))
+      await child.presses('projects.takeBack')
+      await expect(child.words('projects.binEmpty')).toBeVisible()
+
+      await shelf.opens()
+      await shelf.seesNames('Due', 'Uno')
+      await shelf.chooses('Uno', 'throw')
+      await shelf.goesToBin()
+      await child.presses('projects.emptyBin')
+      await child.presses('projects.cancel')
+      await expect(shelf.inBin('Uno')).toBeVisible()
+      await child.presses('projects.emptyBin')
+      await child.presses('projects.emptyYes')
+      await expect(child.words('projects.binEmpty')).toBeVisible()
+      await shelf.opens()
+      await shelf.seesNames('Due')
+    })
+
+    test('the bin forgets after 30 days and not before', async ({ child, page }) => {
+      const shelf = await keeps(child, 'Uno')
+      await shelf.chooses('Uno', 'throw')
+      await shelf.hears('projects.thrown', { name: 'Uno' })
+      const day = 86_400_000
+      await page.clock.install({ time: Date.now() + 29 * day })
+      await shelf.goesToBin()
+      await expect(shelf.inBin('Uno')).toContainText(child.word('projects.lastDay'))
+      await page.clock.setFixedTime(Date.now() + 31 * day)
+      await shelf.goesToBin()
+      await expect(child.words('projects.binEmpty')).toBeVisible()
+    })
+
+    test('a card whose project lies in the bin begins anew, and neither overwrites the other', async ({
+      child,
+    }) => {
+      const card = child.word('home.friendship')
+      await child.opensLab('friendship')
+      await child.typesWeight(leftEye, leftWheel, 0.4)
+      await child.seesSaved()
+      const shelf = new Shelf(child)
+      await shelf.opens()
+      await shelf.chooses(card, 'throw')
+      await child.opensLab('friendship')
+      await child.typesWeight(rightEye, rightWheel, 0.7)
+      await child.seesSaved()
+      await shelf.goesToBin()
+      await child.presses('projects.takeBack')
+      await expect(child.words('projects.binEmpty')).toBeVisible()
+      await child.opensLab('friendship')
+      await child.seesWeight(leftEye, leftWheel, 0)
+      await child.seesWeight(rightEye, rightWheel, 0.7)
+      await shelf.opens()
+      await shelf.seesNames(card, 'Friendship')
+    })
+
+    test('among many one searches, and puts them in order', async ({ child, page }) => {
+      const names = ['Möwe 10', 'Möwe 9', 'C', 'D', 'E', 'F', 'G', 'H', 'I']
+      const shelf = await keeps(child, ...names)
+      await shelf.seesNames(...names.toReversed())
+      await page.getByRole('searchbox').fill('möwe')
+      await shelf.seesNames('Möwe 9', 'Möwe 10')
+      await page.getByRole('searchbox').fill('nichts davon')
+      await expect(child.words('projects.nothingFound')).toBeVisible()
+      await page.getByRole('searchbox').fill('')
+      await page.getByRole('combobox').selectOption('name')
+      await shelf.seesNames('C', 'D', 'E', 'F', 'G', 'H', 'I', 'Möwe 9', 'Möwe 10')
+    })
+
+    test('a project that another tab throws away is not lost in this one', async ({ child, context }) => {
+      await child.opensLab('friendship')
+      await child.typesWeight(leftEye, leftWheel, 0.4)
+      await child.seesSaved()
+      const other = await otherTab(context, language)
+      const shelf = new Shelf(other)
+      await shelf.opens()
+      const card = child.word('home.friendship')
+      await expect(shelf.project(card)).toContainText(child.word('projects.elsewhere'))
+      await shelf.chooses(card, 'throw')
+      await expect(child.dialog('lab.goneTitle')).toContainText(child.word('lab.goneText'))
+      await child.presses('lab.goneKeep')
+      await child.seesSaved()
+      await child.typesWeight(rightEye, rightWheel, 0.2)
+      await child.seesSaved()
+      await child.reloads()
+      await child.seesWeight(leftEye, leftWheel, 0.4)
+      await child.seesWeight(rightEye, rightWheel, 0.2)
+    })
+
+    test('a tab that did not hear of the bin is told with its next save', async ({ child, context }) => {
+      await child.page.addInitScript('delete window.BroadcastChannel')
+      await child.opensLab('friendship')
+      await child.typesWeight(leftEye, leftWheel, 0.4)
+      await child.seesSaved()
+      const other = await otherTab(context, language)
+      const shelf = new Shelf(other)
+      await shelf.opens()
+      await shelf.chooses(child.word('home.friendship'), 'throw')
+      await shelf.hears('projects.thrown', { name: child.word('home.friendship') })
+      // Another project has taken the place meanwhile: an old revision does not meet it by chance.
+      await other.opensLab('friendship')
+      await other.typesWeight(leftEye, leftWheel, 0.1)
+      await other.seesSaved()
+      await child.typesWeight(rightEye, rightWheel, 0.2)
+      await expect(child.dialog('lab.conflictTitle')).toBeVisible()
+      await child.presses('lab.keepCopy')
+      await child.seesSaved()
+      await other.reloads()
+      await other.seesWeight(leftEye, leftWheel, 0.1)
+      await other.seesWeight(rightEye, rightWheel, 0)
+    })
+
+    test('a name given in another tab is taken over, and both go on', async ({ child, context }) => {
+      await child.opensLab('friendship')
+      await child.typesWeight(leftEye, leftWheel, 0.4)
+      await child.seesSaved()
+      const other = await otherTab(context, language)
+      const shelf = new Shelf(other)
+      await shelf.opens()
+      await shelf.renames(child.word('home.friendship'), 'Neu')
+      await expect(heading(child)).toHaveText('Neu')
+      await child.typesWeight(rightEye, rightWheel, 0.2)
+      await child.seesSaved()
+      await shelf.opens()
+      await shelf.opensProject('Neu')
+      await other.seesWeight(rightEye, rightWheel, 0.2)
+    })
+
+    test('everything goes home as one file, and lies beside what is there', async ({ child, browser }) => {
+      const shelf = await keeps(child, 'Uno', 'Due')
+      await child.opensLab('friendship')
+      await child.typesWeight(leftEye, leftWheel, 0.4)
+      await child.seesSaved()
+      await shelf.opens()
+      const file = await shelf.takesHome()
+
+      const context = await browser.newContext({ locale: language, baseURL: child.page.url() })
+      const home = new Child(await context.newPage(), language)
+      const there = new Shelf(home)
+      await home.opensLab('friendship')
+      await home.typesWeight(leftEye, leftWheel, 0.9)
+      await home.seesSaved()
+      await there.opens()
+      await there.opensFile('home.botgarten.json', file)
+      await there.isTold('projects.mergedTitle', 'projects.merged', { added: 3, same: 0 })
+      const copy = home.word('session.copy', { name: 'Friendship' })
+      expect((await there.names()).toSorted()).toEqual(
+        [copy, home.word('home.friendship'), 'Uno', 'Due'].toSorted(),
+      )
+      await there.opensFile('home.botgarten.json', file)
+      await there.isTold('projects.mergedTitle', 'projects.merged', { added: 0, same: 3 })
+      await home.opensLab('friendship')
+      await home.seesWeight(leftEye, leftWheel, 0.9)
+      // The home page takes such a file too.
+      await home.opensHome()
+      await home.opensFileAtHome('home.botgarten.json', file)
+      await there.isTold('projects.mergedTitle', 'projects.merged', { added: 0, same: 3 })
+      await context.close()
+    })
+
+    test('a home file that is broken is refused with a reason; a broken project in it is left out', async ({
+      child,
+    }) => {
+      const shelf = await keeps(child, 'Uno')
+      const file = JSON.parse(await shelf.takesHome()) as { projects: unknown[] }
+      await shelf.opensFile('x.json', '{"botgartenHome":1}')
+      await shelf.isTold('problem.notAProject.title', 'problem.notAProject.text')
+      await shelf.opensFile('x.json', '{"botgartenHome":9,"projects":[]}')
+      await shelf.isTold('problem.newerVersion.title', 'problem.newerVersion.text', { version: 9 })
+      await shelf.opensFile('x.json', '{"botgartenHome":1,"projects":[')
+      await shelf.isTold('problem.notJson.title', 'problem.notJson.text')
+      file.projects.push({ id: 'x', changed: 1, project: { botgarten: 1 } })
+      await shelf.opensFile('x.json', JSON.stringify(file))
+      await shelf.isTold('projects.mergedTitle', 'projects.mergedBroken', { broken: 1 })
+      await shelf.seesNames('Uno')
+    })
+
+    test('says where a device forgets', async ({ child }) => {
+      await keeps(child, 'Uno')
+      await expect(child.page.getByText(child.word('projects.keptHere'))).toBeVisible()
+      await expect(child.page.getByText(child.word('projects.forgets'))).toBeVisible()
+    })
+
+    test('a browser that keeps nothing says so on the shelf', async ({ child, page }) => {
+      await page.addInitScript(() => {
+        Object.defineProperty(IDBFactory.prototype, 'open', {
+          value: () => {
+            throw new DOMException('Refused for a test.', 'SecurityError')
+          },
+        })
+      })
+      const shelf = new Shelf(child)
+      await shelf.opens()
+      await expect(page.getByText(child.word('projects.keptNowhereText'))).toBeVisible()
+      await shelf.opensFile(
+        'uno.json',
+        freeProgram('Uno', (make) => [make.wait(1)]),
+      )
+      await shelf.isTold('problem.notKept.title', 'problem.notKept.text')
+    })
+  })
+}
