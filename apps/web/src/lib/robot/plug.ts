@@ -28,10 +28,18 @@ export async function addNeuron(
 ) {
   const before = session.undo.count
   const block = blocks.addNeuron(network, layer)
-  await told()
+  if (block === null) return
+  await arrived(session, block)
   const finding = session.findings.find((found) => found.block === block)
   const plug = finding?.fixes?.find((fix) => fix.plug?.port === finding.facts?.port)?.plug
   if (plug) plugIn(session, plug, before)
+}
+
+/** Resolves when the session's program has a new neuron; a page that is busy hears of it some frames later. */
+async function arrived(session: Session, block: string): Promise<void> {
+  const isThere = () =>
+    session.outlines.some(({ inputs, outputs }) => [...inputs, ...outputs].some(({ id }) => id === block))
+  for (let frames = 0; frames < 120 && !isThere(); frames += 2) await told()
 }
 
 interface Plug {
