@@ -45,7 +45,7 @@ export class Builder {
   }
 
   get things(): Locator {
-    return this.child.page.locator('.world .grip > button')
+    return this.world.locator('.grip > button')
   }
 
   /** Where something says it is, in cm. */
@@ -71,9 +71,14 @@ export class Builder {
     return this.child.page.getByLabel(this.child.word(field), { exact: true })
   }
 
+  /** The world as it is drawn. */
+  get world(): Locator {
+    return this.child.page.getByRole('application', { name: this.child.word('world.label') })
+  }
+
   /** A spot of the world's picture, as shares of it. */
   async spot(right: number, down: number): Promise<Spot> {
-    const box = (await this.child.page.locator('.world').boundingBox())!
+    const box = (await this.world.boundingBox())!
     return { x: box.x + box.width * right, y: box.y + box.height * down }
   }
 

@@ -3,7 +3,7 @@ import { expect, test } from 'vitest'
 import { encode } from 'fast-png'
 import { readPictureHead } from './picture-file.ts'
 
-const bytes = (hex: string) => Uint8Array.fromHex(hex.replace(/\s/g, ''))
+const bytes = (hex: string) => new Uint8Array(Buffer.from(hex.replace(/\s/g, ''), 'hex'))
 const of = (text: string) => new TextEncoder().encode(text)
 
 const png = encode({ width: 7, height: 5, data: new Uint8Array(7 * 5 * 3), channels: 3, depth: 8 })
