@@ -21,3 +21,12 @@ export function withPoses(
     })
   return { ...world, obstacles: put(world.obstacles), robots: robotsToo ? put(world.robots) : world.robots }
 }
+
+export const emptyWorld: Document['world'] = {
+  size: { width: 100, height: 100 },
+  floor: { colour: '#FFFFFF' },
+  areas: [],
+  lines: [],
+  obstacles: [],
+  robots: [],
+}

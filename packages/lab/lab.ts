@@ -9,10 +9,11 @@ import {
   type Simulation,
 } from '@botgarten/simulation'
 import { carryOver } from './carry.ts'
-import { sameBlocks, withPoses } from './documents.ts'
+import { emptyWorld, sameBlocks, withPoses } from './documents.ts'
 import { brainsFor } from './robots/brains.ts'
 import { sensesOf } from './robots/senses.ts'
-import { Run, type Course } from './run.ts'
+import { Run } from './run.ts'
+import type { Course } from './timeline/moment.ts'
 import type { Check, Document, DriveKey, Input, Lab, Phase, StepKind } from './types.ts'
 import { viewOf } from './view.ts'
 
@@ -295,13 +296,4 @@ class OneLab implements Lab {
     viewOf(this.#run, this.#run.inPast ? 'paused' : this.#phase, this.#robotAt(robot), this.#other !== null)
   document = () => this.#document
   hash = () => hex(this.#run.hash)
-}
-
-const emptyWorld: Document['world'] = {
-  size: { width: 100, height: 100 },
-  floor: { colour: '#FFFFFF' },
-  areas: [],
-  lines: [],
-  obstacles: [],
-  robots: [],
 }

@@ -1,20 +1,13 @@
 import { emptyBrain, withWeight, type Brain } from '@botgarten/learning/neural-network'
 import { addToHash, startHash, type Hash } from '@botgarten/numbers'
-import { runThread, type Thread } from '@botgarten/programs'
-import {
-  degreesOf,
-  pressKey,
-  rollsOn,
-  TICKS_PER_SECOND,
-  type Pose,
-  type Simulation,
-  type SimulationState,
-} from '@botgarten/simulation'
+import { runThread } from '@botgarten/programs'
+import { pressKey, rollsOn, TICKS_PER_SECOND, type Pose, type Simulation } from '@botgarten/simulation'
 import { observe, watch, type Watch } from './checks/checks.ts'
 import { withHandOnKeys } from './inputs/keys.ts'
 import { repeats } from './inputs/repeats.ts'
 import type { Brains } from './robots/brains.ts'
 import { robotRun, type RobotRun } from './robots/run.ts'
+import { poseIn, type Course, type Moment } from './timeline/moment.ts'
 import { shared } from './timeline/shared.ts'
 import { Timeline } from './timeline/timeline.ts'
 import { newTrack, note, trackUntil, type Track } from './timeline/tracks.ts'
@@ -22,33 +15,6 @@ import type { Check, Document, DriveKey, Input, TimeView } from './types.ts'
 
 /** Ticks from keyframe to keyframe: so few that any moment is there again at once, on a slow laptop too. */
 const KEYFRAME_EVERY = 60
-
-/** Everything that decides how a run goes on, as plain data. */
-export interface Moment {
-  readonly tick: number
-  /** How far this tick has come: steps of its programs from block to block, and inputs that were given. */
-  readonly part: number
-  readonly given: number
-  readonly simulation: SimulationState
-  readonly threads: readonly Thread[]
-  readonly brains: Brains
-  /** Start poses of the obstacles: a hand changes them. */
-  readonly starts: { readonly [id: string]: Pose }
-  readonly lastInputs: readonly (readonly (readonly [string, readonly number[]])[])[]
-  readonly keys: readonly DriveKey[]
-  /** Index of the robot that the keys drive. */
-  readonly driven: number
-  readonly watches: readonly Watch[]
-  readonly hash: Hash
-  readonly endedAt: number | null
-}
-
-/** One course of time: enough to stand at its end and to go back in it. */
-export interface Course {
-  readonly timeline: Timeline<Moment>
-  readonly tracks: readonly Track[]
-  readonly now: Moment
-}
 
 /** One run of a world and its programs from a Start on: ticks, and the way back to any of them. */
 export class Run {
@@ -226,8 +192,7 @@ export class Run {
   poseOf(id: string): Pose | null {
     const { world, state } = this.simulation
     const robot = world.robots.findIndex((placement) => placement.id === id)
-    const thing = state.robots[robot] ?? state.obstacles.find((obstacle) => obstacle.id === id)
-    return thing ? { x: thing.x, y: thing.y, heading: degreesOf(thing.heading) } : null
+    return poseIn(state.robots[robot] ?? state.obstacles.find((obstacle) => obstacle.id === id))
   }
 
   #noteEnd(): void {
@@ -326,14 +291,11 @@ export class Run {
       now: now?.tick ?? this.tick,
       past: now !== null,
       marks: this.#timeline.marks,
-      present: now ? this.robots.map(({ id }, index) => ({ id, pose: poseIn(now, index) })) : [],
+      present: now
+        ? this.robots.map(({ id }, index) => ({ id, pose: poseIn(now.simulation.robots[index])! }))
+        : [],
     }
   }
-}
-
-function poseIn({ simulation }: Moment, robot: number): Pose {
-  const { x, y, heading } = simulation.robots[robot]!
-  return { x, y, heading: degreesOf(heading) }
 }
 
 const samePose = (a: Pose | null, b: Pose | null) =>

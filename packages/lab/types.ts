@@ -3,7 +3,7 @@ import type { Finding } from '@botgarten/blocks'
 import type { Project } from '@botgarten/programs'
 import type { Floor, LedColour, Pose, Ray, RobotKey, SensorPort } from '@botgarten/simulation'
 import type { Senses } from './robots/senses.ts'
-import type { Moment } from './run.ts'
+import type { Moment } from './timeline/moment.ts'
 
 /** What a lab runs: the parts of a project that behave. */
 export type Document = Pick<Project, 'programs' | 'world' | 'brains'>

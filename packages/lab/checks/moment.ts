@@ -37,7 +37,8 @@ export function speedIn(moment: Moment): Percent {
 /** From the middle of the robot's axle to a point. */
 export function awayFrom(moment: Moment, x: Cm, y: Cm): Cm {
   const robot = robotIn(moment)
-  return Math.sqrt((robot.x - x) ** 2 + (robot.y - y) ** 2)
+  const [dx, dy] = [robot.x - x, robot.y - y]
+  return Math.sqrt(dx * dx + dy * dy)
 }
 
 /** What the robot's first colour sensor sees: '' for none of the eight, null without such a sensor. */

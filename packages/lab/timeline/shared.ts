@@ -1,5 +1,5 @@
 import type { ObstacleState } from '@botgarten/simulation'
-import type { Moment } from '../run.ts'
+import type { Moment } from './moment.ts'
 
 /** The same moment; what stands where it stood in the moment before is written down once for both. */
 export function shared(moment: Moment, before: Moment | null): Moment {

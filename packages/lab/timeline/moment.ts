@@ -1,0 +1,40 @@
+import type { Hash } from '@botgarten/numbers'
+import type { Thread } from '@botgarten/programs'
+import { degreesOf, type Pose, type SimulationState } from '@botgarten/simulation'
+import type { Watch } from '../checks/checks.ts'
+import type { Brains } from '../robots/brains.ts'
+import type { DriveKey } from '../types.ts'
+import type { Timeline } from './timeline.ts'
+import type { Track } from './tracks.ts'
+
+/** Everything that decides how a run goes on, as plain data. */
+export interface Moment {
+  readonly tick: number
+  /** How far this tick has come: steps of its programs from block to block, and inputs that were given. */
+  readonly part: number
+  readonly given: number
+  readonly simulation: SimulationState
+  readonly threads: readonly Thread[]
+  readonly brains: Brains
+  /** Start poses of the obstacles: a hand changes them. */
+  readonly starts: { readonly [id: string]: Pose }
+  readonly lastInputs: readonly (readonly (readonly [string, readonly number[]])[])[]
+  readonly keys: readonly DriveKey[]
+  /** Index of the robot that the keys drive. */
+  readonly driven: number
+  readonly watches: readonly Watch[]
+  readonly hash: Hash
+  readonly endedAt: number | null
+}
+
+/** One course of time: enough to stand at its end and to go back in it. */
+export interface Course {
+  readonly timeline: Timeline<Moment>
+  readonly tracks: readonly Track[]
+  readonly now: Moment
+}
+
+/** Where a robot or a thing stands. */
+export const poseIn = (
+  thing: { readonly x: number; readonly y: number; readonly heading: number } | undefined,
+) => (thing ? { x: thing.x, y: thing.y, heading: degreesOf(thing.heading) } : null)
