@@ -12,7 +12,7 @@ type Wishes = { readonly [wish in Wish]?: unknown }
 
 /** How the screen meets the one before it, kept on this device. The page's root carries every wish as `data-<wish>`. */
 class Comfort {
-  #wishes = $state.raw<Wishes>(readSetting<Wishes>('comfort', {}))
+  #wishes = $state.raw<Wishes>(readSetting<Wishes | null>('comfort', null) ?? {})
 
   constructor() {
     this.#show()

@@ -1,0 +1,47 @@
+import { expect, type Locator, type Page } from '@playwright/test'
+import AxeBuilder from '@axe-core/playwright'
+import type { Child } from './child.ts'
+
+/** What axe finds, a line each: the rule and where. */
+export async function axeFindings(page: Page): Promise<string[]> {
+  const { violations } = await new AxeBuilder({ page }).analyze()
+  return violations.flatMap(({ id, nodes }) => nodes.map(({ target }) => `${id}: ${target.join(' ')}`))
+}
+
+/** The node of an input or an output in the network, by its name. */
+export const node = (child: Child, layer: 'showWhere' | 'showSum', name: string): Locator =>
+  layer === 'showWhere'
+    ? child.button('network.showWhere', { input: name })
+    : child.button('network.showSum', { output: name })
+
+/** The knob between two neurons by their names. */
+export const knob = (child: Child, from: string, to: string): Locator =>
+  child.page.getByRole('slider', { name: child.word('network.weight', { from, to }), exact: true })
+
+/** Types a weight into a knob. */
+export async function setsKnob(child: Child, from: string, to: string, weight: string) {
+  await knob(child, from, to).focus()
+  await child.types(...weight, 'Enter')
+  await expect(knob(child, from, to)).toHaveAttribute(
+    'aria-valuenow',
+    String(Number(weight.replace(',', '.'))),
+  )
+}
+
+/** Chooses another value in the drop-down of a block. */
+export async function chooses(child: Child, block: Locator, now: string, next: string) {
+  const words = (key: string) => child.word(`choice.${key}`)
+  await block.getByText(words(now), { exact: true }).click()
+  await child.page.getByRole('option', { name: words(next), exact: true }).click()
+}
+
+/** Opens the settings of this device from the lab's menu or from the home page. */
+export async function opensSettings(child: Child, where: 'lab' | 'home') {
+  if (where === 'lab') await child.presses('lab.menu')
+  await child.presses('comfort.title')
+  await expect(child.dialog('comfort.title')).toBeVisible()
+}
+
+/** A switch of the settings. */
+export const wish = (child: Child, name: 'projector' | 'quiet' | 'letters' | 'aloud'): Locator =>
+  child.page.getByRole('switch', { name: child.word(`comfort.${name}`), exact: true })

@@ -1,0 +1,58 @@
+import { axeFindings, chooses, setsKnob } from '../child-cards.ts'
+import type { Child } from '../child.ts'
+import { expect, test } from '../house.ts'
+import { languages } from '../words.ts'
+
+const sees = (child: Child, colour: string) =>
+  child.word('network.name', {
+    label: child.word('neuron.colour', { COLOUR: child.word(`choice.${colour}`), SENSORPORT: '1' }),
+    place: child.word('network.place.front'),
+  })
+const lamp = (child: Child, colour: string) =>
+  child.word('neuron.lamp', { OUTPUTNODE: child.word(`choice.${colour}`) })
+
+for (const language of languages) {
+  test.describe(`in ${language}`, () => {
+    test.use({ language })
+
+    test('one knob lights the lamp on the green leaf, and on no other', async ({ child, page }) => {
+      await child.opensLab('chameleon')
+      expect(await axeFindings(page)).toEqual([])
+      await child.pressesStart()
+      await setsKnob(child, sees(child, 'green'), lamp(child, 'green'), '1')
+      await child.seesCheck('chameleon', 'green')
+      await child.seesCheck('chameleon', 'yellow', false)
+      await child.seesCheck('chameleon', 'red', false)
+    })
+
+    test('a net that grows lights up on all three leaves', async ({ child, page }) => {
+      await child.opensLab('chameleon')
+      for (const press of ['network.addSensor', 'network.addOutput']) {
+        await child.presses(press)
+        await child.presses(press)
+      }
+      // New neurons take the next colours; a child sets them to what is missing.
+      const inputs = child.block('inputs').locator('.blocklyDraggable')
+      const outputs = child.block('outputs').locator('.blocklyDraggable')
+      await expect(inputs).toHaveCount(3)
+      await expect(outputs).toHaveCount(3)
+      const colours = ['green', 'yellow', 'red']
+      for (const [index, colour] of colours.entries()) {
+        if (index === 0) continue
+        const words = await inputs.nth(index).locator('text').allTextContents()
+        const all = ['black', 'blue', 'green', 'yellow', 'red', 'white', 'brown', 'grey']
+        const now = all.find((one) => words.some((word) => word.trim() === child.word(`choice.${one}`)))!
+        if (now !== colour) await chooses(child, inputs.nth(index), now, colour)
+      }
+      for (const [from, to] of [
+        ['green', 'green'],
+        ['yellow', 'orange'],
+        ['red', 'red'],
+      ] as const)
+        await setsKnob(child, sees(child, from), lamp(child, to), '1')
+      await child.pressesStart()
+      for (const colour of colours) await child.seesCheck('chameleon', colour, true, 60_000)
+      await expect(page.getByText(child.word('lab.successTitle')).first()).toBeVisible()
+    })
+  })
+}

@@ -1,0 +1,73 @@
+import { axeFindings } from '../child-cards.ts'
+import { expect, test } from '../house.ts'
+import { languages } from '../words.ts'
+
+for (const language of languages) {
+  test.describe(`in ${language}`, () => {
+    test.use({ language })
+
+    test("home's first bed leads to a card that is solved in a minute, and on to the next", async ({
+      child,
+      page,
+    }) => {
+      await child.opensHome()
+      await page.getByRole('link', { name: child.word('home.forward'), exact: true }).click()
+      await child.seesLab()
+      await child.pressesStart()
+      await expect(child.button('lab.start').first()).toBeVisible()
+      await child.seesCheck('forward', 'arrives', false)
+      await child.typesNumber('driveDistance', '170')
+      await child.presses('lab.resetWorld')
+      await child.pressesStart()
+      await child.seesCheck('forward', 'arrives')
+      await page
+        .getByRole('link', { name: child.word('lab.successCard', { name: child.word('home.square') }) })
+        .click()
+      await expect(page.getByRole('heading', { level: 1 })).toHaveText(child.word('home.square'))
+      await child.opensHome()
+      const done = child.word('home.level', { passed: 1, of: 1 })
+      await expect(page.getByRole('img', { name: done })).toHaveCount(1)
+      expect(await axeFindings(page)).toEqual([])
+    })
+
+    test('the square: turning further and repeating more often leads around the bed', async ({ child }) => {
+      await child.opensLab('square')
+      await child.typesNumber('times', '4')
+      await child.typesNumber('turnDegree', '90')
+      await child.pressesStart()
+      await child.seesCheck('square', 'corners')
+      await child.seesCheck('square', 'home')
+    })
+
+    test('the wall: Bo bumps at 0 and stops in time at 25, from both places, by keys alone', async ({
+      child,
+      page,
+    }) => {
+      await child.opensLab('stop')
+      await child.tabsAndPresses('lab.start')
+      await expect(page.getByText(child.word('session.bumped'))).toBeVisible()
+      await child.types('Escape')
+      await child.typesNumber('limit', '25')
+      await child.tabsAndPresses('lab.resetWorld')
+      await child.tabsAndPresses('lab.start')
+      await child.seesCheck('stop', 'neverTouches')
+      await child.seesCheck('stop', 'stays')
+      await child.presses('lab.successStart', { number: 2 })
+      await child.pressesStart()
+      await child.seesCheck('stop', 'stays')
+    })
+
+    test('a card of the first drive is laid open in its own colour, and axe finds nothing', async ({
+      child,
+      page,
+    }) => {
+      await page.emulateMedia({ reducedMotion: 'reduce' })
+      await child.opensLab('stop')
+      expect(await axeFindings(page)).toEqual([])
+      await child.presses('lab.card')
+      await expect(page.getByRole('dialog')).toContainText(child.word('lab.firstDrive'))
+      await expect(page.getByRole('dialog')).toContainText(child.word('lab.needWall'))
+      expect(await axeFindings(page)).toEqual([])
+    })
+  })
+}

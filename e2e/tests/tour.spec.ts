@@ -1,0 +1,121 @@
+import { axeFindings, node } from '../child-cards.ts'
+import { leftWheel, type Child } from '../child.ts'
+import { expect, test } from '../house.ts'
+import { languages } from '../words.ts'
+
+const tour = ({ page, word }: { page: Child['page']; word: (key: string) => string }) =>
+  page.getByRole('region', { name: word('tour.title'), exact: true })
+const tourOf = (child: Child) => tour({ page: child.page, word: (key) => child.word(key) })
+const motor = (child: Child) => child.word('neuron.motor', { OUTPUTNODE: leftWheel.motor })
+const glowing = (child: Child) => child.page.locator('.blocklyBlockCanvas .editor-glow')
+const halo = (child: Child) => child.page.locator('.world .halo')
+
+/** Block, node and part of Bo that light up now. */
+async function lights(child: Child, block: string | null) {
+  await expect(glowing(child)).toHaveCount(block ? 1 : 0)
+  if (block) await expect(glowing(child)).toHaveAttribute('data-id', block)
+  await expect(halo(child)).toHaveCount(block ? 1 : 0)
+  await expect(child.page.locator('.stage .glows')).toHaveCount(block ? 1 : 0)
+}
+
+for (const language of languages) {
+  test.describe(`in ${language}`, () => {
+    test.use({ language })
+
+    test('block, node and part of Bo light up together, whichever is touched', async ({ child, page }) => {
+      await child.opensLab('friendship')
+      await lights(child, null)
+      await child
+        .block('wheelLeft')
+        .locator('.blocklyPath')
+        .first()
+        .hover({ position: { x: 8, y: 14 } })
+      await lights(child, 'wheelLeft')
+      await page.mouse.move(4, 300)
+      await lights(child, null)
+      await node(
+        child,
+        'showWhere',
+        child.nameOf({ sensor: 'distance', port: '2', place: 'frontLeft' }),
+      ).click()
+      await page.mouse.move(4, 300)
+      await lights(child, 'eyeLeft')
+      await node(child, 'showSum', motor(child)).focus()
+      await lights(child, 'wheelLeft')
+      const wheel = await child.middleOf(page.locator('.world [data-part="motor B"]'))
+      await page.mouse.click(wheel.x, wheel.y)
+      await page.mouse.move(4, 300)
+      await lights(child, 'wheelRight')
+    })
+
+    test.describe('for a newcomer', () => {
+      test.use({ newcomer: true })
+
+      test('the tour is offered once, goes through three moves and comes again from the menu', async ({
+        child,
+        page,
+      }) => {
+        await page.emulateMedia({ reducedMotion: 'reduce' })
+        await child.opensLab('friendship')
+        await expect(tourOf(child)).toContainText(child.word('tour.offer'))
+        expect(await axeFindings(page)).toEqual([])
+        await child.presses('tour.yes')
+        await expect(tourOf(child)).toContainText(child.word('tour.block', { name: motor(child) }))
+        await child
+          .block('wheelLeft')
+          .locator('.blocklyPath')
+          .first()
+          .click({ position: { x: 8, y: 14 } })
+        await expect(tourOf(child)).toContainText(child.word('tour.litBlock'))
+        await child.presses('tour.next')
+        await node(child, 'showSum', motor(child)).click()
+        await expect(tourOf(child)).toContainText(child.word('tour.litNode'))
+        await child.presses('tour.next')
+        const side = child.word('network.place.left')
+        await expect(tourOf(child)).toContainText(child.word('tour.wheel', { side }))
+        await lights(child, null)
+        const wheel = await child.middleOf(page.locator('.world [data-part="motor C"]'))
+        await page.mouse.click(wheel.x, wheel.y)
+        await expect(tourOf(child)).toContainText(child.word('tour.litWheel'))
+        await child.presses('tour.done')
+        await expect(tourOf(child)).toHaveCount(0)
+        await child.reloads()
+        await expect(tourOf(child)).toHaveCount(0)
+        await child.presses('lab.menu')
+        await child.presses('comfort.title')
+        await child.presses('tour.again')
+        await expect(tourOf(child)).toContainText(child.word('tour.step', { number: 1, of: 3 }))
+      })
+
+      test('it can be skipped, and done by keys alone', async ({ child, page }) => {
+        await child.opensLab('fear')
+        await child.tabsAndPresses('tour.yes')
+        for (const said of ['litBlock', 'litNode', 'litWheel']) {
+          await child.tabsAndPresses('tour.show')
+          await expect(tourOf(child)).toContainText(child.word(`tour.${said}`))
+          await child.tabsAndPresses(said === 'litWheel' ? 'tour.done' : 'tour.next')
+        }
+        await expect(tourOf(child)).toHaveCount(0)
+        await page.evaluate(() => localStorage.removeItem('botgarten.tour'))
+        await child.reloads()
+        await child.presses('tour.no')
+        await child.reloads()
+        await expect(tourOf(child)).toHaveCount(0)
+      })
+
+      test('it never covers Bo, and waits where only one part of the lab is seen', async ({
+        child,
+        page,
+      }) => {
+        await child.opensLab('friendship')
+        const panel = (await tourOf(child).boundingBox())!
+        const bo = await child.middleOf(child.bo)
+        expect(bo.x > panel.x + panel.width || bo.y < panel.y).toBe(true)
+        await page.setViewportSize({ width: 390, height: 844 })
+        await expect(tourOf(child)).toHaveCount(0)
+        await page.setViewportSize({ width: 1366, height: 768 })
+        await expect(tourOf(child)).toBeVisible()
+      })
+    })
+  })
+}
