@@ -1,5 +1,9 @@
-import type { Late, RobotState } from '../types.ts'
-import { MOTORS, type MotorTurns } from './motors.ts'
+import type { Late, MotorPort, RobotState } from '../types.ts'
+
+export const MOTORS = ['A', 'B', 'C', 'D'] as const satisfies readonly MotorPort[]
+
+/** How far each motor turns in a tick, in degrees. */
+export type MotorTurns = { [port in MotorPort]: number }
 
 /** What is on its way in a robot with delay; begun where nothing is yet. */
 export const onItsWay = (robot: RobotState): Late => (robot.late ??= { turns: [], readings: [] })

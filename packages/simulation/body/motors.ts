@@ -1,20 +1,15 @@
-import type { MotorPort, RobotConfig, RobotState } from '../types.ts'
+import type { RobotConfig, RobotState } from '../types.ts'
 import { TICKS_PER_SECOND } from '../time.ts'
-import { lateTurns } from './late.ts'
+import { lateTurns, MOTORS, type MotorTurns } from './late.ts'
 
 /** 100 percent is two wheel turns a second. */
 const DEGREES_A_TICK_AT_FULL = (2 * 360) / TICKS_PER_SECOND
-
-export const MOTORS = ['A', 'B', 'C', 'D'] as const satisfies readonly MotorPort[]
 
 /** How far the two wheels turn in this tick, in degrees. */
 export interface WheelTurns {
   left: number
   right: number
 }
-
-/** How far each motor turns in a tick, in degrees. */
-export type MotorTurns = { [port in MotorPort]: number }
 
 const turns: MotorTurns = { A: 0, B: 0, C: 0, D: 0 }
 const told: WheelTurns = { left: 0, right: 0 }

@@ -7,7 +7,10 @@ import { createSimulation } from '../simulation.ts'
 import { pose, robotAt } from '../testing/worlds.ts'
 import type { Colour, Floor, World } from '../types.ts'
 
-const named = reference as readonly (readonly [colour: Colour, name: keyof typeof COLOURS | null])[]
+const named = reference as unknown as readonly (readonly [
+  colour: Colour,
+  name: keyof typeof COLOURS | null,
+])[]
 const channelsOf = (colour: Colour) => [1, 3, 5].map((at) => parseInt(colour.slice(at, at + 2), 16))
 const wanted = (name: keyof typeof COLOURS | null) => (name === null ? '' : COLOURS[name])
 
