@@ -1,7 +1,7 @@
-import { encode } from 'fast-png'
 import { Builder } from '../child-build.ts'
 import type { Child } from '../child.ts'
 import { expect, test } from '../house.ts'
+import { picture } from '../png.ts'
 import { freeProgram } from '../projects.ts'
 import { languages } from '../words.ts'
 
@@ -10,13 +10,6 @@ async function builds(child: Child, place = 'free'): Promise<Builder> {
   const builder = new Builder(child)
   await builder.begins()
   return builder
-}
-
-/** A picture of one colour but for a black corner. */
-function picture(width: number, height: number): Buffer {
-  const data = new Uint8Array(width * height * 3).fill(200)
-  data.fill(0, 0, width)
-  return Buffer.from(encode({ width, height, data, channels: 3, depth: 8 }))
 }
 
 /** The first bytes of a PNG that says it is so big, with all its pieces in place. */

@@ -2,7 +2,8 @@ import { cardConfig, type World } from '@botgarten/simulation'
 import fc from 'fast-check'
 import { describe, expect, it } from 'vitest'
 import { ProjectError } from './error.ts'
-import { inScene, parseScene, sceneOf, writeScene } from './scene.ts'
+import { inScene, sceneOf } from './scene-world.ts'
+import { parseScene, writeScene } from './scene.ts'
 
 const asset = 'a'.repeat(64)
 const pictures = {

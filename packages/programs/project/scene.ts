@@ -1,32 +1,15 @@
 import * as v from 'valibot'
-import type { Pose, World } from '@botgarten/simulation'
 import type { Project } from '../types.ts'
 import { ProjectError } from './error.ts'
 import { most, refuseBigText, refuseOversize } from './limits.ts'
 import { looksForeign, readForeignScene } from './scene-open-roberta.ts'
+import type { Scene } from './scene-world.ts'
 import { sceneFileSchema } from './schema-scene.ts'
-
-/** A world as a child builds it: all but the robots, and where they start, in their order. */
-export interface Scene extends Pick<World, 'size' | 'floor' | 'areas' | 'lines' | 'obstacles'> {
-  readonly starts: readonly Pose[]
-}
 
 /** A scene with the picture of its floor, if it has one of its own. */
 export interface SceneFile extends Scene {
   readonly assets: Project['assets']
 }
-
-export const sceneOf = ({ size, floor, areas, lines, obstacles, robots }: World): Scene => ({
-  ...{ size, floor, areas, lines, obstacles },
-  starts: robots.map(({ pose }) => pose),
-})
-
-/** The world with another scene around its robots. Robots without a start in it keep theirs. */
-export const inScene = (world: World, { starts, ...scene }: Scene): World => ({
-  ...{ size: scene.size, floor: scene.floor },
-  ...{ areas: scene.areas, lines: scene.lines, obstacles: scene.obstacles },
-  robots: world.robots.map((robot, index) => ({ ...robot, pose: starts[index] ?? robot.pose })),
-})
 
 /** One line of JSON. What `parseScene` made comes back from it the same. */
 export function writeScene(scene: Scene, pictures: Project['assets']): string {

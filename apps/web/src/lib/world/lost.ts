@@ -2,7 +2,7 @@ import type { RobotView, View } from '@botgarten/lab'
 import type { World } from '@botgarten/simulation'
 
 /** What is remembered of one robot from moment to moment. `since`: second from which it has been where it is. */
-export interface Trace {
+interface Trace {
   readonly since: number
   readonly x: number
   readonly y: number

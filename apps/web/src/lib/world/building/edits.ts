@@ -133,7 +133,7 @@ function turned({ x, y }: Point, degrees: number): Point {
 const tenth = (value: number) => Math.round(value * 10) / 10
 
 /** How thick a wall is, in cm. */
-export const wallWidth = 6
+const wallWidth = 6
 
 /** A wall from point to point, as a long thin thing that stands fast. */
 export function wallBetween(id: string, from: Point, to: Point): Obstacle {
