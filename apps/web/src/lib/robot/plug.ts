@@ -29,17 +29,22 @@ export async function addNeuron(
   const before = session.undo.count
   const block = blocks.addNeuron(network, layer)
   if (block === null) return
-  await arrived(session, block)
-  const finding = session.findings.find((found) => found.block === block)
-  const plug = finding?.fixes?.find((fix) => fix.plug?.port === finding.facts?.port)?.plug
+  const plug = await missing(session, block)
   if (plug) plugIn(session, plug, before)
 }
 
-/** Resolves when the session's program has a new neuron; a page that is busy hears of it some frames later. */
-async function arrived(session: Session, block: string): Promise<void> {
-  const isThere = () =>
-    session.outlines.some(({ inputs, outputs }) => [...inputs, ...outputs].some(({ id }) => id === block))
-  for (let frames = 0; frames < 120 && !isThere(); frames += 2) await told()
+/** A page that is busy hears of a new block some frames later, and not always of all of it at once. */
+const patience = 20
+
+/** The sensor that has to be plugged in where a new neuron looks for one; undefined where one is there. */
+async function missing(session: Session, block: string): Promise<Plug | undefined> {
+  for (let tries = 0; tries < patience; tries++) {
+    await told()
+    const finding = session.findings.find((found) => found.block === block)
+    const plug = finding?.fixes?.find((fix) => fix.plug?.port === finding.facts?.port)?.plug
+    if (plug) return plug
+  }
+  return undefined
 }
 
 interface Plug {
