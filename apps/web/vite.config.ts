@@ -38,7 +38,7 @@ const cardOf = (id: string) =>
   )?.[1] ?? null
 const chunks = [
   // SvelteKit's first script imports it and must not pull anything else in before the page is set up.
-  { name: 'preload', test: /preload-helper/, priority: 3 },
+  { name: 'preload', test: /preload-helper|runtime[\\/]client[\\/]payload\.js/, priority: 3 },
   { name: cardOf, priority: 2 },
   // A chunk takes along what its modules import: what all words import comes first.
   { name: 'words', test: /generated[\\/]runtime\.js/, priority: 3 },
