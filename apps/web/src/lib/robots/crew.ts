@@ -8,16 +8,8 @@ import {
 } from '@botgarten/learning/neural-network'
 import { networks, type Program } from '@botgarten/programs'
 import type { Pose, RobotPlacement } from '@botgarten/simulation'
+import type { NewRobot } from './looks.ts'
 import { renamed } from './renamed.ts'
-
-/** More would not fit on a slow laptop's screen, nor into its processor. */
-export const MOST_ROBOTS = 4
-
-/** `shared`: the same program, weights of its own · `own`: a program of its own, with weights of its own. */
-export type NewRobot = 'shared' | 'own'
-
-/** Colours of bodies and trails, by the robot's place in the crew. */
-export const bodies = ['#F28C45', '#5AA9DE', '#8CC63F', '#B98AE0'] as const
 
 const noProgram: Program = { stacks: [], config: { stacks: [] } }
 

@@ -1,5 +1,5 @@
 import type { Session } from '#lib/state/session.svelte.ts'
-import { MOST_ROBOTS, withoutRobot, withRobot, type NewRobot } from './crew.ts'
+import { MOST_ROBOTS, type NewRobot } from './looks.ts'
 
 /** The robots of a world, for the row of chips: who is there, whose program and network are shown. */
 export class Crew {
@@ -25,8 +25,9 @@ export class Crew {
     this.#session.choose(id)
   }
 
-  add(kind: NewRobot): void {
+  async add(kind: NewRobot): Promise<void> {
     this.asking = false
+    const { withRobot } = await import('./later.ts')
     if (this.full) return
     const { id, document } = withRobot(this.#session.lab.document, this.chosen, kind)
     this.#session.changeCrew(document)
@@ -34,7 +35,8 @@ export class Crew {
   }
 
   /** The first robot stays: a card's goals look at it. */
-  remove(): void {
+  async remove(): Promise<void> {
+    const { withoutRobot } = await import('./later.ts')
     if (this.chosen === this.ids[0]) return
     this.#session.changeCrew(withoutRobot(this.#session.lab.document, this.chosen))
   }
