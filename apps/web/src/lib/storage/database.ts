@@ -21,7 +21,7 @@ export interface Thrown {
   readonly thrown: number
 }
 
-export interface Schema extends DBSchema {
+interface Schema extends DBSchema {
   projects: { key: string; value: Kept }
   bin: { key: string; value: Thrown }
 }

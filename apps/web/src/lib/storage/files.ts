@@ -8,7 +8,7 @@ import { mergeHome } from './merge.ts'
 import { add, freshId, list, save } from './projects.ts'
 
 /** Why a file was not taken up, as the words `problem.<problem>.title` and `.text` with their facts. */
-export interface Refusal {
+interface Refusal {
   readonly problem: string
   readonly facts: Facts
 }

@@ -3,7 +3,7 @@ import * as v from 'valibot'
 import type { Kept } from './database.ts'
 
 /** What "take home" writes: everything on the device, in one file. */
-export interface HomeFile {
+interface HomeFile {
   readonly botgartenHome: 1
   readonly projects: readonly { readonly id: string; readonly changed: number; readonly project: Project }[]
 }
