@@ -53,7 +53,7 @@ async function touches(page: Page, time: TimeHands): Promise<number[]> {
             'pointerdown',
             ({ timeStamp }) => {
               const look = () =>
-                slider.getAttribute('aria-valuenow') === before
+                slider.getAttribute('aria-valuenow') === before && performance.now() - timeStamp < 5000
                   ? requestAnimationFrame(look)
                   : done(performance.now() - timeStamp)
               requestAnimationFrame(look)
