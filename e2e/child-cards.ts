@@ -15,7 +15,7 @@ export const node = (child: Child, layer: 'showWhere' | 'showSum', name: string)
     : child.button('network.showSum', { output: name })
 
 /** The knob between two neurons by their names. */
-export const knob = (child: Child, from: string, to: string): Locator =>
+const knob = (child: Child, from: string, to: string): Locator =>
   child.page.getByRole('slider', { name: child.word('network.weight', { from, to }), exact: true })
 
 /** Types a weight into a knob. */

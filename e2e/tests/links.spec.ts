@@ -1,3 +1,5 @@
+import type { Block } from '@botgarten/blocks'
+import type { Project } from '@botgarten/programs'
 import { Child, leftEye, leftWheel } from '../child.ts'
 import { Shelf } from '../child-projects.ts'
 import { expect, test } from '../house.ts'
@@ -94,8 +96,9 @@ for (const language of languages) {
     test('a project that is too large for a link offers the file', async ({ child, page }) => {
       const shelf = new Shelf(child)
       await shelf.opens()
-      const [file, data] = [JSON.parse(freeProgram('Riesig', (make) => [make.wait(1)])), noise(15_000)]
-      const { blocks } = file.programs.main.stacks[0]
+      const file = JSON.parse(freeProgram('Riesig', (make) => [make.wait(1)])) as Project
+      const data = noise(15_000)
+      const blocks = file.programs['main']!.stacks[0]!.blocks as Block[]
       blocks.push(
         { id: 'n1', type: 'text', data },
         { id: 'n2', type: 'text', data: data.split('').reverse().join('') },

@@ -28,7 +28,7 @@ export interface Learner {
 }
 
 /** Written anew by every move, so that no move allocates. `move` −1: no road led away. */
-export interface Last {
+interface Last {
   readonly draws: Float64Array
   from: number
   teleported: boolean

@@ -6,7 +6,7 @@ const names = ['projector', 'quiet', 'letters', 'aloud'] as const
  * `projector`: larger words and stronger lines for the wall · `quiet`: no mascots in the work area · `letters`: letters
  * that are hard to mix up · `aloud`: texts can be read aloud.
  */
-export type Wish = (typeof names)[number]
+type Wish = (typeof names)[number]
 
 type Wishes = { readonly [wish in Wish]?: unknown }
 

@@ -73,7 +73,7 @@ export async function keepProject(project: Project): Promise<OpenedFile> {
 }
 
 /** Hands everything that lies on this device out as one file. Returns whether there was anything. */
-export async function saveHomeFile(day: Date): Promise<boolean> {
+export async function saveHomeFile(day = new Date()): Promise<boolean> {
   const all = await list()
   if (all.length === 0) return false
   handOut(`${m['projects.homeFile']()} ${day.toISOString().slice(0, 10)}`, writeHome(all))

@@ -5,11 +5,11 @@
 export type Lasting = 'lasting' | 'asking' | 'passing' | 'unsaid'
 
 /** `navigator.storage` is only there on secure pages. */
-const manager = (): StorageManager | null => (navigator.storage as StorageManager | undefined) ?? null
+const manager = (): StorageManager | null => navigator.storage ?? null
 
 async function permission(): Promise<PermissionState | null> {
   try {
-    return (await navigator.permissions.query({ name: 'persistent-storage' as PermissionName })).state
+    return (await navigator.permissions.query({ name: 'persistent-storage' })).state
   } catch {
     return null
   }

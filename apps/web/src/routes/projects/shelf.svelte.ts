@@ -27,7 +27,7 @@ export class Shelf {
   #all = $state.raw<readonly Kept[] | null>(null)
   #binned = $state(0)
   #keeps = $state(true)
-  #open = $state.raw<ReadonlySet<string>>(new Set())
+  #open = $state.raw<readonly string[]>([])
   #said = $state.raw<Said | null>(null)
   #told = $state.raw<Told | null>(null)
 
@@ -49,14 +49,14 @@ export class Shelf {
     return this.#told
   }
 
-  isOpenElsewhere = (id: string): boolean => this.#open.has(id)
+  isOpenElsewhere = (id: string): boolean => this.#open.includes(id)
 
   /** Begins to listen to other tabs. Returns how to end it. */
   watch(): () => void {
     void this.look()
     return watchTabs({
-      open: (id) => (this.#open = new Set([...this.#open, id])),
-      closed: (id) => (this.#open = new Set([...this.#open].filter((other) => other !== id))),
+      open: (id) => (this.#open = [...this.#open, id]),
+      closed: (id) => (this.#open = this.#open.filter((other) => other !== id)),
       changed: () => void this.look(),
     })
   }
@@ -128,6 +128,6 @@ export class Shelf {
 
   async takeHome(): Promise<void> {
     const { saveHomeFile } = await import('#lib/storage/later.ts')
-    if (!(await saveHomeFile(new Date()))) this.#refuse('nothingToTake')
+    if (!(await saveHomeFile())) this.#refuse('nothingToTake')
   }
 }

@@ -83,7 +83,7 @@ export type NextStep =
   | { readonly kind: 'none' }
 
 /** What of the robot can be opened from the world's menu. */
-export interface RobotMenu {
+interface RobotMenu {
   readonly senses: boolean
   readonly panel: boolean
   show(tool: 'build' | 'senses' | 'panel', open: boolean): void
