@@ -16,8 +16,9 @@ export interface Script {
 
 // SvelteKit's app entry names every page of the product; a page loads its own, and says so in its HTML.
 const isTableOfPages = (name: string | undefined) => name === 'entry/app'
-// A part of the page that only a click asks for hangs on a file of this name.
-const isForLater = (key: string) => key.endsWith('/later.ts')
+// A part of the page that only a click asks for hangs on a file of this name; a card or world that is not this page's
+// comes when it is chosen.
+const isForLater = (key: string) => key.endsWith('/later.ts') || /(^|\/)content\/(cards|worlds)\//.test(key)
 
 /**
  * What a page loads: the scripts in its HTML and all they import, at once or by themselves soon after.
