@@ -19,6 +19,9 @@ export default async function sizes(): Promise<Table> {
     how: 'Brotli files of a fresh build: the scripts in the HTML of a page and all that they import, at once or by themselves soon after. “All of it”: also what only a click asks for.',
     columns: ['page or chunk', 'kB brotli', 'budget'],
     rows,
-    notes: ['1 kB = 1000 bytes. Chunks under 2 kB are in the sums and not listed.'],
+    notes: [
+      'The goal for the lab is 320 kB: it had 310 with two cards, and has grown with building, the time machine, the robot’s configuration and the tour. What bounds it: Blockly 135 kB, planck 40 kB, and the table of all words, which a message whose key is data brings along whole (26 kB).',
+      '1 kB = 1000 bytes. Chunks under 2 kB are in the sums and not listed.',
+    ],
   }
 }

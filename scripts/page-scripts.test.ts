@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest'
-import { scriptsOf } from './page-scripts.ts'
+import { scriptsOf, type Counted } from './page-scripts.ts'
 
 const chunk = (name: string, imports: string[] = [], dynamicImports: string[] = []) => ({
   ...{ file: `_app/immutable/${name}.js`, name, imports, dynamicImports },
@@ -9,15 +9,17 @@ const manifest = {
   app: chunk('entry/app', ['shared'], ['home', 'lab']),
   shared: chunk('shared'),
   home: chunk('home', ['shared']),
-  lab: chunk('lab', ['shared'], ['editor', 'build/later.ts']),
+  lab: chunk('lab', ['shared'], ['editor', 'build/later.ts', 'fear', 'maze']),
+  fear: chunk('content-fear'),
+  maze: chunk('content-maze'),
   'build/later.ts': chunk('build'),
   editor: chunk('editor', ['blockly']),
   blockly: chunk('blockly'),
 }
 const html = (page: string) =>
   ['entry/start', 'entry/app', page].map((name) => `<link href="./_app/immutable/${name}.js">`).join('')
-const namesOf = (page: string, withLater = false) =>
-  scriptsOf(html(page), manifest, (file) => file.length, withLater)
+const namesOf = (page: string, counted?: Counted) =>
+  scriptsOf(html(page), manifest, (file) => file.length, counted)
     .map(({ name }) => name)
     .sort()
 
@@ -27,7 +29,12 @@ test('what a page loads by itself soon after counts, with what that imports in i
 
 test('what only a click asks for is counted where it is wanted', () => {
   const own = ['blockly', 'build', 'editor', 'entry/app', 'entry/start', 'lab', 'shared']
-  expect(namesOf('lab', true)).toEqual(own)
+  expect(namesOf('lab', { withLater: true })).toEqual(own)
+})
+
+test('of all cards and worlds only the one that is shown counts', () => {
+  expect(namesOf('lab', { content: 'fear' })).toContain('content-fear')
+  expect(namesOf('lab', { content: 'fear' })).not.toContain('content-maze')
 })
 
 test('the table of pages does not make a page pay for the others', () => {

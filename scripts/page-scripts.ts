@@ -16,21 +16,28 @@ export interface Script {
 
 // SvelteKit's app entry names every page of the product; a page loads its own, and says so in its HTML.
 const isTableOfPages = (name: string | undefined) => name === 'entry/app'
-// A part of the page that only a click asks for hangs on a file of this name; a card or world that is not this page's
-// comes when it is chosen.
-const isForLater = (key: string) => key.endsWith('/later.ts') || /(^|\/)content\/(cards|worlds)\//.test(key)
+// A part of the page that only a click asks for hangs on a file of this name.
+const isForLater = (key: string) => key.endsWith('/later.ts')
+// Chunks of cards and worlds: the page loads the one that it shows.
+const isContent = (name: string | undefined) => name?.startsWith('content-') ?? false
+
+export interface Counted {
+  /** Also the parts that only a click asks for. */
+  readonly withLater?: boolean
+  /** The card or world that the page shows, as its folder is called without the number. */
+  readonly content?: string
+}
 
 /**
  * What a page loads: the scripts in its HTML and all they import, at once or by themselves soon after.
  * @param sizeOf bytes of a file on the wire
- * @param withLater also the parts that only a click asks for
  * @returns largest first
  */
 export function scriptsOf(
   html: string,
   manifest: Manifest,
   sizeOf: (file: string) => number,
-  withLater = false,
+  { withLater = false, content }: Counted = {},
 ): Script[] {
   const keys = new Map(Object.entries(manifest).map(([key, { file }]) => [file, key]))
   const waiting = [...html.matchAll(/_app\/immutable\/[\w./-]+\.js/g)].map(([file]) => keys.get(file))
@@ -40,7 +47,11 @@ export function scriptsOf(
     if (chunk === undefined || seen.has(key)) continue
     seen.set(key, { file: chunk.file, name: chunk.name ?? key, bytes: sizeOf(chunk.file) })
     const lazy = isTableOfPages(chunk.name) ? [] : (chunk.dynamicImports ?? [])
-    waiting.push(...(chunk.imports ?? []), ...lazy.filter((one) => withLater || !isForLater(one)))
+    const comes = (one: string) => {
+      const { name } = manifest[one] ?? {}
+      return isContent(name) ? name === `content-${content}` : withLater || !isForLater(one)
+    }
+    waiting.push(...(chunk.imports ?? []), ...lazy.filter(comes))
   }
   return [...seen.values()].sort((a, b) => b.bytes - a.bytes)
 }

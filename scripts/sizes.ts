@@ -18,21 +18,27 @@ const kB = 1000
 
 const budgets = [
   { page: 'home', file: 'index.html', budget: 100 * kB },
-  { page: 'lab', file: 'lab/friendship.html', budget: 320 * kB },
-  { page: 'lab, all of it', file: 'lab/friendship.html', budget: 420 * kB, withLater: true },
+  { page: 'lab', file: 'lab/friendship.html', budget: 350 * kB, content: 'friendship' },
+  {
+    page: 'lab, all of it',
+    file: 'lab/friendship.html',
+    budget: 420 * kB,
+    content: 'friendship',
+    withLater: true,
+  },
 ]
 
 /** Pages of the present build. */
 export function measurePages(): PageSize[] {
   const manifestFile = join(web, '.svelte-kit', 'output', 'client', '.vite', 'manifest.json')
   const manifest = JSON.parse(readFileSync(manifestFile, 'utf8')) as Manifest
-  return budgets.map(({ page, file, budget, withLater }) => {
+  return budgets.map(({ page, file, budget, ...counted }) => {
     const html = readFileSync(join(web, 'build', 'prerendered', file), 'utf8')
     const scripts = scriptsOf(
       html,
       manifest,
       (script) => readFileSync(join(web, 'build', 'client', `${script}.br`)).length,
-      withLater,
+      counted,
     )
     return { page, scripts, bytes: scripts.reduce((sum, { bytes }) => sum + bytes, 0), budget }
   })

@@ -32,16 +32,24 @@ const noJoints: Plugin = {
 }
 
 // Few requests: what one card needs comes together, what all pages share, and what the lab's parts share.
-const cardOf = (id: string) =>
-  /content[\\/](?:cards[\\/][\w-]+[\\/]\d+-|worlds[\\/])(\w+)[\\/](?:\w+\.md|start\.json|world\.json)$/.exec(
-    id,
-  )?.[1] ?? null
+const cardOf = (id: string) => {
+  const file =
+    /content[\\/](?:cards[\\/][\w-]+[\\/]\d+-|worlds[\\/])(\w+)[\\/](?:\w+\.md|start\.json|world\.json)$/
+  const name = file.exec(id)?.[1]
+  return name === undefined ? null : `content-${name}`
+}
 const chunks = [
   // SvelteKit's first script imports it and must not pull anything else in before the page is set up.
   { name: 'preload', test: /preload-helper|runtime[\\/]client[\\/]payload\.js/, priority: 3 },
   { name: cardOf, priority: 2 },
   // A chunk takes along what its modules import: what all words import comes first.
   { name: 'words', test: /generated[\\/]runtime\.js/, priority: 3 },
+  // Words that the lab alone needs: nobody else says a message whose key is data.
+  {
+    name: 'lab-words',
+    test: /generated[\\/]messages[\\/](?!(home|parts|comfort|worldname|check|projects|share|about|offline)_)\w+\.js/,
+    priority: 2,
+  },
   // Words that only the pages about projects need.
   {
     name: 'shelf',

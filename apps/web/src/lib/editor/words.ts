@@ -1,4 +1,4 @@
-import * as messages from '#lib/words/generated/messages.js'
+import * as messages from '#lib/words/generated/messages/_index.js'
 
 export type Locale = 'en' | 'de'
 

@@ -1,4 +1,5 @@
-import * as messages from './generated/messages.js'
+// Not `messages.js`: it would bring a second table of all messages.
+import * as messages from './generated/messages/_index.js'
 
 type Message = (facts: { readonly [name: string]: string | number }) => string
 
