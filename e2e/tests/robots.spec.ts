@@ -3,7 +3,7 @@ import { TimeHands } from '../child-time.ts'
 import { expect, test } from '../house.ts'
 import { mostly } from '../words.ts'
 
-for (const language of mostly('de')) {
+for (const language of mostly('en')) {
   test.describe(`several robots, in ${language}`, () => {
     test.use({ language })
 
