@@ -14,7 +14,7 @@ function sources(folder: URL): string[] {
 const elsewhere = ['notKept']
 
 const code = rooms.flatMap((room) => sources(new URL(`${room}/`, import.meta.url))).join('\n')
-const screens = sources(new URL('../../../apps/web/src/lib/', import.meta.url)).join('\n')
+const screens = sources(new URL('../../../apps/web/src/', import.meta.url)).join('\n')
 
 interface Said {
   readonly title: string
