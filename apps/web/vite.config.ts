@@ -70,6 +70,7 @@ const chunks = [
     minShareCount: 2,
     priority: 1,
   },
+  { name: 'drawing', test: /src[\\/]lib[\\/](drawing|world)[\\/]/, minShareCount: 2 },
   {
     name: 'engine',
     test: /[\\/](packages|node_modules[\\/](planck|fflate)|src[\\/]lib[\\/](?!storage|share))[\\/]/,
@@ -89,6 +90,8 @@ export default defineConfig({
       adapter: folder ? webSpace(folder) : adapter({ precompress: true }),
       // The sizes of the one build are not those of the other.
       outDir: folder ? '.svelte-kit/web-space' : '.svelte-kit',
+      // Small styles, of parts that come late above all, would each be a request.
+      inlineStyleThreshold: 8192,
       // It comes after the page: lib/offline.
       serviceWorker: { register: false },
       csp: {
