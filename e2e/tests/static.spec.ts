@@ -93,6 +93,7 @@ for (const language of languages) {
       await context.setOffline(true)
       await page.goto(`${space.url}lab/fear/`)
       await child.seesLab()
+      await child.typesWeight(leftEye, rightWheel, 0.5)
       await child.pressesStart()
       await child.seesDriving()
     })
