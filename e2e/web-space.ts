@@ -40,7 +40,8 @@ export async function serveFolder(
     const asked = decodeURIComponent((request.url ?? '/').replace(/[?#].*/, ''))
     if (!asked.startsWith(path)) {
       outside.push(asked)
-      return void response.writeHead(404).end()
+      // Where a page names no icon, as a plain text cannot, the browser asks the root for one.
+      return void response.writeHead(asked === '/favicon.ico' ? 204 : 404).end()
     }
     void answer(folder, asked.slice(path.length), written, response)
   })

@@ -3,10 +3,6 @@ import { readFileSync } from 'node:fs'
 export const languages = ['en', 'de'] as const
 export type Language = (typeof languages)[number]
 
-/** Where hands decide and not words, a file is run in one language; with EVERY_LANGUAGE=1 in both. */
-export const mostly = (language: Language): readonly Language[] =>
-  process.env['EVERY_LANGUAGE'] === '1' ? languages : [language]
-
 type Facts = { readonly [name: string]: string | number }
 type Tree = string | { readonly [key: string]: Tree }
 

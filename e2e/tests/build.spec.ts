@@ -3,7 +3,7 @@ import type { Child } from '../child.ts'
 import { expect, test } from '../house.ts'
 import { picture } from '../png.ts'
 import { freeProgram } from '../projects.ts'
-import { mostly } from '../words.ts'
+import { languages } from '../words.ts'
 
 async function builds(child: Child, place = 'free'): Promise<Builder> {
   await child.opensLab(place)
@@ -41,7 +41,7 @@ const json = (data: unknown) => Buffer.from(JSON.stringify(data))
 const floorPicture = (child: Child) => new Builder(child).world.locator('image').first()
 const file = async (child: Child) => JSON.parse(await child.savesFile()) as { assets: object; world: { size: object; floor: { asset?: string }; areas: object[]; lines: object[]; obstacles: { shape: object; fixed: boolean; colour: string }[] } } // prettier-ignore
 
-for (const language of mostly('en')) {
+for (const language of languages) {
   test.describe(`a child that reads ${language}`, () => {
     test.use({ language })
 
@@ -295,10 +295,10 @@ test('the floor comes nearer by buttons, wheel and keys, and all of it is to be 
 
 test('a robot that is stuck can be brought back to its start', async ({ child }) => {
   await child.opensLab('free')
-  // From the garden's start it is not that far to the fence.
+  // Behind the garden's start stands the fence.
   await child.opensProject(
     'Far',
-    freeProgram('Far', (make) => [make.drive(60, 2000)]),
+    freeProgram('Far', (make) => [make.drive(60, -2000)]),
   )
   const start = await child.boStands()
   await child.pressesStart()

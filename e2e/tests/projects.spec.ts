@@ -3,7 +3,7 @@ import { Child, leftEye, leftWheel, rightEye, rightWheel } from '../child.ts'
 import { Shelf } from '../child-projects.ts'
 import { expect, test } from '../house.ts'
 import { freeProgram } from '../projects.ts'
-import { mostly, type Language } from '../words.ts'
+import { languages, type Language } from '../words.ts'
 
 /** Puts projects of these names on the device, the last one changed last. */
 async function keeps(child: Child, ...names: readonly string[]) {
@@ -24,7 +24,7 @@ const otherTab = async (context: BrowserContext, language: Language) =>
   new Child(await context.newPage(), language)
 const heading = (child: Child) => child.page.getByRole('heading', { level: 1 })
 
-for (const language of mostly('de')) {
+for (const language of languages) {
   test.describe(`my projects, in ${language}`, () => {
     test.use({ language })
 

@@ -2,7 +2,7 @@ import type { Child } from '../child.ts'
 import { RobotHands } from '../child-robot.ts'
 import { expect, test } from '../house.ts'
 import { freeProgram, projectFile } from '../projects.ts'
-import { mostly } from '../words.ts'
+import { languages } from '../words.ts'
 
 /** The panel below the blocks that says what is wrong. */
 const said = (child: Child, problem: string, facts = {}) =>
@@ -22,7 +22,7 @@ const keyProgram = () =>
     return [shown, make.forever(make.ifElse(key, [lamp('GREEN')], [lamp('RED')]))]
   })
 
-for (const language of mostly('de')) {
+for (const language of languages) {
   test.describe(`the robot, in ${language}`, () => {
     test.use({ language })
 

@@ -1,9 +1,9 @@
 import { leftEye, leftWheel, rightWheel } from '../child.ts'
 import { TimeHands } from '../child-time.ts'
 import { expect, test } from '../house.ts'
-import { mostly } from '../words.ts'
+import { languages } from '../words.ts'
 
-for (const language of mostly('en')) {
+for (const language of languages) {
   test.describe(`several robots, in ${language}`, () => {
     test.use({ language })
 

@@ -1,7 +1,7 @@
 import { axeFindings, opensSettings, wish } from '../child-cards.ts'
 import type { Child } from '../child.ts'
 import { expect, test } from '../house.ts'
-import { mostly } from '../words.ts'
+import { languages } from '../words.ts'
 
 /** A device with or without a voice; what is read is noted. */
 async function givesVoice(child: Child, voices: readonly string[]) {
@@ -38,7 +38,7 @@ const reads = (child: Child, what: string) =>
 const fontOf = (child: Child) =>
   child.page.locator('h1').evaluate((title) => getComputedStyle(title).fontFamily)
 
-for (const language of mostly('de')) {
+for (const language of languages) {
   test.describe(`in ${language}`, () => {
     test.use({ language })
 

@@ -74,6 +74,7 @@ self.addEventListener('fetch', (event) => {
   const way = wayOf(request, own)
   if (way.kind === 'kept')
     event.respondWith(kept(way.address).then((answer) => (answer ? plain(answer) : fetch(request))))
+  else if (way.kind === 'moved') event.respondWith(Response.redirect(way.address))
   else if (way.kind === 'newest') event.respondWith(newest(request))
   else if (way.kind === 'home') event.respondWith(home(request))
 })

@@ -17,8 +17,8 @@ test('parts and pages of this version are kept ones, whatever they are asked wit
 })
 
 test('a page is found with and without a slash at its end', () => {
-  expect(way('lab/fear/')).toEqual({ kind: 'kept', address: `${scope}lab/fear` })
-  expect(way('about')).toEqual({ kind: 'kept', address: `${scope}about/` })
+  expect(way('lab/fear/')).toEqual({ kind: 'moved', address: `${scope}lab/fear` })
+  expect(way('about?a=1#there')).toEqual({ kind: 'moved', address: `${scope}about/?a=1` })
 })
 
 test('what the operator writes is asked for anew', () =>

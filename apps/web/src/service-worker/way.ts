@@ -1,6 +1,8 @@
 /** Where an answer comes from. `server`: the browser asks it as if nobody stood between. */
 export type Way =
   | { readonly kind: 'kept'; readonly address: string }
+  /** To the address under which it is kept: what a page names stands beside that. */
+  | { readonly kind: 'moved'; readonly address: string }
   /** From the server, and what was kept last where there is none. */
   | { readonly kind: 'newest' }
   /** From the server, and to the home page where there is none. */
@@ -31,5 +33,8 @@ export function wayOf({ url, method, mode }: Asked, { scope, pages, files }: Own
   if (files.has(address)) return { kind: 'kept', address }
   if (mode !== 'navigate') return { kind: 'server' }
   const page = [address, address.replace(/\/$/, ''), `${address}/`].find((one) => pages.has(one))
-  return page ? { kind: 'kept', address: page } : { kind: 'home' }
+  if (!page) return { kind: 'home' }
+  return page === address
+    ? { kind: 'kept', address }
+    : { kind: 'moved', address: page + (/\?[^#]*/.exec(url)?.[0] ?? '') }
 }
