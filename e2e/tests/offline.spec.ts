@@ -114,9 +114,6 @@ for (const language of languages) {
       await lab.opensLab('friendship')
       await lab.typesWeight(leftEye, leftWheel, 0.3)
       await lab.seesSaved()
-      // The lab shows that it is open once it has nothing else to do.
-      await lab.page.waitForFunction(async () => ((await navigator.locks.query()).held ?? []).length > 0)
-
       await child.opensHome()
       await expect(child.words('offline.newVersion')).toBeVisible()
       await child.presses('offline.newVersionTake')
@@ -130,9 +127,13 @@ for (const language of languages) {
 
       await lab.page.close()
       await child.presses('offline.newVersionTake')
-      await page.waitForFunction(
-        async () => (await navigator.serviceWorker.getRegistration())?.waiting === null,
-      )
+      await expect
+        .poll(() =>
+          page
+            .evaluate(async () => (await navigator.serviceWorker.getRegistration())?.waiting ?? 'nobody')
+            .catch(() => 'the page loads anew'),
+        )
+        .toBe('nobody')
       await child.seesTitle()
       await expect(child.button('offline.newVersionTake')).toBeHidden()
       expect(await page.evaluate(() => caches.keys())).toContain(`botgarten-${next}`)
