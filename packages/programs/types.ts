@@ -12,7 +12,16 @@ export interface Stack {
 export interface Program {
   readonly stacks: readonly Stack[]
   readonly config: { readonly stacks: readonly Stack[] }
-  readonly raw?: { readonly attributes: { readonly [name: string]: string } }
+  /** What an Open Roberta file says at its root and of its two parts. */
+  readonly raw?: {
+    readonly attributes: Attributes
+    readonly config?: Attributes
+    readonly root?: Attributes
+  }
+}
+
+interface Attributes {
+  readonly [name: string]: string
 }
 
 /** A running program. Whole state, plain data; a structured copy of it goes on the same. */

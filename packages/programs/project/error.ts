@@ -1,12 +1,17 @@
 import type { Facts } from '@botgarten/blocks'
 
 /** Why a file was refused; worded as `problem.<reason>.title` and `.text`, with the error's facts. */
-export type ProjectReason = 'notJson' | 'tooBig' | 'notAProject' | 'newerVersion' | SceneReason
+export type ProjectReason =
+  'notJson' | 'tooBig' | 'notAProject' | 'newerVersion' | SceneReason | OpenRobertaReason
 
 /** A scene's own: the file is none, it is a project, or more is in it than a world holds (`count`, `most`). */
 type SceneReason = 'sceneNotJson' | 'notAScene' | 'isAProject' | 'tooManyThings'
 
-/** The only error that `parseProject` throws. `message` is for people who build and for the command line. */
+/** An Open Roberta file's own: no XML at `line`, more than data, another format, another `robot`, too large (`most`). */
+type OpenRobertaReason =
+  'notXml' | 'unsafeXml' | 'notOpenRoberta' | 'otherRobot' | 'tooManyBlocks' | 'tooDeep'
+
+/** The only error that `parseProject`, `parseScene` and `readOpenRoberta` throw. `message` is for people who build and for the command line. */
 export class ProjectError extends Error {
   override readonly name = 'ProjectError'
   readonly reason: ProjectReason

@@ -4,6 +4,8 @@ import type { Program, Stack } from '../types.ts'
 import { isReserved, longestId, longestText } from './limits.ts'
 
 export const textSchema = v.pipe(v.string(), v.maxLength(longestText))
+/** Data of a block may be a whole network. */
+const dataSchema = v.pipe(v.string(), v.maxLength(10 * longestText))
 export const finite = v.pipe(v.number(), v.finite())
 
 /** Names that are used as keys. */
@@ -22,7 +24,7 @@ const mutationSchema: v.GenericSchema<Mutation> = v.object({
 })
 
 /** Any type name: blocks that this version does not know are kept as they are. */
-const blockSchema: v.GenericSchema<Block> = v.object({
+export const blockSchema: v.GenericSchema<Block> = v.object({
   id: filledId,
   type: filledId,
   fields: v.exactOptional(recordOf(textSchema)),
@@ -35,7 +37,7 @@ const blockSchema: v.GenericSchema<Block> = v.object({
   ),
   statements: v.exactOptional(v.record(idSchema, v.array(v.lazy(() => blockSchema)))),
   comment: v.exactOptional(textSchema),
-  data: v.exactOptional(textSchema),
+  data: v.exactOptional(dataSchema),
   hide: v.exactOptional(v.array(textSchema)),
   disabled: v.exactOptional(v.boolean()),
   collapsed: v.exactOptional(v.boolean()),
@@ -59,11 +61,19 @@ function idsUnique(stacks: readonly Stack[]): boolean {
   return stacks.every(({ blocks }) => blocks.every(fresh))
 }
 
+const attributesSchema = recordOf(textSchema)
+
 export const programSchema: v.GenericSchema<Program> = v.object({
   stacks: v.pipe(
     v.array(stackSchema),
     v.check((stacks) => idsUnique(stacks), 'Two blocks have the same id.'),
   ),
   config: v.object({ stacks: v.array(stackSchema) }),
-  raw: v.exactOptional(v.object({ attributes: recordOf(textSchema) })),
+  raw: v.exactOptional(
+    v.object({
+      attributes: attributesSchema,
+      config: v.exactOptional(attributesSchema),
+      root: v.exactOptional(attributesSchema),
+    }),
+  ),
 })

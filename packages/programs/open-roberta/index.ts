@@ -1,0 +1,2 @@
+export { readOpenRoberta } from './read.ts'
+export { writeOpenRoberta } from './write.ts'

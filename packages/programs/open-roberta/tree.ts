@@ -1,0 +1,89 @@
+import sax from 'sax'
+import { ProjectError } from '../project/error.ts'
+import { isReserved, refuseBigText } from '../project/limits.ts'
+
+/** An element of an Open Roberta file. `text` is its own text, of its children's nothing. */
+export interface Element {
+  readonly name: string
+  readonly attributes: { readonly [name: string]: string }
+  readonly children: Element[]
+  text: string
+}
+
+const namespace = 'http://de.fhg.iais.roberta.blockly'
+/** Elements inside elements. A block in a statement takes two or three, and half as many again as JSON. */
+const deepest = 300
+export const mostBlocks = 10_000
+const mostElements = 20 * mostBlocks
+
+/**
+ * A document as a tree, by a strict parser: no document type, so no entities of its own; one namespace; limits on size,
+ * depth and number.
+ * @throws {ProjectError} and nothing else
+ */
+export function treeOf(text: string): Element {
+  refuseBigText(text)
+  const builder = new Builder()
+  try {
+    builder.parser.write(text.replace(/\r\n?/g, '\n')).close()
+  } catch (error) {
+    if (error instanceof ProjectError) throw error
+    throw builder.notXml()
+  }
+  if (!builder.root) throw builder.notXml()
+  return builder.root
+}
+
+class Builder {
+  readonly parser = sax.parser(true, { xmlns: true })
+  root: Element | null = null
+  readonly #open: Element[] = []
+  #blocks = 0
+  #elements = 0
+
+  constructor() {
+    const { parser } = this
+    parser.onerror = () => {
+      throw this.notXml()
+    }
+    parser.ondoctype = () => {
+      throw new ProjectError('unsafeXml', 'It declares a document type; programs have none.')
+    }
+    parser.onattribute = ({ name }) => {
+      if (isReserved(name)) throw notOpenRoberta(`An attribute must not be called "${name}".`)
+    }
+    parser.onopentag = (tag) => this.#begin(tag as sax.QualifiedTag)
+    parser.onclosetag = () => void this.#open.pop()
+    parser.ontext = (text) => this.#say(text)
+    parser.oncdata = (text) => this.#say(text)
+  }
+
+  notXml(): ProjectError {
+    const line = this.parser.line + 1
+    return new ProjectError('notXml', `This is not XML: line ${line}.`, { line })
+  }
+
+  #begin({ local, uri, attributes }: sax.QualifiedTag): void {
+    if (uri !== '' && uri !== namespace) throw notOpenRoberta(`"${local}" is of another namespace.`)
+    this.#count(local)
+    const own = Object.values(attributes).map(({ name, value }) => [name, value] as const)
+    const element = { name: local, attributes: Object.fromEntries(own), children: [], text: '' }
+    this.#open.at(-1)?.children.push(element)
+    this.root ??= element
+    this.#open.push(element)
+  }
+
+  #count(name: string): void {
+    if (name === 'block' || name === 'shadow') this.#blocks++
+    if (this.#blocks > mostBlocks || ++this.#elements > mostElements)
+      throw new ProjectError('tooManyBlocks', `It has more than ${mostBlocks} blocks.`, { most: mostBlocks })
+    if (this.#open.length >= deepest) throw new ProjectError('tooDeep', 'It is nested too deeply.')
+  }
+
+  #say(text: string): void {
+    const element = this.#open.at(-1)
+    if (element) element.text += text
+  }
+}
+
+export const notOpenRoberta = (why: string) => new ProjectError('notOpenRoberta', why)
