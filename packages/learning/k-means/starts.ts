@@ -47,8 +47,8 @@ function drawn(weights: Float64Array, at: number, chosen: readonly number[]): nu
     left -= weights[point]!
     if (left < 0 && weights[point]! > 0) return point
   }
-  const heaviest = weights.indexOf(Math.max(...new Set(weights)))
-  return weights[heaviest]! > 0 ? heaviest : [...weights.keys()].find((point) => !chosen.includes(point))!
+  const heaviest = weights.reduce((best, weight, point) => (weight > weights[best]! ? point : best), 0)
+  return weights[heaviest]! > 0 ? heaviest : weights.findIndex((_, point) => !chosen.includes(point))
 }
 
 function refuse({ count }: Points, groups: number): void {
