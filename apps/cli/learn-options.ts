@@ -60,14 +60,18 @@ export function limitsOf({ time, episodes }: Given): { readonly moves: number; r
   return { moves, episodes: wholeNumberIn('episodes', episodes, preset, 1, most) }
 }
 
-export const seedOf = ({ seed }: Given) => wholeNumberIn('seed', seed, 1, 0, 4_294_967_295)
+export const seedOf = ({ seed }: Pick<Given, 'seed'>) => wholeNumberIn('seed', seed, 1, 0, 4_294_967_295)
 
 export const rulesOf = ({ rules }: Given): Settings['rules'] =>
   oneOf('rules', rules, ['standard', 'study'] as const)
 export const algorithmOf = ({ algorithm }: Given): Settings['algorithm'] =>
   oneOf('algorithm', algorithm, ['q', 'sarsa'] as const)
 
-function oneOf<Name extends string>(name: string, text: string | undefined, names: readonly Name[]): Name {
+export function oneOf<Name extends string>(
+  name: string,
+  text: string | undefined,
+  names: readonly Name[],
+): Name {
   const found = text === undefined ? names[0] : names.find((one) => one === text)
   if (found === undefined) throw new CallError(`--${name} takes ${names.join(' or ')}, not "${text}".`)
   return found

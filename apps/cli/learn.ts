@@ -7,6 +7,7 @@ import {
 } from '@botgarten/learning/q-learning'
 import { stream } from '@botgarten/numbers'
 import { CallError, numberIn, options } from './errors.ts'
+import { kMeans } from './kmeans.ts'
 import { algorithmOf, decayOf, limitsOf, rulesOf, seedOf, taskOf, taskOptions } from './learn-options.ts'
 import { findMap } from './maps.ts'
 import { sweep } from './sweep/sweep.ts'
@@ -29,6 +30,7 @@ const methods: { readonly [name: string]: (args: string[]) => string | Promise<s
   q,
   'q-sweep': sweep,
   'q-thesis': thesis,
+  kmeans: kMeans,
 }
 
 /** `botgarten learn METHOD …`: learning without a screen. */

@@ -1,7 +1,6 @@
 import type { StreamState } from '@botgarten/numbers'
-import { assignAll } from './assign.ts'
 import { flat } from './distances.ts'
-import { moveAll } from './move.ts'
+import { roundOf } from './round.ts'
 import { plusPlusStart, randomStart } from './starts.ts'
 import type { Clustering, Distance, Points } from './types.ts'
 
@@ -20,16 +19,18 @@ export function cluster(
   let centres = flat(start)
   const labels = new Int32Array(points.count).fill(-1)
   const inertia: number[] = []
-  let iterations = 0
-  for (let same = false; !same && iterations < MOST_ROUNDS;) {
-    const before = labels.slice()
-    inertia.push(assignAll(points, centres, distance, labels))
-    const moved = moveAll(points, labels, centres, distance).centres
-    iterations++
-    same = labels.every((label, point) => label === before[point])
-    if (!same) centres = moved
+  for (let changed = true; changed && inertia.length < MOST_ROUNDS;) {
+    const round = roundOf(points, centres, distance, labels)
+    inertia.push(round.inertia)
+    changed = round.changed
+    if (changed) centres = round.centres
   }
-  return { centres: rowsOf(centres, points.features), labels: [...labels], inertia, iterations }
+  return {
+    centres: rowsOf(centres, points.features),
+    labels: [...labels],
+    inertia,
+    iterations: inertia.length,
+  }
 }
 
 /** The best of several starts: the smallest inertia at the end, of equal ones the first. */

@@ -1,0 +1,137 @@
+import { spawnSync } from 'node:child_process'
+import { mkdtempSync, readFileSync, writeFileSync } from 'node:fs'
+import { tmpdir } from 'node:os'
+import { join } from 'node:path'
+import reference from '../../packages/learning/k-means/reference/clusterings.json' with { type: 'json' }
+import { Ajv2020 } from 'ajv/dist/2020.js'
+import { describe, expect, it } from 'vitest'
+
+const folder = mkdtempSync(join(tmpdir(), 'botgarten-'))
+const program = join(import.meta.dirname, 'botgarten.ts')
+const schema = JSON.parse(
+  readFileSync(join(import.meta.dirname, 'schemas/learn-kmeans.json'), 'utf8'),
+) as object
+const fits = new Ajv2020().compile(schema)
+
+let files = 0
+function file(text: string): string {
+  const path = join(folder, `${++files}.csv`)
+  writeFileSync(path, text)
+  return path
+}
+
+const csv = (rows: readonly (readonly number[])[], mark = ',') => rows.map((row) => row.join(mark)).join('\n')
+
+function kMeans(...args: string[]) {
+  const { status, stdout, stderr } = spawnSync(process.execPath, [program, 'learn', 'kmeans', ...args], {
+    encoding: 'utf8',
+    maxBuffer: 1e8,
+  })
+  return { status, stdout, stderr, json: () => JSON.parse(stdout) as { labels: number[]; inertia: number[] } }
+}
+
+const two = 'x;y\n1,5;1\n1,25;1,5\n9;9,5\n9,75;9\n'
+
+describe('botgarten learn kmeans', () => {
+  it('gives what scikit-learn gives from the same centres, as one line of JSON that fits its schema', () => {
+    for (const row of reference.scikit.slice(0, 3)) {
+      const { status, stdout, json } = kMeans(
+        ...['--data', file(csv(row.points)), '--init', file(csv(row.start))],
+        ...['--k', `${row.start.length}`, '--json'],
+      )
+      expect(status).toBe(0)
+      expect(stdout.trim()).not.toContain('\n')
+      fits(json())
+      expect(fits.errors).toBeNull()
+      expect(json()).toMatchObject({ labels: row.labels, iterations: row.iterations })
+    }
+  })
+
+  it('reads a German spreadsheet: semicolons and decimal commas', () => {
+    const { labels } = kMeans('--data', file(two), '--k', '2', '--json').json()
+    expect(labels[0]).toBe(labels[1])
+    expect(labels[2]).toBe(labels[3])
+    expect(labels[0]).not.toBe(labels[2])
+    expect(kMeans('--data', file(two), '--k', '2').stdout).toMatch(
+      /^After \d rounds: inertia 0\.5625, 2 groups of 2, 2 points\n$/,
+    )
+  })
+
+  it('knows three distances and two ways to start; more starts are never worse', () => {
+    const data = file(csv(reference.scikit[1]!.points))
+    for (const distance of ['euclidean', 'manhattan', 'cosine'])
+      for (const init of ['random', '++']) {
+        const [one, ten] = ['1', '10'].map((starts) =>
+          kMeans(
+            ...['--data', data, '--k', '3', '--json', '--init', init],
+            ...['--distance', distance, '--starts', starts],
+          )
+            .json()
+            .inertia.at(-1)!,
+        )
+        expect(ten).toBeLessThanOrEqual(one!)
+      }
+  })
+
+  it('is the same for the same seed', () => {
+    const data = file(csv(reference.scikit[1]!.points))
+    const [one, again] = ['7', '7'].map(
+      (seed) => kMeans('--data', data, '--k', '4', '--starts', '1', '--seed', seed, '--json').stdout,
+    )
+    expect(again).toBe(one)
+  })
+
+  it('takes equal points and as many groups as points', () => {
+    const { json } = kMeans('--data', file('1,1\n1,1\n1,1\n'), '--k', '3', '--json')
+    expect(json().inertia.at(-1)).toBe(0)
+  })
+
+  it('takes a million rows, and refuses one more', () => {
+    const million = Array.from({ length: 1_000_000 }, (_, row) => row % 7)
+    const { status, json } = kMeans(
+      ...['--data', file(million.join('\n')), '--k', '2', '--starts', '1', '--json'],
+    )
+    expect(status).toBe(0)
+    expect(json().labels).toHaveLength(1_000_000)
+    const more = kMeans('--data', file([...million, 1].join('\n')), '--k', '2')
+    expect(more.status).toBe(1)
+    expect(more.stderr).toContain('It has more than 1000000 rows.')
+  }, 60_000)
+
+  it.each([
+    [[], '--data is needed'],
+    [['--data', 'x.csv'], '--k is needed'],
+    [['--data', file(two), '--k', '0'], '--k takes a number from 1 to 4, not "0"'],
+    [['--data', file(two), '--k', '5'], '--k takes a number from 1 to 4, not "5"'],
+    [['--data', file(two), '--k', '2,5'], '--k takes a number'],
+    [
+      ['--data', file(two), '--k', '2', '--distance', 'far'],
+      '--distance takes euclidean or manhattan or cosine',
+    ],
+    [['--data', file(two), '--k', '2', '--starts', '0'], '--starts takes a number from 1'],
+    [['--data', file(two), '--k', '2', '--init', file('1;2\n3;4'), '--starts', '3'], 'is one start'],
+  ])('refuses the call %j', (args, words) => {
+    const { status, stderr } = kMeans(...args)
+    expect(status).toBe(2)
+    expect(stderr).toContain(words)
+  })
+
+  it.each([
+    ['x,y\n1,2\nNaN,3', 'Row 3, column 1: "NaN" is not a number.'],
+    ['name,y\napple,3', 'Row 2, column 1: "apple" is not a number.'],
+    ['', 'There are no numbers in it.'],
+    ['1,2\n3', 'Row 2 has 1 cells, the others have 2.'],
+  ])('says what is wrong with the file %j', (text, words) => {
+    const { status, stderr } = kMeans('--data', file(text), '--k', '1')
+    expect(status).toBe(1)
+    expect(stderr).toContain(words)
+    expect(stderr.trim()).not.toContain('\n')
+  })
+
+  it('says when there is no such file, or its centres do not fit', () => {
+    expect(kMeans('--data', join(folder, 'none.csv'), '--k', '1').status).toBe(1)
+    const { status, stderr } = kMeans('--data', file(two), '--k', '2', '--init', file('1;2;3\n3;4;5'))
+    expect(status).toBe(1)
+    expect(stderr).toContain('has 2 centres of 3 numbers; 2 of 2 are needed')
+  })
+})

@@ -1,0 +1,83 @@
+import fc from 'fast-check'
+import { describe, expect, test } from 'vitest'
+import { readTable, TableError } from './index.ts'
+
+const limits = { rows: 1000, columns: 4 }
+const read = (text: string) => readTable(text, limits)
+
+describe('a table is read', () => {
+  test.each([
+    ['with commas and points', 'x,y\n1.5,-2\n3,4e2\n'],
+    ['as a German spreadsheet writes it', '\uFEFFx;y\r\n1,5;-2\r\n3;400\r\n'],
+    ['with tabs', 'x\ty\n1,5\t-2\n3\t400'],
+    ['with quotes and empty lines', '"x","y"\n\n"1,5","-2"\n"3","400"\n\n'],
+  ])('%s', (_, text) => {
+    expect(read(text)).toEqual({
+      columns: ['x', 'y'],
+      rows: [
+        [1.5, -2],
+        [3, 400],
+      ],
+    })
+  })
+
+  test('without a heading its columns have numbers', () => {
+    expect(read('1;2\n3;4').columns).toEqual(['1', '2'])
+    expect(read('7')).toEqual({ columns: ['1'], rows: [[7]] })
+  })
+
+  const cell = fc.double({ noNaN: true, noDefaultInfinity: true }).map((value) => value + 0)
+  const numbers = fc
+    .integer({ min: 1, max: 4 })
+    .chain((width) =>
+      fc.array(fc.array(cell, { minLength: width, maxLength: width }), { minLength: 1, maxLength: 20 }),
+    )
+
+  test.each([
+    [',', '.'],
+    [';', ','],
+    ['\t', '.'],
+  ])('any numbers, with "%s" between them and "%s" inside, come back as they were', (mark, point) => {
+    fc.assert(
+      fc.property(numbers, (rows) => {
+        // Without a decimal comma somewhere, and alone in its row, a semicolon cannot be told.
+        const text = rows
+          .map((row) => row.map((value) => String(value).replace('.', point)).join(mark))
+          .join('\n')
+        if (mark === ';' && rows[0]!.length === 1) return
+        expect(read(text).rows).toEqual(rows)
+      }),
+    )
+  })
+
+  test('whatever stands in a file, it is a table of finite numbers or a clear error', () => {
+    fc.assert(
+      fc.property(fc.string({ unit: 'binary' }), (text) => {
+        try {
+          const { columns, rows } = read(text)
+          expect(rows.flat().every(Number.isFinite)).toBe(true)
+          expect(rows.every((row) => row.length === columns.length)).toBe(true)
+        } catch (error) {
+          expect(error).toBeInstanceOf(TableError)
+        }
+      }),
+    )
+  })
+})
+
+test.each([
+  ['', 'There are no numbers in it.'],
+  [' \n\n', 'There are no numbers in it.'],
+  ['x,y\n1,2\n1,NaN', 'Row 3, column 2: "NaN" is not a number.'],
+  ['1,2\n1,Infinity', 'Row 2, column 2: "Infinity" is not a number.'],
+  ['1,2\napple,3', 'Row 2, column 1: "apple" is not a number.'],
+  ['1;\n2;3', 'Row 1, column 2: "" is not a number.'],
+  ['1,2\n3', 'Row 2 has 1 cells, the others have 2.'],
+  ['1;1.234\n2;0,5', 'Row 1, column 2: "1.234" has a point where other numbers have a comma.'],
+  ['1.234,5;2', 'Row 1, column 1: "1.234,5" is not a number.'],
+  ['1,2,3,4,5', 'It has 5 columns; 4 are the most.'],
+  ['1\n'.repeat(1001), 'It has more than 1000 rows.'],
+  [`x\n${'1\n'.repeat(1_000_000)}`, 'It has more than 1000 rows.'],
+])('what is wrong is said with its place (%#)', (text, words) => {
+  expect(() => read(text)).toThrow(words)
+})
