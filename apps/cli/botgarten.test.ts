@@ -1,5 +1,5 @@
 import { spawnSync } from 'node:child_process'
-import { mkdtempSync, readFileSync, writeFileSync } from 'node:fs'
+import { existsSync, mkdtempSync, readFileSync, writeFileSync } from 'node:fs'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import { Ajv2020 } from 'ajv/dist/2020.js'
@@ -28,6 +28,49 @@ function expectToFit(value: unknown, name: string) {
   fits(value)
   expect(fits.errors).toBeNull()
 }
+
+const openRoberta = join(import.meta.dirname, '../../packages/programs/testing/open-roberta/programs')
+
+describe('botgarten convert', () => {
+  const given = join(openRoberta, 'upstream__xNN__action.xml')
+  const [json, xml] = [join(folder, 'action.json'), join(folder, 'again.xml')]
+
+  it('makes a project of an Open Roberta file, and of that the same file again', () => {
+    const { status, json: report } = botgarten('convert', given, json, '--json')
+    expect(status).toBe(0)
+    expectToFit(report(), 'convert.json')
+    expect(report()).toMatchObject({ out: json, robot: 'bo', blocks: 195 })
+    expect(JSON.parse(readFileSync(json, 'utf8'))).toMatchObject({
+      botgarten: 1,
+      name: 'upstream__xNN__action',
+    })
+    expect(botgarten('convert', json, xml).stdout).toMatch(/: 195 blocks/)
+    const once = botgarten('convert', xml, join(folder, 'once.xml'))
+    expect(once.status).toBe(0)
+    expect(readFileSync(join(folder, 'once.xml'), 'utf8')).toBe(readFileSync(xml, 'utf8'))
+  })
+
+  it.each([
+    ['another robot', file('mbot.xml', readFileSync(given, 'utf8').replaceAll('"xNN"', '"mbot"')), 'mbot'],
+    ['half a file', file('half.xml', readFileSync(given, 'utf8').slice(0, 9000)), 'line'],
+    ['no file', join(folder, 'nothing.xml'), 'ENOENT'],
+  ])('%s: exit 1 and one clear line, nothing is written', (_, path, said) => {
+    const out = join(folder, 'never.json')
+    const { status, stdout, stderr } = botgarten('convert', path, out)
+    expect({ status, stdout }).toEqual({ status: 1, stdout: '' })
+    expect(stderr).toMatch(/^botgarten: .+\n$/)
+    expect(stderr).toContain(said)
+    expect(existsSync(out)).toBe(false)
+  })
+
+  it.each([
+    ['one file', [given]],
+    ['another ending', [given, join(folder, 'x.txt')]],
+    ['a robot that is not there', [given, join(folder, 'x.json'), '--robot', 'r2']],
+  ])('%s: exit 2', (_, args) => {
+    expect(botgarten('convert', ...args).status).toBe(2)
+  })
+})
 
 describe('botgarten cards', () => {
   it('lists the cards as one line of JSON that fits its schema', () => {
@@ -79,6 +122,7 @@ describe('botgarten run', () => {
     ['a file that is not JSON', ['run', file('broken.json', '{"botgarten": 1,')]],
     ['a file that is no project', ['run', file('list.json', '[1, 2, 3]')]],
     ['a project of a later version', ['run', file('later.json', '{"botgarten": 99}')]],
+    ['a file of Open Roberta that is none', ['run', file('page.xml', '<html/>')]],
     ['weights of another net', ['run', 'friendship', '--weights', file('other.json', '{"a":{"b":1}}')]],
     [
       'weights that are no numbers',

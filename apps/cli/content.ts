@@ -41,6 +41,9 @@ export const textOf = (folder: string, language: string): CardText =>
 export const worldOf = (card: Card): WorldFile =>
   readJson(join(content, 'worlds', card.world, 'world.json')) as WorldFile
 
+/** The world of the free lab. */
+export const freeWorld = (): WorldFile => readJson(join(content, 'worlds/garden/world.json')) as WorldFile
+
 /** The floor of a world whose picture is among the contents, or among a project's assets. */
 export function floorOf(
   world: World,

@@ -1,10 +1,11 @@
-import { existsSync, readFileSync } from 'node:fs'
+import { existsSync } from 'node:fs'
 import { createLab, type Check, type Document, type Lab } from '@botgarten/lab'
 import { cardDocument } from '@botgarten/materials'
-import { check, parseProject, ProjectError } from '@botgarten/programs'
+import { check } from '@botgarten/programs'
 import { TICKS_PER_SECOND } from '@botgarten/simulation'
 import { findCard, floorOf, programOf, worldOf, wrongAnswers, type FoundCard } from './content.ts'
 import { CallError, FileError, numberIn, options, wholeNumberIn } from './errors.ts'
+import { isOpenRoberta, readProjectFile } from './project-file.ts'
 import { withWeights } from './weights.ts'
 
 const known = {
@@ -33,7 +34,8 @@ export function run(args: string[]): string {
   const runnable = withGivenWeights(find(what, values), values)
   const seconds = numberIn('seconds', values.seconds, presetSeconds(runnable.checks), 0, 86_400)
   const seed = wholeNumberIn('seed', values.seed, 1, 0, 4_294_967_295)
-  refuseWhatCannotRun(runnable.document)
+  // A foreign program runs as it is, up to what cannot go on.
+  if (!isOpenRoberta(what)) refuseWhatCannotRun(runnable.document)
   const lab = createLab()
   lab.load(runnable.document, runnable.floor, { seed, checks: runnable.checks })
   lab.start()
@@ -69,7 +71,7 @@ function fileFor(folder: string, values: Values): string {
 }
 
 function fileRun(path: string, values: Values): Runnable {
-  const project = readProject(path)
+  const project = readProjectFile(path)
   const found = project.card === undefined ? undefined : findCard(project.card)
   if (values.start !== undefined && !found)
     throw new CallError('--start belongs to a card; this project has none.')
@@ -84,16 +86,6 @@ function fileRun(path: string, values: Values): Runnable {
         )
     : project
   return { document, floor: floorOf(document.world, project.assets), checks: found?.card.checks ?? [] }
-}
-
-function readProject(path: string) {
-  try {
-    return parseProject(readFileSync(path, 'utf8'))
-  } catch (error) {
-    if (error instanceof ProjectError)
-      throw new FileError(`"${path}" is not a project that can be opened: ${error.message}`)
-    throw new FileError(`"${path}" cannot be read: ${(error as Error).message}`)
-  }
 }
 
 function withGivenWeights(runnable: Runnable, { weights }: Values): Runnable {

@@ -19,7 +19,7 @@ interface Parts {
 }
 
 /** One block with all that hangs in it. Its type may be unknown here. @throws {ProjectError} */
-export function readBlock(element: Element, ids: Ids): Block {
+function readBlock(element: Element, ids: Ids): Block {
   const { type = '', id = '', inline, collapsed, disabled, ...others } = element.attributes
   const { flags, ...parts } = readParts(element, type, ids)
   const states = { inline: truth(inline), collapsed: truth(collapsed), disabled: truth(disabled) }

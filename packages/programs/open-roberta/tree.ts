@@ -13,7 +13,7 @@ export interface Element {
 const namespace = 'http://de.fhg.iais.roberta.blockly'
 /** Elements inside elements. A block in a statement takes two or three, and half as many again as JSON. */
 const deepest = 300
-export const mostBlocks = 10_000
+const mostBlocks = 10_000
 const mostElements = 20 * mostBlocks
 
 /**

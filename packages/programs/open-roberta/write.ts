@@ -11,7 +11,8 @@ const fresh = { xmlns, robottype: 'ev3', xmlversion: '3.1', description: '', tag
 /** An Open Roberta file with the program and its configuration; read again, it is the same program. */
 export function writeOpenRoberta({ stacks, config, raw }: Program): string {
   const program = element('program', {}, set(stacks, raw?.attributes))
-  const setUp = raw && !raw.config && config.stacks.length === 0 ? '' : set(config.stacks, raw?.config)
+  const setUp =
+    raw && !raw.config && config.stacks.length === 0 ? '' : set(config.stacks, raw?.config ?? raw?.attributes)
   return element('export', raw?.root ?? { xmlns }, program + (setUp && element('config', {}, setUp)))
 }
 

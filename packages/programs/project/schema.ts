@@ -8,7 +8,7 @@ import { worldSchema } from './schema-world.ts'
 const weights = recordOf(recordOf(finite))
 const neuron = v.object({ id: idSchema, activation: v.literal('identity'), bias: finite })
 
-const brain: v.GenericSchema<Brain> = v.object({
+export const brainSchema: v.GenericSchema<Brain> = v.object({
   kind: v.literal('network'),
   layers: v.array(v.array(neuron)),
   weights,
@@ -29,7 +29,7 @@ export const projectSchema: v.GenericSchema<unknown, Project> = v.pipe(
     card: v.exactOptional(idSchema),
     programs: recordOf(programSchema),
     world: worldSchema,
-    brains: recordOf(brain),
+    brains: recordOf(brainSchema),
     assets: assetsSchema,
     progress: v.exactOptional(progress),
   }),
