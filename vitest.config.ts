@@ -21,7 +21,12 @@ export default defineConfig({
       {
         extends: 'apps/web/vite.config.ts',
         root: 'apps/web',
-        test: { name: 'web', testTimeout: 60_000, include: ['src/**/*.test.ts'] },
+        test: {
+          name: 'web',
+          testTimeout: 60_000,
+          include: ['src/**/*.test.ts'],
+          setupFiles: ['src/lib/words/all-languages.ts'],
+        },
       },
     ],
   },

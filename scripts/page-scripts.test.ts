@@ -47,3 +47,15 @@ test('the largest comes first', () => {
   )
   expect(sizes).toEqual([9, 1, 1, 1, 1, 1])
 })
+
+test('of the tables of words only those of the language that is spoken count', () => {
+  const tables = ['en', 'de', 'blockly/en', 'blockly/de'].map((name) => `../content/words/${name}.json?table`)
+  const words = Object.fromEntries(tables.map((name) => [name, chunk(name)]))
+  const files = scriptsOf(
+    '_app/immutable/page.js',
+    { page: chunk('page', [], tables), ...words },
+    (file) => file.length,
+    { language: 'de' },
+  )
+  expect(files.map(({ name }) => name).sort()).toEqual([tables[3], tables[1], 'page'])
+})

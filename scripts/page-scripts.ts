@@ -21,11 +21,16 @@ const isForLater = (key: string) => key.endsWith('/later.ts')
 // Chunks of cards and worlds: the page loads the one that it shows.
 const isContent = (name: string | undefined) => name?.startsWith('content-') ?? false
 
+// Tables of words: the page loads those of the language that it speaks.
+const languageOf = (key: string) => /content\/words\/(?:\w+\/)?(\w+)\.json/.exec(key)?.[1]
+
 export interface Counted {
   /** Also the parts that only a click asks for. */
   readonly withLater?: boolean
   /** The card or world that the page shows, as its folder is called without the number. */
   readonly content?: string
+  /** The language that it speaks; not given: all of them. */
+  readonly language?: string
 }
 
 /**
@@ -37,7 +42,7 @@ export function scriptsOf(
   html: string,
   manifest: Manifest,
   sizeOf: (file: string) => number,
-  { withLater = false, content }: Counted = {},
+  { withLater = false, content, language }: Counted = {},
 ): Script[] {
   const keys = new Map(Object.entries(manifest).map(([key, { file }]) => [file, key]))
   const waiting = [...html.matchAll(/_app\/immutable\/[\w./-]+\.js/g)].map(([file]) => keys.get(file))
@@ -49,6 +54,7 @@ export function scriptsOf(
     const lazy = isTableOfPages(chunk.name) ? [] : (chunk.dynamicImports ?? [])
     const comes = (one: string) => {
       const { name } = manifest[one] ?? {}
+      if (language && (languageOf(one) ?? language) !== language) return false
       return isContent(name) ? name === `content-${content}` : withLater || !isForLater(one)
     }
     waiting.push(...(chunk.imports ?? []), ...lazy.filter(comes))

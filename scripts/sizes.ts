@@ -18,7 +18,7 @@ const kB = 1000
 
 const budgets = [
   { page: 'home', file: 'index.html', budget: 100 * kB },
-  { page: 'lab', file: 'lab/friendship.html', budget: 350 * kB, content: 'friendship' },
+  { page: 'lab', file: 'lab/friendship.html', budget: 320 * kB, content: 'friendship' },
   {
     page: 'lab, all of it',
     file: 'lab/friendship.html',
@@ -28,7 +28,7 @@ const budgets = [
   },
 ]
 
-/** Pages of the present build. */
+/** Pages of the present build, in the language whose words are longest. */
 export function measurePages(): PageSize[] {
   const manifestFile = join(web, '.svelte-kit', 'output', 'client', '.vite', 'manifest.json')
   const manifest = JSON.parse(readFileSync(manifestFile, 'utf8')) as Manifest
@@ -38,7 +38,7 @@ export function measurePages(): PageSize[] {
       html,
       manifest,
       (script) => readFileSync(join(web, 'build', 'client', `${script}.br`)).length,
-      counted,
+      { language: 'de', ...counted },
     )
     return { page, scripts, bytes: scripts.reduce((sum, { bytes }) => sum + bytes, 0), budget }
   })

@@ -13,7 +13,8 @@ import { setUp, speak } from './setup.ts'
 import { knowRobot } from './sockets.ts'
 import { fontFor, themeFor } from './theme.ts'
 import { shelfPlugins, toolboxInfo } from './toolbox.ts'
-import { wordsIn, type Locale } from './words.ts'
+import type { Locale } from '#lib/words/language.svelte.ts'
+import { wordsIn } from '#lib/words/say.ts'
 
 const startScale = 0.76
 /** For the last row of a class. */

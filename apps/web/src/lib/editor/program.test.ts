@@ -7,7 +7,7 @@ import { fits } from './fits.ts'
 import { toProgram, toWorkspace } from './program.ts'
 import { defineBlocks } from './shape.ts'
 import { defineUnknownBlocks } from './unknown.ts'
-import { wordsIn } from './words.ts'
+import { wordsIn } from '#lib/words/say.ts'
 
 const empty: Program = { stacks: [], config: { stacks: [] } }
 const workspaces: Blockly.Workspace[] = []

@@ -1,14 +1,12 @@
 import * as Blockly from 'blockly/core'
 import { definitions } from '@botgarten/blocks'
-import de from '../../../../../content/words/blockly/de.json'
-import en from '../../../../../content/words/blockly/en.json'
+import { blocklyWordsIn } from './blockly-words.ts'
 import { usePlainIds } from './ids.ts'
 import { defineBlocks } from './shape.ts'
 import { registerShelf } from './toolbox.ts'
 import { defineUnknownBlocks } from './unknown.ts'
-import { wordsIn, type Locale } from './words.ts'
-
-const blocklyWords: { readonly [locale in Locale]: { readonly [key: string]: string } } = { de, en }
+import type { Locale } from '#lib/words/language.svelte.ts'
+import { wordsIn } from '#lib/words/say.ts'
 
 /** What a child needs of Blockly's menus: a copy, away with it, tidy up. */
 const keptInMenus = ['blockDuplicate', 'blockDelete', 'cleanWorkspace']
@@ -35,7 +33,7 @@ export function setUp(): void {
 
 /** Blocks and Blockly's own words in a language. What is on a workspace already keeps its old words. */
 export function speak(locale: Locale): void {
-  Blockly.setLocale({ ...blocklyWords[locale] })
+  Blockly.setLocale({ ...blocklyWordsIn(locale) })
   defineBlocks(Object.values(definitions), { words: wordsIn(locale), locale })
 }
 

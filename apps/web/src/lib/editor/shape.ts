@@ -7,7 +7,8 @@ import { DotField, HiddenField, NumberField, TextField } from './fields.ts'
 import { iconField } from './icons.ts'
 import { buildList, matchLines } from './list.ts'
 import { piecesOf } from './pieces.ts'
-import type { Locale, Words } from './words.ts'
+import type { Locale } from '#lib/words/language.svelte.ts'
+import type { Words } from '#lib/words/say.ts'
 
 export interface Language {
   readonly words: Words

@@ -6,7 +6,7 @@ import type { BotBlock } from './bot-block.ts'
 import { toProgram, toWorkspace } from './program.ts'
 import { defineBlocks } from './shape.ts'
 import { defineUnknownBlocks } from './unknown.ts'
-import { wordsIn } from './words.ts'
+import { wordsIn } from '#lib/words/say.ts'
 
 /** For tests: a workspace without a screen that shows a program. Blockly's events wait for a fake clock. */
 export class Bench {

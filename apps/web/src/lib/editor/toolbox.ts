@@ -1,7 +1,7 @@
 import * as Blockly from 'blockly/core'
 import { toolbox } from '@botgarten/blocks'
 import { stateOfTemplate } from './state.ts'
-import type { Words } from './words.ts'
+import type { Words } from '#lib/words/say.ts'
 
 /** What the shelf holds: a category a row, its blocks with their presets plugged in. */
 export function toolboxInfo(words: Words): Blockly.utils.toolbox.ToolboxInfo {

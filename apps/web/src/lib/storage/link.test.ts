@@ -12,7 +12,7 @@ const friendship = parseProject({
   ...read('cards/network/05-friendship/solution.json'),
   world: read('worlds/friendship/world.json'),
 })
-const link = writeLink(friendship)!
+const link = (await writeLink(friendship))!
 
 /** Why a link is refused. Everything else that is thrown ends the test. */
 function reasonOf(hash: string): string {
@@ -43,12 +43,12 @@ test('the solution of a card travels in less than 4,000 letters that no program 
   expect(link).toMatch(/^[\w.-]+$/)
 })
 
-test('what a child has reached with a card stays at home', () => {
+test('what a child has reached with a card stays at home', async () => {
   const solved = { ...friendship, progress: { starts: [0, 1], hints: 2 } }
-  expect(readLink(writeLink(solved)!)).toEqual(friendship)
+  expect(readLink((await writeLink(solved))!)).toEqual(friendship)
 })
 
-test('product.md 8: what is over 8 kB when compressed is no link', () => {
+test('product.md 8: what is over 8 kB when compressed is no link', async () => {
   // Digits of a seeded stream do not compress to less than 3.3 bits each.
   let seed = 1
   const noise = Array.from({ length: 30_000 }, () => (seed = (seed * 48271) % 2147483647) % 10).join('')
@@ -57,7 +57,7 @@ test('product.md 8: what is over 8 kB when compressed is no link', () => {
   const stack = { x: 0, y: 0, blocks: [noise.slice(0, 15_000), noise.slice(15_000)].map(block) }
   const large = { ...friendship, programs: { main: { ...program, stacks: [...program.stacks, stack] } } }
   expect(parseProject(large)).toEqual(large)
-  expect(writeLink(large)).toBeNull()
+  expect(await writeLink(large)).toBeNull()
 })
 
 test('a link cut anywhere is refused as cut', () => {

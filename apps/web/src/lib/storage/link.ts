@@ -1,5 +1,5 @@
 import { parseProject, ProjectError, writeProject, type Project } from '@botgarten/programs'
-import { deflateSync, Inflate, strFromU8, strToU8 } from 'fflate'
+import { Inflate, strFromU8, strToU8 } from 'fflate'
 
 /** Why a link was refused, as the words `problem.<reason>.title` and `.text`. */
 export type LinkReason = 'linkCut' | 'linkTooBig' | 'linkNewer' | 'linkNotAProject'
@@ -27,8 +27,8 @@ const version = '1'
  * Letters, digits, dots, - and _ alone, so that no program on the way changes it.
  * @returns null where it is too large for a link
  */
-export function writeLink({ progress: _progress, ...project }: Project): string | null {
-  const packed = deflateSync(strToU8(writeProject(project)), { level: 9 })
+export async function writeLink({ progress: _progress, ...project }: Project): Promise<string | null> {
+  const packed = await pack(writeProject(project))
   if (packed.length > mostBytes) return null
   const letters = toLetters(packed)
   return `${version}.${checkOf(letters)}.${letters}`
@@ -57,6 +57,12 @@ function projectIn(text: string): Project {
     if (cause instanceof ProjectError) throw new LinkError('linkNotAProject')
     throw cause
   }
+}
+
+/** What the browser itself can do is not sent to it. */
+async function pack(text: string): Promise<Uint8Array> {
+  const packing = new Blob([text]).stream().pipeThrough(new CompressionStream('deflate-raw'))
+  return new Uint8Array(await new Response(packing).arrayBuffer())
 }
 
 /** Stops at the first byte too many: a few letters can hold a thousand times as much. */

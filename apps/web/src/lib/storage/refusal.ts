@@ -1,7 +1,7 @@
 import type { Facts } from '@botgarten/blocks'
 import { say } from '#lib/words/say.ts'
 
-/** A refusal in a child's words. Brings every message along. */
+/** A refusal in a child's words. */
 export const wordsOfRefusal = (problem: string, facts: Facts = {}) => ({
   title: say(`problem.${problem}.title`, facts),
   text: say(`problem.${problem}.text`, facts),

@@ -1,6 +1,11 @@
-import { isLocale, locales, overwriteGetLocale, type Locale } from './generated/runtime.js'
+import { locales } from '../../../project.inlang/settings.json'
+import type { Locale } from './generated/runtime.js'
+
+export type { Locale }
 
 const key = 'botgarten.language'
+const all = locales as readonly Locale[]
+const isLocale = (name: unknown): name is Locale => all.includes(name as Locale)
 
 /** What the browser asks for first, else English. */
 export function preferred(wishes: readonly string[]): Locale {
@@ -29,20 +34,34 @@ function remember(locale: Locale): void {
   }
 }
 
+/** Brings what a language needs before it can be spoken. */
+type Bringing = (locale: Locale) => Promise<unknown>
+
 /** The language of all words on the screen. Changing it words the page anew in place. */
 class Language {
   #locale = $state<Locale>(remembered() ?? preferred(globalThis.navigator?.languages ?? []))
-  readonly all = locales
-
-  constructor() {
-    overwriteGetLocale(() => this.#locale)
-  }
+  #wish: Locale | null = null
+  readonly #needs = new Set<Bringing>()
+  readonly all = all
 
   get locale(): Locale {
     return this.#locale
   }
 
-  speak(locale: Locale): void {
+  /** From now on a language is spoken once this has been brought for it. */
+  needs(bringing: Bringing): void {
+    this.#needs.add(bringing)
+  }
+
+  /** Speaks another language; where its words do not come, the page goes on in the one it has. */
+  async speak(locale: Locale): Promise<void> {
+    this.#wish = locale
+    try {
+      await Promise.all([...this.#needs].map((bring) => bring(locale)))
+    } catch (cause) {
+      return console.warn('The words of a language did not come.', cause)
+    }
+    if (this.#wish !== locale) return
     this.#locale = locale
     remember(locale)
   }

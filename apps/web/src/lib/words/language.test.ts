@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest'
-import { preferred } from './language.svelte.ts'
+import { language, preferred } from './language.svelte.ts'
 
 test('the first wish of the browser that we speak is the language', () => {
   expect(preferred(['de-AT', 'en'])).toBe('de')
@@ -10,4 +10,23 @@ test('the first wish of the browser that we speak is the language', () => {
 test('English is spoken where no wish can be met', () => {
   expect(preferred(['fr-CH', 'it'])).toBe('en')
   expect(preferred([])).toBe('en')
+})
+
+test('a language is spoken once all that it needs has come, and the last wish counts', async () => {
+  const asked: string[] = []
+  let come = () => {}
+  language.needs((locale) => {
+    asked.push(locale)
+    return locale === 'de' ? new Promise<void>((done) => (come = done)) : Promise.resolve()
+  })
+  const german = language.speak('de')
+  expect([language.locale, asked]).toEqual(['en', ['de']])
+  await language.speak('en')
+  come()
+  await german
+  expect(language.locale).toBe('en')
+  const again = language.speak('de')
+  come()
+  await again
+  expect(language.locale).toBe('de')
 })

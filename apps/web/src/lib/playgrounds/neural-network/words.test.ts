@@ -2,10 +2,8 @@ import { definitions } from '@botgarten/blocks'
 import type { NeuronOutline } from '@botgarten/programs'
 import type { RobotConfig } from '@botgarten/simulation'
 import { describe, expect, test } from 'vitest'
-import { overwriteGetLocale, type Locale } from '#lib/words/generated/runtime.js'
+import { language } from '#lib/words/language.svelte.ts'
 import { colourOf, labelOf, placeOf } from './words.ts'
-
-const speak = (locale: Locale) => overwriteGetLocale(() => locale)
 
 function neuron(type: keyof typeof definitions, fields: NeuronOutline['fields']): NeuronOutline {
   return { id: 'n', type, fields, look: definitions[type].neuron! }
@@ -28,16 +26,16 @@ const config: RobotConfig = {
 }
 
 describe('the words at a node', () => {
-  test('say sensor and port, motor and port, in both languages', () => {
-    speak('en')
+  test('say sensor and port, motor and port, in both languages', async () => {
+    await language.speak('en')
     expect([labelOf(distance('2')), labelOf(motor('C'))]).toEqual(['distance, port 2', 'motor C'])
-    speak('de')
+    await language.speak('de')
     expect([labelOf(distance('2')), labelOf(motor('C'))]).toEqual(['Abstand, Anschluss 2', 'Motor C'])
   })
 
-  test('never show the code of a colour', () => {
+  test('never show the code of a colour', async () => {
     for (const locale of ['en', 'de'] as const) {
-      speak(locale)
+      await language.speak(locale)
       expect(labelOf(lamp)).not.toContain('#')
     }
   })
@@ -57,7 +55,7 @@ describe('the words at a node', () => {
   })
 })
 
-test('every neuron block has words in both languages and a colour', () => {
+test('every neuron block has words in both languages and a colour', async () => {
   const neurons = Object.values(definitions).filter((one) => one.neuron)
   expect(neurons.length).toBeGreaterThan(0)
   for (const { type, look, neuron: shape } of neurons) {
@@ -65,7 +63,7 @@ test('every neuron block has words in both languages and a colour', () => {
     const outline: NeuronOutline = { id: 'n', type, fields, look: shape! }
     expect(colourOf(outline)).toMatch(/^#[0-9A-F]{6}$/i)
     for (const locale of ['en', 'de'] as const) {
-      speak(locale)
+      await language.speak(locale)
       expect(labelOf(outline)).not.toBe(shape!.label)
       expect(labelOf(outline)).not.toMatch(/[{}#_]/)
     }

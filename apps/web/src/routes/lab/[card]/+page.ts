@@ -1,4 +1,5 @@
 import { error } from '@sveltejs/kit'
+import { fetchBlocklyWords } from '#lib/editor/blockly-words.ts'
 import { allCards } from '#lib/content/cards.ts'
 import type { EntryGenerator, PageLoad } from './$types'
 
@@ -8,7 +9,7 @@ export const prerender = 'auto'
 export const entries: EntryGenerator = () => [{ card: 'free' }, ...allCards.map(({ id }) => ({ card: id }))]
 
 export const load: PageLoad = async ({ params, url }) => {
-  const { openLab } = await import('#lib/state/opening.ts')
+  const [{ openLab }] = await Promise.all([import('#lib/state/opening.ts'), fetchBlocklyWords()])
   const opened = await openLab(params.card, url.searchParams.get('p'))
   if (!opened) error(404, params.card)
   return { opened, startAtOnce: url.searchParams.has('start') }
