@@ -27,7 +27,7 @@ function expectMessage(key: string, names?: readonly string[]) {
   }
 }
 
-const families = ['control', 'action', 'sensors', 'logic', 'math', 'text', 'network']
+const families = ['control', 'action', 'sensors', 'logic', 'math', 'text', 'network', 'q-learning']
 const files = families.flatMap((family) =>
   readdirSync(new URL(family, import.meta.url))
     .filter((file) => !file.endsWith('.test.ts'))

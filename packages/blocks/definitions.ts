@@ -29,6 +29,13 @@ import { ai_nn_output_node } from './network/ai_nn_output_node.ts'
 import { ai_nn_output_node_led } from './network/ai_nn_output_node_led.ts'
 import { ai_nn_output_node_sound } from './network/ai_nn_output_node_sound.ts'
 import { ai_nn_output_node_text } from './network/ai_nn_output_node_text.ts'
+import { ai_q_apply_learning_rule } from './q-learning/ai_q_apply_learning_rule.ts'
+import { ai_q_barrier_mountain } from './q-learning/ai_q_barrier_mountain.ts'
+import { ai_q_draw_the_best_way } from './q-learning/ai_q_draw_the_best_way.ts'
+import { ai_q_drive_the_best_way } from './q-learning/ai_q_drive_the_best_way.ts'
+import { ai_q_learner_config } from './q-learning/ai_q_learner_config.ts'
+import { ai_q_learning_states_and_actions_map } from './q-learning/ai_q_learning_states_and_actions_map.ts'
+import { rl_obstacles_easy_list } from './q-learning/rl_obstacles_easy_list.ts'
 import { robColour_picker } from './sensors/robColour_picker.ts'
 import { robSensors_colour_getSample } from './sensors/robSensors_colour_getSample.ts'
 import { robSensors_compass_getSample } from './sensors/robSensors_compass_getSample.ts'
@@ -95,6 +102,13 @@ export const definitions: { readonly [T in BlockType]: Definition } = {
   ai_nn_output_node_led,
   ai_nn_output_node_text,
   ai_nn_output_node_sound,
+  ai_q_learning_states_and_actions_map,
+  rl_obstacles_easy_list,
+  ai_q_barrier_mountain,
+  ai_q_learner_config,
+  ai_q_apply_learning_rule,
+  ai_q_draw_the_best_way,
+  ai_q_drive_the_best_way,
 }
 
 /** Is it a block this version knows? Files may hold others; they are kept and cannot run. */

@@ -1,4 +1,12 @@
 import { distanceNeuron, motorNeuron, network, number, start, text } from './parts/examples.ts'
+import {
+  barrier,
+  drawWay,
+  follower,
+  gainExperience,
+  learner,
+  learningMap,
+} from './parts/learning-examples.ts'
 import type { BlockType } from './block-type.ts'
 import type { Category, Template } from './types.ts'
 
@@ -90,6 +98,15 @@ const neurons: readonly Template[] = [
   ...Object.values(network([distanceNeuron('2')], [motorNeuron('C')]).values ?? {}),
 ]
 
+const learning: readonly Template[] = [
+  learningMap(),
+  learner,
+  gainExperience,
+  drawWay,
+  follower,
+  barrier(2, 3),
+]
+
 /** What a child finds, in order, with what is plugged in: presets of Open Roberta's beginner toolbox, our ports. */
 export const toolbox: readonly ToolboxCategory[] = [
   { category: 'control', blocks: control },
@@ -105,4 +122,5 @@ export const toolbox: readonly ToolboxCategory[] = [
   },
   { category: 'text', blocks: [block('text', { TEXT: '' })] },
   { category: 'network', blocks: neurons },
+  { category: 'q-learning', blocks: learning },
 ]

@@ -54,7 +54,17 @@ export type Order =
   | { readonly order: 'sound'; readonly level: number }
 
 export type ValueType =
-  'Number' | 'String' | 'Boolean' | 'Colour' | 'InputNode' | 'OutputNode' | 'InputLayer' | 'OutputLayer'
+  | 'Number'
+  | 'String'
+  | 'Boolean'
+  | 'Colour'
+  | 'InputNode'
+  | 'OutputNode'
+  | 'InputLayer'
+  | 'OutputLayer'
+  /** A road that is closed, and a list of them. */
+  | 'Obstacle'
+  | 'ObstacleList'
 
 // ---- what a block may touch ----
 
@@ -126,7 +136,7 @@ export type Facts = { readonly [name: string]: string | number }
 
 // ---- one block, one file ----
 
-export type Category = 'control' | 'action' | 'sensors' | 'logic' | 'math' | 'text' | 'network'
+export type Category = 'control' | 'action' | 'sensors' | 'logic' | 'math' | 'text' | 'network' | 'q-learning'
 
 export type FieldLook =
   | {
@@ -148,6 +158,8 @@ export type FieldLook =
         readonly words: string | null
         readonly dot?: Colour
       }[]
+      /** Any number in this range may stand there too; it is shown as it is. */
+      readonly numbers?: { readonly min: number; readonly max: number }
     }
   /** In the file, never on the block. */
   | { readonly name: string; readonly kind: 'hidden'; readonly preset: string }
@@ -168,7 +180,7 @@ export interface Look {
   /** hat: starts a program · statement: has a row before and after · value: is plugged in. */
   readonly shape: 'hat' | 'statement' | 'value'
   readonly output?: ValueType
-  readonly icon?: 'play' | 'network' | 'repeat'
+  readonly icon?: 'play' | 'network' | 'repeat' | 'map' | 'gear'
   readonly fields: readonly FieldLook[]
   readonly inputs: readonly InputLook[]
   /** A list that grows: `items` rows `ADD0…`, each with its own minus, a plus at the foot (mutation `items`). */

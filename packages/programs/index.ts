@@ -1,3 +1,4 @@
+export { learningIn } from './learning.ts'
 export { check } from './check/check.ts'
 export { networks } from './networks.ts'
 export { parseProject, writeProject } from './project/project.ts'

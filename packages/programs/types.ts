@@ -1,5 +1,6 @@
 import type { Block, Finding, Frame, NeuronLook, Value } from '@botgarten/blocks'
 import type { Brain } from '@botgarten/learning/neural-network'
+import type { Settings } from '@botgarten/learning/q-learning'
 import type { World } from '@botgarten/simulation'
 
 export interface Stack {
@@ -55,6 +56,65 @@ export interface NeuronOutline {
   readonly look: NeuronLook
 }
 
+/** What a program wants to be learned by trying, read from the blocks. */
+export interface LearningOutline {
+  /** Ids of the blocks that say so. */
+  readonly blocks: {
+    readonly map: string
+    readonly behaviour?: string
+    readonly experience?: string
+    readonly draw?: string
+    readonly drive?: string
+  }
+  /** Folder under `content/maps`. */
+  readonly map: string
+  readonly start: number
+  readonly goal: number
+  /** Each in one direction. */
+  readonly closed: readonly (readonly [from: number, to: number])[]
+  readonly settings: Settings
+  /** It stops after so many episodes or so many moves. */
+  readonly episodes: number
+  readonly moves: number
+}
+
+/** How far a learning has come. It is a whole by its blocks, its seed and its moves: the same every time (running.md 2). */
+export interface Learned {
+  readonly seed: number
+  readonly moves: number
+  /** Of the settings that it was learned with, as `learningKey` writes them. */
+  readonly key: string
+  /** The way that lies drawn on the floor; null: none does. */
+  readonly drawn: readonly number[] | null
+  /** Rows of the table of experiments, the oldest first. */
+  readonly runs: readonly LearnedRun[]
+}
+
+export interface LearnedRun {
+  readonly map: string
+  readonly start: number
+  readonly goal: number
+  readonly closed: string
+  readonly alpha: number
+  readonly gamma: number
+  readonly nu: number
+  readonly rho: number
+  readonly rules: string
+  readonly seed: number
+  readonly episodes: number
+  readonly moves: number
+  readonly limitEpisodes: number
+  readonly limitMoves: number
+  /** `3-5-0-1`; '' where there is none. */
+  readonly way: string
+  /** Sections of the shortest way there is; 0: none. */
+  readonly shortest: number
+  /** Episode in which the way was found that stayed; 0: none. */
+  readonly found: number
+  /** What the child guessed before. */
+  readonly guess: string
+}
+
 /** What a child has reached with a card. */
 export interface Progress {
   /** Start poses from which every check has passed, by their index. */
@@ -71,6 +131,8 @@ export interface Project {
   readonly world: World
   /** By the id of the network block. */
   readonly brains: { readonly [networkId: string]: Brain }
+  /** By program: what its robot has learned by trying. */
+  readonly q?: { readonly [program: string]: Learned }
   readonly assets: { readonly [sha256: string]: { readonly type: 'image/png'; readonly base64: string } }
   readonly progress?: Progress
 }

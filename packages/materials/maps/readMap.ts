@@ -34,7 +34,11 @@ export function readMap(text: string): ReadMap {
       ? { map: { moves: movesIn(ids, stations, problems), ...rewardsIn(ids, stations.length, problems) } }
       : gridIn(root, stations.length, problems)
   if (problems.length > 0 || laid === null) return broken(problems)
-  return { map: { id: root.attributes['data-map'] ?? '', stations, ...numbers, ...laid }, problems: [] }
+  const drawn = { size: sizeOf(root), roads: roadsIn(ids) }
+  return {
+    map: { id: root.attributes['data-map'] ?? '', stations, ...drawn, ...numbers, ...laid },
+    problems: [],
+  }
 }
 
 const problem = (kind: MapProblem['kind'], facts: MapProblem['facts']): MapProblem => ({ kind, facts })
@@ -55,12 +59,28 @@ function numbersOf({ attributes }: Element, problems: MapProblem[]) {
   const read = (name: string) => numberIn(attributes[name], name, problems)
   return {
     cmPerUnit: read('data-cm-per-unit') ?? 1,
+    plazaCm: read('data-plaza-cm') ?? 15,
     ...keep('start', read('data-start')),
     ...keep('goal', read('data-goal')),
     ...keep('goalReward', read('data-goal-reward')),
     ...keep('stepCost', read('data-step-cost')),
   }
 }
+
+function sizeOf({ attributes }: Element) {
+  const [, , width = 0, height = 0] = (attributes['viewBox'] ?? '')
+    .trim()
+    .split(/[\s,]+/)
+    .map(Number)
+  return { width, height }
+}
+
+const roadsIn = (ids: ReadonlyMap<string, Element>): { readonly [name: string]: string } =>
+  Object.fromEntries(
+    [...ids].flatMap(([id, { attributes }]) =>
+      id.startsWith('path-') ? [[id.slice('path-'.length), attributes['d'] ?? '']] : [],
+    ),
+  )
 
 const keep = <Name extends string>(name: Name, value: number | undefined) =>
   (value === undefined ? {} : { [name]: value }) as { [key in Name]?: number }

@@ -7,6 +7,12 @@ export interface MapFile {
   readonly stations: readonly { readonly x: number; readonly y: number }[]
   /** cm of the robot's world a unit. */
   readonly cmPerUnit: number
+  /** Of the drawing: its view box. */
+  readonly size: { readonly width: number; readonly height: number }
+  /** Centre line of every road by its name, `3-5`: path data of `M`, `L` and `A`. Grids have none. */
+  readonly roads: { readonly [name: string]: string }
+  /** A way through a station leaves the road so many cm before its middle, at least. */
+  readonly plazaCm: number
   /** What the map itself sets; a child may choose others. */
   readonly start?: number
   readonly goal?: number

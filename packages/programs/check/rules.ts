@@ -29,13 +29,18 @@ function fieldProblem(look: FieldLook, value: string | undefined): readonly Said
     case 'number':
       return isNumber(value) ? [] : [stop('notANumber')]
     case 'choice':
-      return look.options.some((option) => sameWord(option.value, value)) ? [] : [stop('unknownChoice')]
+      return look.options.some((option) => sameWord(option.value, value)) || isWithin(look.numbers, value)
+        ? []
+        : [stop('unknownChoice')]
     case 'hidden':
       return look.name === 'MODE' && value !== look.preset ? [stop('unknownPart')] : []
     case 'text':
       return []
   }
 }
+
+const isWithin = (range: { readonly min: number; readonly max: number } | undefined, text: string) =>
+  range !== undefined && isNumber(text) && Number(text) >= range.min && Number(text) <= range.max
 
 const isNumber = (text: string) => text.trim() !== '' && Number.isFinite(Number(text))
 

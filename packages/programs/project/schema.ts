@@ -1,6 +1,6 @@
 import * as v from 'valibot'
 import type { Brain } from '@botgarten/learning/neural-network'
-import type { Project } from '../types.ts'
+import type { Learned, Project } from '../types.ts'
 import { finite, idSchema, programSchema, recordOf, textSchema } from './schema-program.ts'
 import { assetsSchema } from './schema-assets.ts'
 import { worldSchema } from './schema-world.ts'
@@ -16,6 +16,26 @@ export const brainSchema: v.GenericSchema<Brain> = v.object({
 })
 
 const whole = v.pipe(v.number(), v.integer(), v.minValue(0), v.maxValue(1_000_000))
+const shortText = v.pipe(v.string(), v.maxLength(2000))
+const station = v.pipe(v.number(), v.integer(), v.minValue(0), v.maxValue(9999))
+const learnedRun = v.object({
+  ...{ map: shortText, start: station, goal: station, closed: shortText, way: shortText, guess: shortText },
+  ...{ alpha: finite, gamma: finite, nu: finite, rho: finite, rules: shortText, seed: whole },
+  ...{
+    episodes: whole,
+    moves: whole,
+    limitEpisodes: whole,
+    limitMoves: whole,
+    shortest: whole,
+    found: whole,
+  },
+})
+const learned: v.GenericSchema<Learned> = v.object({
+  ...{ seed: whole, moves: whole, key: shortText },
+  drawn: v.nullable(v.pipe(v.array(station), v.maxLength(1000))),
+  runs: v.pipe(v.array(learnedRun), v.maxLength(1000)),
+})
+
 const progress = v.object({ starts: v.array(whole), hints: whole })
 
 const programsExist = ({ programs, world }: Project) =>
@@ -30,6 +50,7 @@ export const projectSchema: v.GenericSchema<unknown, Project> = v.pipe(
     programs: recordOf(programSchema),
     world: worldSchema,
     brains: recordOf(brainSchema),
+    q: v.exactOptional(recordOf(learned)),
     assets: assetsSchema,
     progress: v.exactOptional(progress),
   }),

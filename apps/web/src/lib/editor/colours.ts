@@ -9,6 +9,7 @@ export const categoryColours: { readonly [category in Category]: string } = {
   math: '#6F55C4',
   text: '#0B7C88',
   network: '#C2335F',
+  'q-learning': '#5B7A12',
 }
 
 /** A block that this version does not know. */

@@ -1,0 +1,26 @@
+import { learningProgram } from '../parts/learning-examples.ts'
+import { rows, words } from '../parts/looks.ts'
+import { done } from '../parts/next.ts'
+import type { Definition, FieldLook } from '../types.ts'
+
+const type = 'ai_q_apply_learning_rule'
+
+const limit = (name: string, preset: number, max: number): FieldLook => ({
+  ...{ name, kind: 'number', preset, min: 1, max, step: 1 },
+})
+
+/** Learns until so many episodes or so many moves are over: a move is a second at ×1. */
+export const ai_q_apply_learning_rule: Definition = {
+  type,
+  look: {
+    category: 'q-learning',
+    shape: 'statement',
+    fields: [limit('EPISODES', 100, 100_000), limit('Q_LEARNER_TIME', 10_000, 1_000_000)],
+    inputs: [],
+    rows: rows(type, 3),
+  },
+  words: words(type),
+  acts: false,
+  run: () => done,
+  example: learningProgram(),
+}

@@ -1,0 +1,26 @@
+import { learningProgram } from '../parts/learning-examples.ts'
+import { rows, statements, words } from '../parts/looks.ts'
+import { carryOut, done } from '../parts/next.ts'
+import type { Definition } from '../types.ts'
+
+const type = 'ai_q_drive_the_best_way'
+const body = carryOut('DO')
+
+/** A frame for what follows the drawn way: a line follower, as it comes from the toolbox. */
+export const ai_q_drive_the_best_way: Definition = {
+  type,
+  look: {
+    category: 'q-learning',
+    shape: 'statement',
+    fields: [],
+    inputs: [statements('DO')],
+    rows: rows(type, 2),
+  },
+  words: words(type),
+  acts: false,
+  run(_block, frame) {
+    frame.stage++
+    return frame.stage === 1 ? body : done
+  },
+  example: learningProgram(),
+}

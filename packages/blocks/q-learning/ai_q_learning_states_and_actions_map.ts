@@ -1,0 +1,51 @@
+import { learningProgram, obstacles } from '../parts/learning-examples.ts'
+import { field } from '../parts/fields.ts'
+import { choice, rows, words, worded } from '../parts/looks.ts'
+import { mapNames, stationsOf } from '../parts/maps.ts'
+import { done } from '../parts/next.ts'
+import type { Block, Definition, FieldLook } from '../types.ts'
+
+const type = 'ai_q_learning_states_and_actions_map'
+
+const station = (name: string, preset: number): FieldLook => ({
+  ...{ name, kind: 'number', preset, min: 0, max: 499, step: 1 },
+})
+
+/** Which of its stations a map does not have. */
+function missing(block: Block): readonly string[] {
+  const count = stationsOf(field(block, 'MAP'))
+  return ['START', 'FINISH'].filter((name) => !(Number(field(block, name, '0')) < count))
+}
+
+/** The world in which the robot learns: a map, from where to where, and roads that are closed. */
+export const ai_q_learning_states_and_actions_map: Definition = {
+  type,
+  look: {
+    category: 'q-learning',
+    shape: 'statement',
+    icon: 'map',
+    fields: [
+      choice(
+        'MAP',
+        mapNames.map((name) => worded(name, name)),
+        'MAP_RAILWAY',
+      ),
+      station('START', 0),
+      station('FINISH', 1),
+    ],
+    inputs: [{ name: 'OBSTACLE', kind: 'value', accepts: ['ObstacleList'], optional: true }],
+    rows: rows(type, 3),
+  },
+  words: words(type),
+  acts: false,
+  check(block) {
+    const [name] = missing(block)
+    const last = stationsOf(field(block, 'MAP')) - 1
+    if (name) return [{ problem: 'problem.noSuchStation', facts: { last }, stops: true }]
+    const same = Number(field(block, 'START', '0')) === Number(field(block, 'FINISH', '1'))
+    return same ? [{ problem: 'problem.startIsGoal', stops: true }] : []
+  },
+  // What is to be learned is said to the playground; the run begins when it is learned.
+  run: () => done,
+  example: learningProgram(obstacles([[3, 2], [2, 3]])), // prettier-ignore
+}

@@ -1,0 +1,87 @@
+import { filledRows, plugged, type Block } from '@botgarten/blocks'
+import type { Decay, Settings } from '@botgarten/learning/q-learning'
+import type { LearningOutline, Program } from './types.ts'
+
+const types = {
+  map: 'ai_q_learning_states_and_actions_map',
+  behaviour: 'ai_q_learner_config',
+  experience: 'ai_q_apply_learning_rule',
+  draw: 'ai_q_draw_the_best_way',
+  drive: 'ai_q_drive_the_best_way',
+} as const
+
+/**
+ * What a program wants to be learned by trying, read from its blocks: of every kind the first that is not switched off,
+ * under a start block before those that lie about. Null without a map block.
+ */
+export function learningIn({ stacks }: Program): LearningOutline | null {
+  const begun = stacks.filter(({ blocks }) => blocks[0]?.type === 'robControls_start')
+  const all = [...begun, ...stacks.filter((stack) => !begun.includes(stack))].flatMap(({ blocks }) =>
+    blocks.flatMap(inside),
+  )
+  const find = (type: string) => all.find((block) => block.type === type)
+  const map = find(types.map)
+  if (!map) return null
+  const experience = find(types.experience)
+  const blocks = Object.fromEntries(
+    Object.entries(types).flatMap(([part, type]) => {
+      const id = find(type)?.id
+      return id === undefined ? [] : [[part, id]]
+    }),
+  ) as LearningOutline['blocks']
+  return {
+    blocks,
+    map: (map.fields?.['MAP'] ?? '').replace(/^MAP_/, '').toLowerCase(),
+    start: wholeIn(map, 'START', 0, 0),
+    goal: wholeIn(map, 'FINISH', 1, 0),
+    closed: closedIn(map),
+    settings: settingsIn(find(types.behaviour)),
+    episodes: wholeIn(experience, 'EPISODES', 100, 1),
+    moves: wholeIn(experience, 'Q_LEARNER_TIME', 10_000, 1),
+  }
+}
+
+function inside(block: Block): readonly Block[] {
+  if (block.disabled === true) return []
+  return [block, ...Object.values(block.statements ?? {}).flatMap((rows) => rows.flatMap(inside))]
+}
+
+function closedIn(map: Block): LearningOutline['closed'] {
+  const list = plugged(map, 'OBSTACLE')
+  return (list ? filledRows(list) : []).map((road) => [
+    wholeIn(road, 'FROM', 2, 0),
+    wholeIn(road, 'TO', 3, 0),
+  ])
+}
+
+function wholeIn(block: Block | undefined, name: string, preset: number, least: number): number {
+  const value = Number(block?.fields?.[name] ?? preset)
+  return Number.isFinite(value) ? Math.max(least, Math.round(value)) : preset
+}
+
+/** What a child sets where no block says anything else. */
+const preset: Settings = { rules: 'standard', algorithm: 'q', alpha: 0.5, gamma: 0.8, nu: 0.1, rho: 0.5 }
+
+function settingsIn(block: Block | undefined): Settings {
+  const share = (name: string, otherwise: number) => {
+    const value = Number(block?.fields?.[name] ?? otherwise)
+    return value >= 0 && value <= 1 ? value : otherwise
+  }
+  return {
+    rules: block?.fields?.['RULES'] === 'study' ? 'study' : 'standard',
+    algorithm: 'q',
+    alpha: share('ALPHA', preset.alpha),
+    gamma: share('GAMMA', preset.gamma),
+    nu: share('NU', preset.nu),
+    rho: share('RHO', preset.rho),
+    ...decay('alphaDecay', block?.fields?.['ALPHA_DECAY']),
+    ...decay('rhoDecay', block?.fields?.['RHO_DECAY']),
+  }
+}
+
+/** '': stays as it is · `visits` (α alone) · a factor 0..1 an episode. */
+function decay(name: 'alphaDecay' | 'rhoDecay', text = ''): { readonly [name: string]: Decay } {
+  if (text === 'visits' && name === 'alphaDecay') return { [name]: { kind: 'visits' } }
+  const factor = text.trim() === '' ? NaN : Number(text)
+  return factor >= 0 && factor <= 1 ? { [name]: { kind: 'episodes', factor } } : {}
+}
