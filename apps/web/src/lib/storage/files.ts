@@ -2,6 +2,7 @@ import type { Facts } from '@botgarten/blocks'
 import { parseProject, ProjectError, type Project } from '@botgarten/programs'
 import { placeOf } from '#lib/content/cards.ts'
 import * as m from '#lib/words/generated/messages.js'
+import { isOpenRoberta } from './endings.ts'
 import { handOut } from './handout.ts'
 import { isHome, mostHomeBytes, readHome, writeHome } from './home-file.ts'
 import { mergeHome } from './merge.ts'
@@ -31,7 +32,9 @@ const MOST_BYTES = 5_000_000
 export async function openProjectFile(file: File): Promise<OpenedFile> {
   if (file.size > mostHomeBytes) return { problem: 'homeTooBig', facts: {} }
   try {
+    if (/\.xml$/i.test(file.name) && file.size > MOST_BYTES) return { problem: 'tooBig', facts: {} }
     const text = await file.text()
+    if (isOpenRoberta(file.name, text)) return await takeOpenRoberta(text, file.name)
     const home = homeIn(text)
     if (home) return await takeHomeFile(home)
     if (file.size > MOST_BYTES) return { problem: 'tooBig', facts: {} }
@@ -41,6 +44,11 @@ export async function openProjectFile(file: File): Promise<OpenedFile> {
     console.warn('The project file was refused.', error)
     return { problem: error.reason, facts: error.facts }
   }
+}
+
+async function takeOpenRoberta(text: string, name: string): Promise<OpenedFile> {
+  const { projectOfFile } = await import('#lib/open-roberta/later.ts')
+  return keepProject(await projectOfFile(text, name))
 }
 
 /** What a home file holds; null for every other text. */

@@ -8,11 +8,17 @@ const nameOfFile = (name: string) => name.replace(/[^\p{L}\p{N} _-]/gu, '').slic
  */
 export const saveProjectFile = (project: Project): void => handOut(project.name, JSON.stringify(project))
 
-export function handOut(name: string, text: string): void {
-  const address = URL.createObjectURL(new Blob([text], { type: 'application/json' }))
+export function handOut(
+  name: string,
+  text: string,
+  ending: 'botgarten.json' | 'xml' = 'botgarten.json',
+): void {
+  const address = URL.createObjectURL(
+    new Blob([text], { type: ending === 'xml' ? 'application/xml' : 'application/json' }),
+  )
   const link = document.createElement('a')
   link.href = address
-  link.download = `${nameOfFile(name)}.botgarten.json`
+  link.download = `${nameOfFile(name)}.${ending}`
   link.click()
   setTimeout(() => URL.revokeObjectURL(address), 1000)
 }

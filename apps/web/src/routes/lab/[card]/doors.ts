@@ -26,6 +26,12 @@ export async function openFile(file: File, desk: Desk): Promise<void> {
   else await show(placeOf(outcome.project), outcome.id)
 }
 
+/** Hands the program of the robot on the screen out as a file for Open Roberta. */
+export async function saveForOpenRoberta(session: Session, name: string): Promise<void> {
+  const { saveOpenRobertaFile } = await import('#lib/open-roberta/later.ts')
+  saveOpenRobertaFile({ ...session.project, name }, session.robotId)
+}
+
 /** Another tab has saved this project: what stands here becomes one of its own, and goes on undisturbed. */
 export function keepCopy(session: Session, title: string): void {
   const place = placeOf(session.project)

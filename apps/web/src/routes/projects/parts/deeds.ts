@@ -1,2 +1,2 @@
 /** What the menu of a project offers. */
-export type Deed = 'rename' | 'duplicate' | 'share' | 'saveFile' | 'throw'
+export type Deed = 'rename' | 'duplicate' | 'share' | 'saveFile' | 'saveOpenRoberta' | 'throw'

@@ -126,6 +126,7 @@ export interface LabFrameProps {
   card: CardFace | null
   onopenfile: (file: File) => void
   onsavefile: () => void
+  onsaveopenroberta: () => void
   /** The project as a link would carry it. */
   onshare: () => Project
   /** Shows the tour again; not given where there is none. */
