@@ -2,18 +2,12 @@ import { goto, replaceState } from '$app/navigation'
 import { resolve } from '$app/paths'
 import { placeOf } from '#lib/content/cards.ts'
 import type { Desk } from '#lib/state/desk.svelte.ts'
-import type { Opened } from '#lib/state/opening.ts'
 import type { Session } from '#lib/state/session.svelte.ts'
 import { freshId } from '#lib/storage/projects.ts'
 import { m } from '#lib/words/generated/messages.js'
 
 const addressOf = (card: string, id: string) => resolve(`/lab/[card]?p=${encodeURIComponent(id)}`, { card })
 const show = (card: string, id: string) => goto(addressOf(card, id), { invalidateAll: true })
-
-/** What could not be read here stays where it is: the new start has an address of its own from now on. */
-export function leaveBroken({ id, project, trouble }: Opened): void {
-  if (trouble === 'brokenHere') void replaceState(addressOf(placeOf(project), id), {})
-}
 
 /** Opens a project file in place of this project, which stays on the device. */
 export async function openFile(file: File, desk: Desk): Promise<void> {

@@ -1,0 +1,1 @@
+export { takeDrops } from './drop.ts'

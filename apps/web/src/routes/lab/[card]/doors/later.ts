@@ -1,0 +1,2 @@
+// Doors out of a project, and into another one: each is asked for by a click.
+export { keepCopy, keepGone, loadNewer, openFile, saveForOpenRoberta } from './doors.ts'
