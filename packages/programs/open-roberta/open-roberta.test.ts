@@ -123,6 +123,13 @@ describe('a file that is not opened', () => {
     ['a project', '{"botgarten":1}', 'notXml', { line: 1 }],
     ['a cut file', file(block).slice(0, -20), 'notXml', { line: 1 }],
     ['a broken file', `<export\n>\n<</export>`, 'notXml', { line: 3 }],
+    ['a character that XML does not have', file('<block type="a\uFFFF" id="1"/>'), 'notXml', { line: 1 }],
+    [
+      'the number of such a character',
+      file('<block type="a" id="1"><field name="F">&#0;</field></block>'),
+      'notXml',
+      { line: 1 },
+    ],
     ['a web page', '<html><body/></html>', 'notOpenRoberta', {}],
     ['another namespace', file(block).replace(ns, 'http://www.w3.org/1999/xhtml'), 'notOpenRoberta', {}],
     ['a prefix from nowhere', file('<x:block type="a" id="1"/>'), 'notXml', { line: 1 }],

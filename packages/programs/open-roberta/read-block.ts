@@ -3,8 +3,11 @@ import { isReserved } from '../project/limits.ts'
 import { flag, wrapsByItself } from './repetitions.ts'
 import { notOpenRoberta, type Element } from './tree.ts'
 
-/** Ids of a part of the file: a second block with the same one gets another, and keeps its own among its flags. */
-export type Ids = Set<string>
+/**
+ * Ids of a part of the file, each with how often it was wanted: a second block with the same one gets another, and keeps its
+ * own among its flags.
+ */
+export type Ids = Map<string, number>
 
 type Strings = Record<string, string>
 interface Parts {
@@ -52,8 +55,10 @@ const filled = (parts: object) =>
 function freshId(type: string, id: string, ids: Ids): string {
   const wanted = id === '' || id.length > 150 || isReserved(id) ? type : id
   let own = wanted
-  for (let number = 2; ids.has(own) || isReserved(own); number++) own = `${wanted}_${number}`
-  ids.add(own)
+  let number = ids.get(wanted) ?? 0
+  while (ids.has(own) || isReserved(own)) own = `${wanted}_${++number + 1}`
+  ids.set(wanted, number)
+  if (own !== wanted) ids.set(own, 0)
   return own
 }
 

@@ -60,7 +60,7 @@ function refuseOtherRobots(sets: readonly (Element | undefined)[]): void {
 }
 
 function stacksIn(set: Element): readonly Stack[] {
-  const ids: Ids = new Set()
+  const ids: Ids = new Map()
   return set.children.map((instance) => {
     if (instance.name !== 'instance') throw notOpenRoberta(`"${instance.name}" stands beside the stacks.`)
     return {

@@ -1,6 +1,7 @@
 import sax from 'sax'
 import { ProjectError } from '../project/error.ts'
 import { isReserved, refuseBigText } from '../project/limits.ts'
+import { isWhole } from './xml.ts'
 
 /** An element of an Open Roberta file. `text` is its own text, of its children's nothing. */
 export interface Element {
@@ -49,7 +50,8 @@ class Builder {
     parser.ondoctype = () => {
       throw new ProjectError('unsafeXml', 'It declares a document type; programs have none.')
     }
-    parser.onattribute = ({ name }) => {
+    parser.onattribute = ({ name, value }) => {
+      if (!isWhole(value)) throw this.notXml()
       if (isReserved(name)) throw notOpenRoberta(`An attribute must not be called "${name}".`)
     }
     parser.onopentag = (tag) => this.#begin(tag as sax.QualifiedTag)
@@ -81,6 +83,7 @@ class Builder {
   }
 
   #say(text: string): void {
+    if (!isWhole(text)) throw this.notXml()
     const element = this.#open.at(-1)
     if (element) element.text += text
   }

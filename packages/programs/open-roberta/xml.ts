@@ -12,6 +12,9 @@ const inAttribute: { readonly [character: string]: string } = {
   ...{ '"': '&quot;', '\n': '&#10;', '\t': '&#9;' },
 }
 
+/** Does it hold only what XML can hold? */
+export const isWhole = (text: string): boolean => whole(text) === text
+
 export const textOf = (text: string): string =>
   whole(text).replace(/[&<>\r]/g, (character) => inText[character]!)
 

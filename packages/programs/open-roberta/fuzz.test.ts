@@ -1,0 +1,31 @@
+import { readFileSync } from 'node:fs'
+import { expect, it } from 'vitest'
+import { ProjectError } from '../index.ts'
+import { givenFiles, mutated, opened } from '../testing/mutations.ts'
+
+const words = ['en', 'de'].map(
+  (language) =>
+    (
+      JSON.parse(
+        readFileSync(new URL(`../../../content/words/${language}.json`, import.meta.url), 'utf8'),
+      ) as { problem: { [reason: string]: unknown } }
+    ).problem,
+)
+
+it('500 mutated copies are opened, or refused with a clear word, each within a second', () => {
+  const files = givenFiles()
+  const counts = { opened: 0, refused: 0 }
+  for (let number = 1; number <= 500; number++) {
+    const { what, text } = mutated(files, number)
+    const before = process.cpuUsage()
+    const outcome = opened(text)
+    const { user, system } = process.cpuUsage(before)
+    expect((user + system) / 1e6, what).toBeLessThan(1)
+    if (outcome instanceof ProjectError) {
+      counts.refused++
+      for (const problem of words) expect(problem, what).toHaveProperty(outcome.reason)
+    } else counts.opened++
+  }
+  expect(counts.opened).toBeGreaterThan(100)
+  expect(counts.refused).toBeGreaterThan(100)
+}, 120_000)
