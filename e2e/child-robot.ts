@@ -15,9 +15,10 @@ export class RobotHands {
 
   // ---- opening ----
 
-  /** Opens one of the entries in the world's menu. */
+  /** Opens one of the entries in the world's menu; where its head has no room for one, they are in the lab's. */
   async opens(entry: 'build' | 'senses' | 'panel') {
-    await this.#child.presses('lab.worldSettings')
+    const wide = (this.#child.page.viewportSize()?.width ?? 0) >= 1280
+    await this.#child.presses(wide ? 'lab.worldSettings' : 'lab.menu')
     const name = this.word(entry)
     if (entry === 'build') await this.#child.page.getByRole('button', { name, exact: true }).click()
     else await this.#child.page.getByText(name, { exact: true }).first().click()

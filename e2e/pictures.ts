@@ -37,6 +37,7 @@ async function settles(page: Page) {
 async function take(browser: Browser, baseURL: string, { screen, language, size }: Wish) {
   const locale = { en: 'en-GB', de: 'de-DE' }[language]
   const context = await browser.newContext({ baseURL, locale, viewport: size, hasTouch: size.width < 1366 })
+  await context.addInitScript(() => localStorage.setItem('botgarten.tour', '"seen"'))
   const page = await context.newPage()
   await screen.show(new Child(page, language), isPhone(size))
   await settles(page)
@@ -53,7 +54,10 @@ const wishes = screens
   .filter(({ name }) => wanted.length === 0 || wanted.some((part) => name.includes(part)))
   .flatMap((screen) => languages.flatMap((language) => sizes.map((size) => ({ screen, language, size }))))
   .filter(({ screen, size }) => !screen.phoneOnly || isPhone(size))
-for (const wish of wishes) await take(browser, server.url, wish)
+for (const wish of wishes)
+  await take(browser, server.url, wish).catch((cause: unknown) =>
+    console.error(wish.screen.name, wish.language, wish.size.width, cause),
+  )
 console.log(`${wishes.length} pictures in ${folder}`)
 await browser.close()
 await server.close()

@@ -1,5 +1,10 @@
 import { expect } from '@playwright/test'
 import { leftEye, leftWheel, rightEye, rightWheel, type Child } from './child.ts'
+import { Builder } from './child-build.ts'
+import { opensSettings } from './child-cards.ts'
+import { Shelf } from './child-projects.ts'
+import { RobotHands } from './child-robot.ts'
+import { TimeHands } from './child-time.ts'
 import { projectFile } from './projects.ts'
 
 /** One picture: how a child gets there. `phone`: one part of the lab at a time. */
@@ -73,6 +78,89 @@ export const screens: readonly Screen[] = [
       await child.opensLab('friendship')
       await child.presses('lab.hint')
       await expect(child.page.getByRole('region', { name: child.word('lab.hint') })).toBeVisible()
+    },
+  },
+  { name: 'first-drive', show: (child) => child.opensLab('forward') },
+  { name: 'chameleon', show: (child) => child.opensLab('chameleon') },
+  {
+    name: 'build',
+    async show(child) {
+      await child.opensLab('free')
+      const builder = new Builder(child)
+      await builder.begins()
+      await builder.addsThing('circle')
+    },
+  },
+  {
+    name: 'robot',
+    async show(child, phone) {
+      await child.opensLab('friendship')
+      const hands = new RobotHands(child)
+      await hands.opens('build')
+      if (!phone) await hands.mark('ultrasonic', '2').click()
+    },
+  },
+  {
+    name: 'senses',
+    async show(child) {
+      await child.opensLab('friendship')
+      await new RobotHands(child).opens('senses')
+    },
+  },
+  {
+    name: 'time',
+    async show(child, phone) {
+      await child.opensLab('friendship')
+      await setsFriendlyWeights(child, phone)
+      const time = new TimeHands(child)
+      await child.pressesStart()
+      await time.opens()
+      await time.runsUntil(3)
+      await time.goesBack('Home', 'Shift+ArrowRight')
+    },
+  },
+  {
+    name: 'two-robots',
+    async show(child, phone) {
+      await child.opensLab('friendship')
+      await setsFriendlyWeights(child, phone)
+      await new TimeHands(child).adds('shared')
+      await drives(child, 2)
+    },
+  },
+  {
+    name: 'projects',
+    async show(child, phone) {
+      for (const card of ['friendship', 'fear']) {
+        await child.opensLab(card)
+        if (phone) await child.turnsTo('networkTab')
+        await child.typesWeight(leftEye, leftWheel, 0.8)
+        await child.seesSaved()
+      }
+      await new Shelf(child).opens()
+    },
+  },
+  {
+    name: 'settings',
+    async show(child) {
+      await child.opensHome()
+      await opensSettings(child, 'home')
+    },
+  },
+  {
+    name: 'share',
+    async show(child) {
+      await child.opensLab('friendship')
+      await child.presses('lab.menu')
+      await child.presses('parts.share')
+      await expect(child.page.getByRole('dialog')).toBeVisible()
+    },
+  },
+  {
+    name: 'about',
+    async show(child) {
+      await child.page.goto('/about')
+      await expect(child.page.getByRole('heading', { level: 1 })).toBeVisible()
     },
   },
   {

@@ -1,6 +1,6 @@
 import fc from 'fast-check'
 import { expect, test } from 'vitest'
-import { arrangementOf, bordersOf, gap, moved } from './arrangement.ts'
+import { arrangementOf, bordersOf, gap, gridOfTwo, moved } from './arrangement.ts'
 
 test('visual.md 3: the width of the window decides the arrangement, a low one shows pages', () => {
   const at = (width: number, height = 768) => arrangementOf({ width, height })
@@ -50,4 +50,13 @@ test('a border that was moved stands where it was put, and the other one stays',
   const before = bordersOf('columns', area, {})
   const after = bordersOf('columns', area, moved('columns', area, before, 1, 420))
   expect(after.map((border) => border.at)).toEqual([452, 420])
+})
+
+test('without a network the world has its place too, beside or above the program', () => {
+  const area = { width: 1346, height: 630 }
+  const grid = (arrangement: 'columns' | 'stacked' | 'rows') =>
+    gridOfTwo(arrangement, bordersOf(arrangement, area, {}))
+  expect(grid('columns')).toBe('"program first world" minmax(0, 1fr) / 452px 8px minmax(0, 1fr)')
+  expect(grid('stacked')).toMatch(/^"program first world" minmax\(0, 1fr\)/)
+  expect(grid('rows')).toMatch(/^"world" 315px "first" 8px "program"/)
 })

@@ -95,10 +95,19 @@ export function moved(
   return { [arrangement]: [shares[0] ?? 0, shares[1] ?? 0] }
 }
 
+const rest = 'minmax(0, 1fr)'
+
+/** `grid-template` where there is no network to show: the program as it is with one, the world has the rest. */
+export function gridOfTwo(arrangement: Arrangement, borders: readonly Border[]): string {
+  const [first, second] = borders.map((border) => `${border.at}px`)
+  if (arrangement === 'pages') return `${rest} / ${rest}`
+  if (arrangement === 'rows') return `"world" ${second} "first" ${gap}px "program" ${rest} / ${rest}`
+  return `"program first world" ${rest} / ${first} ${gap}px ${rest}`
+}
+
 /** `grid-template` of an arrangement. */
 export function gridOf(arrangement: Arrangement, borders: readonly Border[]): string {
   const [a, b] = borders.map((border) => `${border.at}px`)
-  const rest = 'minmax(0, 1fr)'
   switch (arrangement) {
     case 'columns':
       return `"program first world second network" ${rest} / ${a} ${gap}px ${b} ${gap}px ${rest}`

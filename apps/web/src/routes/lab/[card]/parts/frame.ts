@@ -169,6 +169,10 @@ export interface LabFrameProps {
   onresetweights: () => void
   /** Is there a network to reset and step? */
   hasNetwork: boolean
+  /** A card without a network has no pane for one. */
+  networkPane: boolean
+  /** The child builds the world, which needs room. */
+  building: boolean
   /** Both given: a sound switch stands beside Start (running.md 12). */
   sound?: boolean
   onsound?: (on: boolean) => void
