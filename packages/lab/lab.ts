@@ -13,12 +13,10 @@ import { emptyWorld, sameBlocks, withPoses } from './documents.ts'
 import { brainsFor } from './robots/brains.ts'
 import { sensesOf } from './robots/senses.ts'
 import { Run } from './run.ts'
+import { reachStop, stepBlock, stepNetwork, type Stops, type Walk } from './stepping.ts'
 import type { Course } from './timeline/moment.ts'
 import type { Check, Document, DriveKey, Input, Lab, Phase, StepKind } from './types.ts'
 import { viewOf } from './view.ts'
-
-/** Ticks after which a step gives up waiting for a block or a net: ten seconds. */
-const STEP_LIMIT = 600
 
 /** An empty lab; `load` gives it something to run. */
 export const createLab = (): Lab => new OneLab()
@@ -46,6 +44,7 @@ class OneLab implements Lab {
   #held: readonly DriveKey[] = []
   #buttons: readonly { readonly robot: number; readonly key: RobotKey }[] = []
   #other: Other | null = null
+  #stops: Stops = new Set()
 
   load(document: Document, floor: Floor, options: Options): void {
     this.#document = { ...document, brains: brainsFor(document.programs, document.brains) }
@@ -121,9 +120,14 @@ class OneLab implements Lab {
       if (this.#phase === 'ready' || this.#phase === 'ended') this.start()
       this.#phase = 'paused'
     }
+    const index = this.#robotAt(robot)
     if (kind === 'tick') this.#tick()
-    else if (kind === 'block') this.#stepBlock(this.#robotAt(robot))
-    else this.#stepNetwork(this.#robotAt(robot))
+    else if (kind === 'network') stepNetwork(this.#walk(), index)
+    else stepBlock(this.#walk(), index, kind === 'over', this.#stops)
+  }
+
+  setStops(blocks: readonly string[]): void {
+    this.#stops = new Set(blocks)
   }
 
   /** Index of a robot; the first where none is named. */
@@ -133,28 +137,13 @@ class OneLab implements Lab {
       this.#run.robots.findIndex((robot) => robot.id === id),
     )
 
-  /** May a step look for more? Not past the present, where that was not where it began. */
-  #goesOn = (wasPast: boolean) => this.#run.inPast === wasPast && (wasPast || this.#phase === 'paused')
-
-  #stepBlock(index: number): void {
-    const { inPast, robots } = this.#run
-    const robot = robots[index]
-    const blocks = robot?.thread.started
-    for (let ticks = 0; ticks < STEP_LIMIT && this.#goesOn(inPast);) {
-      const over = this.#run.stepBlocks()
-      if (robot?.thread.started !== blocks) return
-      if (!over) continue
-      this.#tick()
-      ticks++
-    }
-  }
-
-  #stepNetwork(index: number): void {
-    const { inPast, robots } = this.#run
-    const runs = robots[index]?.brains.runs
-    for (let ticks = 0; ticks < STEP_LIMIT && this.#goesOn(inPast); ticks++) {
-      this.#tick()
-      if (robots[index]?.brains.runs !== runs) return
+  /** A step does not go past the present, where that was not where it began. */
+  #walk(): Walk {
+    const { inPast } = this.#run
+    return {
+      run: this.#run,
+      goesOn: () => this.#run.inPast === inPast && (inPast || this.#phase === 'paused'),
+      tick: () => this.#tick(),
     }
   }
 
@@ -163,8 +152,9 @@ class OneLab implements Lab {
     let moved = false
     for (let tick = 0; tick < ticks; tick++) {
       if (this.#phase === 'running') {
-        this.#tick()
         moved = true
+        if (this.#stops.size > 0 && reachStop(this.#run, this.#stops)) this.#phase = 'paused'
+        else this.#tick()
       } else if (this.#phase !== 'paused') moved = this.#run.idle() || moved
     }
     return moved

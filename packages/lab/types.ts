@@ -137,10 +137,13 @@ export interface Lab {
   /** Goes on; from a moment of the past as `branch` says. */
   resume(): void
   /**
-   * `tick`: one tick · `block`: until the robot's next block is lit · `network`: until the next run of a net of it
+   * `tick`: one tick · `block`: until the robot's next block is lit · `over`: until the next one that is not inside the block
+   * of now · `network`: until the next run of a net of it
    * (running.md 10). In the past it shows what was, up to the present. `robot`: by its id, the first where none is named.
    */
   step(kind: StepKind, robot?: string): void
+  /** Blocks before which a run pauses, whosever they are. They change nothing in the run itself, and outlast it. */
+  setStops(blocks: readonly string[]): void
   /**
    * Lets time pass: the run, or a robot that is driven by hand while no program runs.
    * Returns whether anything can look different now.
@@ -178,4 +181,4 @@ export interface Lab {
   hash(): string
 }
 
-export type StepKind = 'tick' | 'block' | 'network'
+export type StepKind = 'tick' | 'block' | 'over' | 'network'

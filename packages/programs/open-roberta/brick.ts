@@ -1,5 +1,5 @@
 import type { Block } from '@botgarten/blocks'
-import { defaultConfig, placeFor } from '@botgarten/simulation'
+import { cardConfig, defaultConfig, placeFor } from '@botgarten/simulation'
 import type { MotorPort, RobotConfig, SensorKind, SensorPlace, SensorPort } from '@botgarten/simulation'
 import * as v from 'valibot'
 import type { Program } from '../types.ts'
@@ -49,15 +49,22 @@ const motorOf = ({ values }: Block, side: string) =>
   motorPorts.find((port) => values?.[`M${port}`]?.fields?.['MOTOR_DRIVE'] === side)
 
 function sensorsIn(brick: Block): RobotConfig['sensors'] {
-  let sensors: RobotConfig['sensors'] = {}
-  for (const port of sensorPorts) {
+  const found = sensorPorts.flatMap((port) => {
     const block = brick.values?.[`S${port}`]
     const kind = block && block.disabled !== true ? kindOf.get(block.type) : undefined
-    if (kind)
-      sensors = { ...sensors, [port]: placeIn(block!, kind) ?? placeFor(kind, { ...defaultConfig, sensors }) }
+    return block && kind ? [{ port, kind, place: placeIn(block, kind) }] : []
+  })
+  const eyes = found.filter(({ kind, place }) => kind === 'ultrasonic' && !place).map(({ port }) => port)
+  let sensors: RobotConfig['sensors'] = {}
+  for (const { port, kind, place } of found) {
+    const pair = eyes.length === 2 && eyes.includes(port) ? twoEyes[eyes.indexOf(port)] : undefined
+    sensors = { ...sensors, [port]: place ?? pair ?? placeFor(kind, { ...defaultConfig, sensors }) }
   }
   return sensors
 }
+
+/** Two eyes look to the left and to the right, as on the cards. */
+const twoEyes = [cardConfig.sensors[2], cardConfig.sensors[3]] as const
 
 const number = (most: number) => v.pipe(v.number(), v.minValue(-most), v.maxValue(most))
 const placeSchema = v.object({ x: number(50), y: number(50), angle: number(360) })

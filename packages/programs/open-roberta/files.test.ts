@@ -49,6 +49,11 @@ describe('the robot of a file', () => {
     expect(robotIn(withRobot(withRobot(empty, defaultConfig), robot).config)).toEqual(robot)
   })
 
+  it('has two eyes as on the cards where its file has two', () => {
+    const text = readFileSync(new URL('../thesis/friendship.xml', folder), 'utf8')
+    expect(robotIn(readOpenRoberta(text).config)).toEqual(cardConfig)
+  })
+
   it('keeps what this robot has no word for', () => {
     const program = readOpenRoberta(textOf('upstream__xNN__sensors_ht.xml'))
     const brick = program.config.stacks[0]!.blocks[0]!
