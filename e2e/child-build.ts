@@ -15,13 +15,13 @@ export class Builder {
 
   /** Opens the tools, and looks at all of the world. */
   async begins() {
-    await this.child.presses('build.build')
+    await this.child.presses('world.build')
     await expect(this.tool('build.addWall')).toBeVisible()
     await this.child.presses('world.all')
   }
 
   async ends() {
-    await this.child.presses('build.build')
+    await this.child.presses('world.build')
     await expect(this.tool('build.addWall')).toBeHidden()
   }
 

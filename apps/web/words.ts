@@ -3,16 +3,22 @@ import type { Plugin } from 'vite'
 
 type Tree = { readonly [key: string]: string | Tree }
 
-/** `content/words/<language>.json?table`: all words of one language, flat (`world.lost`). */
+/** Sections of words that only pages beside the lab need, and parts that a click asks for (`later.ts`). */
+const late = ['about', 'build', 'projects', 'robot', 'robots', 'share', 'tour']
+
+/** `content/words/<language>.json?first` and `?late`: words of one language, flat (`world.lost`). */
 const tables: Plugin = {
   name: 'tables-of-words',
   enforce: 'pre',
   load: {
-    filter: { id: /\.json\?table$/ },
+    filter: { id: /\.json\?(first|late)$/ },
     async handler(id) {
-      const file = id.split('?')[0]!
+      const [file, part] = id.split('?') as [string, string]
       this.addWatchFile(file)
-      const words = flat(JSON.parse(await readFile(file, 'utf8')) as Tree)
+      const all = Object.entries(JSON.parse(await readFile(file, 'utf8')) as Tree)
+      const words = flat(
+        Object.fromEntries(all.filter(([name]) => late.includes(name) === (part === 'late'))),
+      )
       // A string is read faster than an object of code.
       const code = `export default JSON.parse(${JSON.stringify(JSON.stringify(words))})`
       return { code, map: null, moduleType: 'js' }

@@ -189,7 +189,7 @@ for (const language of languages) {
     test('builds with the keyboard alone', async ({ child }) => {
       await child.opensLab('free')
       const builder = new Builder(child)
-      await child.tabsAndPresses('build.build')
+      await child.tabsAndPresses('world.build')
       await child.tabsAndPresses('build.addArea', { shape: child.word('build.rectangle') })
       const area = builder.all('build.area')
       await child.tabsTo(area)

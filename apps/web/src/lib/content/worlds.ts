@@ -1,4 +1,4 @@
-import { say } from '#lib/words/say.ts'
+import { isSaid } from '#lib/words/say.ts'
 import type { WorldFile } from '@botgarten/materials'
 
 const files = import.meta.glob<WorldFile>('../../../../../content/worlds/*/world.json', { import: 'default' })
@@ -7,7 +7,7 @@ const files = import.meta.glob<WorldFile>('../../../../../content/worlds/*/world
 export async function allWorlds(): Promise<readonly { readonly id: string; readonly world: WorldFile }[]> {
   const named = Object.entries(files).flatMap(([path, load]) => {
     const id = /([^/]+)\/world\.json$/.exec(path)![1]!
-    return say(`worldName.${id}`) === `worldName.${id}` ? [] : [{ id, load }]
+    return isSaid(`worldName.${id}`) ? [{ id, load }] : []
   })
   return Promise.all(named.map(async ({ id, load }) => ({ id, world: await load() })))
 }

@@ -1,3 +1,5 @@
+import { withWords } from '#lib/words/say.ts'
+
 type Parts = typeof import('./later.ts')
 export type RobotTool = 'build' | 'senses' | 'panel'
 
@@ -15,6 +17,6 @@ export class RobotTools {
   async show(tool: RobotTool, open: boolean): Promise<void> {
     if (open) this.#open = tool
     else if (this.#open === tool) this.#open = null
-    if (open) this.#parts ??= await import('./later.ts')
+    if (open) this.#parts ??= await withWords(import('./later.ts'))
   }
 }

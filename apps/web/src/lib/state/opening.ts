@@ -22,9 +22,7 @@ export interface Opened {
 export async function openLab(name: string, projectId: string | null): Promise<Opened | null> {
   const card = name === 'free' ? null : await loadCard(name)
   if (name !== 'free' && !card) return null
-  const fresh = card
-    ? cardProject(card.world, card.card, card.start, card.text['en']!.title)
-    : await loadFreeLab()
+  const fresh = card ? cardProject(card.world, card.card, card.start, card.card.id) : await loadFreeLab()
   const kept = await readKept(projectId ?? name)
   const project = kept.project ?? fresh
   const floor = await floorOf(project)

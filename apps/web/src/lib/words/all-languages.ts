@@ -1,5 +1,6 @@
 // For the tests: every language can be spoken at once.
 import { language } from './language.svelte.ts'
-import { fetchWords } from './say.ts'
+import { fetchLateWords, fetchWords } from './say.ts'
 
-await Promise.all(language.all.map((locale) => fetchWords(locale)))
+await Promise.all([fetchWords(), fetchLateWords()])
+for (const locale of [...language.all, 'en'] as const) await language.speak(locale)

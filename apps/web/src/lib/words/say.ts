@@ -6,24 +6,55 @@ type Facts = { readonly [name: string]: string | number }
 /** Says a message key; unknown keys come back as they are, so that a missing word is seen, not a crash. */
 export type Words = (key: string, facts?: Facts) => string
 
-const files = import.meta.glob<Table>('../../../../../content/words/*.json', {
-  query: '?table',
-  import: 'default',
-})
-const tables = new Map<Locale, Table>()
+const files = {
+  first: import.meta.glob<Table>('../../../../../content/words/*.json', {
+    query: '?first',
+    import: 'default',
+  }),
+  late: import.meta.glob<Table>('../../../../../content/words/*.json', { query: '?late', import: 'default' }),
+}
+type Part = keyof typeof files
+const tables = new Map<string, Table>()
 
-/** Brings the words of the language of now, or of another one, before anything is said in it. */
-export async function fetchWords(locale: Locale = language.locale): Promise<void> {
-  if (!tables.has(locale)) tables.set(locale, await files[`../../../../../content/words/${locale}.json`]!())
+async function fetchPart(part: Part, locale: Locale): Promise<void> {
+  const name = `${part} ${locale}`
+  if (!tables.has(name)) tables.set(name, await files[part][`../../../../../content/words/${locale}.json`]!())
 }
 
-language.needs(fetchWords)
+/** Brings the words of every page, in the language of now and in each that will be spoken: before anything is said. */
+export const fetchWords = (): Promise<void> => fetchAlways('first')
+
+/** Brings the words of what comes late, as `apps/web/words.ts` names it: before any of it is shown. */
+export const fetchLateWords = (): Promise<void> => fetchAlways('late')
+
+/** A part that comes late (`later.ts`), once its words have come too. */
+export const withWords = async <Part>(part: Promise<Part>): Promise<Part> =>
+  (await Promise.all([part, fetchLateWords()]))[0]
+
+const bringing = {
+  first: (locale: Locale) => fetchPart('first', locale),
+  late: (locale: Locale) => fetchPart('late', locale),
+}
+
+function fetchAlways(part: Part): Promise<void> {
+  language.needs(bringing[part])
+  return bringing[part](language.locale)
+}
+
+const find = (locale: Locale, key: string): string | undefined =>
+  tables.get(`first ${locale}`)?.[key] ?? tables.get(`late ${locale}`)?.[key]
+
+/** Is there a message of this key? */
+export const isSaid = (key: string): boolean => find(language.locale, key) !== undefined
 
 /** Words of a language that has been fetched. */
 export const wordsIn =
   (locale: Locale): Words =>
-  (key, facts = {}) =>
-    tables.get(locale)?.[key]?.replace(/\{(\w+)\}/g, (gap, name: string) => String(facts[name] ?? gap)) ?? key
+  (key, facts = {}) => {
+    const word = find(locale, key)
+    if (word === undefined) console.error(`No words for ${key} in ${locale}.`)
+    return word?.replace(/\{(\w+)\}/g, (gap, name: string) => String(facts[name] ?? gap)) ?? key
+  }
 
 /** Says a message in the language of now, also where its key is data (a check's, a finding's). */
 export const say: Words = (key, facts) => wordsIn(language.locale)(key, facts)

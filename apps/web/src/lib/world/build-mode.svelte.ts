@@ -1,3 +1,4 @@
+import { withWords } from '#lib/words/say.ts'
 import type { Desk } from '#lib/state/desk.svelte.ts'
 import type { Session } from '#lib/state/session.svelte.ts'
 import { Eye } from './eye.svelte.ts'
@@ -49,7 +50,7 @@ export class BuildMode {
 
   async #open(): Promise<Opened> {
     if (this.#shop) return this.#shop
-    const { openWorkshop } = await import('./building/later.ts')
+    const { openWorkshop } = await withWords(import('./building/later.ts'))
     this.#shop ??= await openWorkshop(this)
     return this.#shop
   }

@@ -1,25 +1,15 @@
 import { resolve } from '$app/paths'
 import { allCards, pictureOf, placeOf } from '#lib/content/cards.ts'
 import type { Kept } from '#lib/storage/database.ts'
-import * as m from '#lib/words/generated/messages.js'
+import { isSaid, say } from '#lib/words/say.ts'
 import type { BedCard, Level, RecentProject } from './home.ts'
 
-type Named = (facts?: object, options?: { locale: 'en' }) => string
-
-const names: { readonly [card: string]: Named } = {
-  forward: m['home.forward'],
-  square: m['home.square'],
-  stop: m['home.stop'],
-  chameleon: m['home.chameleon'],
-  friendship: m['home.friendship'],
-  fear: m['home.fear'],
-  free: m['home.free'],
-}
+const nameOf = (place: string): string | null => (isSaid(`home.${place}`) ? say(`home.${place}`) : null)
 
 /** The name of the card a project belongs to, in the language of now; null in the free lab. */
 export function cardName({ project }: Pick<Kept, 'project'>): string | null {
   const place = placeOf(project)
-  return place === 'free' ? null : (names[place]?.() ?? place)
+  return place === 'free' ? null : (nameOf(place) ?? place)
 }
 
 /** Where a project is opened; one under its card's own name is what the card's address opens. */
@@ -33,9 +23,8 @@ export function addressOf({ id, project }: Pick<Kept, 'id' | 'project'>): string
 /** A project that nobody has named is called like its card, in the language of now. */
 export function shownName({ id, project }: Pick<Kept, 'id' | 'project'>): string {
   const place = placeOf(project)
-  const own = names[place]
-  const unnamed = project.name === 'free' || (id === place && project.name === own?.({}, { locale: 'en' }))
-  return unnamed && own ? own() : project.name
+  const unnamed = project.name === 'free' || (id === place && project.name === place)
+  return (unnamed && nameOf(place)) || project.name
 }
 
 /** What lies on this device, as tiles that lead back to it. */
@@ -62,6 +51,6 @@ export const bedOf = (playground: 'drive' | 'network', kept: readonly Kept[]): B
     .filter((card) => card.playground === playground)
     .map(({ id }) => ({
       href: resolve('/lab/[card]', { card: id }),
-      label: names[id]?.() ?? id,
+      label: nameOf(id) ?? id,
       level: levelOf(id, kept),
     }))
