@@ -4,7 +4,7 @@ const mayKnow = {
   numbers: [],
   learning: ['numbers'],
   simulation: ['numbers'],
-  blocks: ['learning', 'simulation'],
+  blocks: ['learning', 'simulation', 'numbers'],
   programs: ['blocks', 'learning', 'simulation', 'numbers'],
   lab: ['programs', 'blocks', 'learning', 'simulation', 'numbers'],
   materials: ['lab', 'programs', 'blocks', 'learning', 'simulation', 'numbers'],

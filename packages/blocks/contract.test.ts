@@ -1,12 +1,27 @@
 import { readdirSync, readFileSync } from 'node:fs'
 import { describe, expect, it } from 'vitest'
-import { definitions, isBlockType, toolbox } from './index.ts'
+import { addBlocks, definitions, isBlockType } from './index.ts'
+import { expert, expertToolbox as toolbox } from './later.ts'
 import type { BlockType, Definition, Look, Template } from './index.ts'
 
 type Words = { readonly [key: string]: Words | string }
 
-const wordsOf = (language: string) =>
-  JSON.parse(readFileSync(new URL(`../../content/words/${language}.json`, import.meta.url), 'utf8')) as Words
+addBlocks(expert)
+
+const wordsIn = (file: string) =>
+  JSON.parse(readFileSync(new URL(`../../content/words/${file}.json`, import.meta.url), 'utf8')) as Words
+
+/** The words of the cards' blocks and of the expert pack, together. */
+function wordsOf(language: string): Words {
+  const words = wordsIn(language)
+  const more = wordsIn(`expert/${language}`)
+  const sections = Object.entries(more).map(([section, own]) => {
+    const doubled = Object.keys(own).filter((key) => Object.hasOwn((words[section] ?? {}) as object, key))
+    expect(doubled, `${section} in ${language}`).toEqual([])
+    return [section, { ...(words[section] as Words), ...(own as Words) }]
+  })
+  return { ...words, ...(Object.fromEntries(sections) as Words) }
+}
 
 const languages = ['en', 'de'].map((language) => [language, wordsOf(language)] as const)
 
@@ -27,7 +42,10 @@ function expectMessage(key: string, names?: readonly string[]) {
   }
 }
 
-const families = ['control', 'action', 'sensors', 'logic', 'math', 'text', 'network', 'q-learning']
+const families = [
+  ...['control', 'action', 'sensors', 'logic', 'math', 'text', 'lists', 'variables', 'functions', 'messages'],
+  ...['network', 'q-learning'],
+]
 const files = families.flatMap((family) =>
   readdirSync(new URL(family, import.meta.url))
     .filter((file) => !file.endsWith('.test.ts'))
@@ -79,6 +97,19 @@ describe.each(all)('%s', (_type, { look, words, neuron, example }) => {
     for (const key of look.rows) expectMessage(key, placeholders(message(english, key) ?? ''))
   })
 
+  it('writes what its fields say into its mutation, in the shape its inputs need', () => {
+    const { fields, inputs, branches, mutation = {} } = look
+    for (const { when } of inputs)
+      if (when && 'field' in when) expect(fields.map(({ name }) => name)).toContain(when.field)
+    for (const said of Object.values(mutation))
+      if (typeof said === 'object' && 'is' in said) {
+        const field = fields.find(({ name }) => name === said.field)
+        const values = field?.kind === 'choice' ? field.options.map(({ value }) => value) : []
+        for (const value of said.is) expect(values).toContain(value)
+      }
+    if (branches) expect(inputs.map(({ name }) => name)).toContain(`${branches.value}0`)
+  })
+
   it('has presets that are among its options, and words for each option', () => {
     for (const field of look.fields) {
       if (field.kind !== 'choice') continue
@@ -101,6 +132,7 @@ describe.each(all)('%s', (_type, { look, words, neuron, example }) => {
 
   it('gives a value exactly if it is a value block', () => {
     expect(look.output !== undefined).toBe(look.shape === 'value')
+    if (look.also) expect([look.shape, look.also.shape]).toEqual(['value', 'statement'])
   })
 
   it('has faces for every value that tells them apart, the first as it shows itself', () => {
@@ -142,15 +174,26 @@ const templates = (template: Template): Template[] => [
 ]
 
 describe('the toolbox', () => {
+  const old = [
+    ...['controls_repeat', 'robActions_display_picture', 'robActions_assert', 'robActions_debug'],
+    ...['robActions_brickLight_on', 'robActions_brickLight_off', 'robActions_brickLight_reset'],
+    ...['robSensors_getSample', 'robActions_eval_stmt', 'robActions_change_weight', 'robActions_change_bias'],
+    ...['robActions_inputneuron', 'robActions_outputneuron', 'robActions_outputneuron_wo_var'],
+  ]
+  const fromTheProgram = [
+    ...['robGlobalVariables_declare', 'robLocalVariables_declare', 'variables_get', 'variables_set'],
+    ...['robProcedures_callnoreturn', 'robProcedures_callreturn'],
+  ]
   const entries = toolbox.flatMap(({ blocks }) => blocks)
 
   it('offers every block', () => {
     const offered = new Set(entries.flatMap(templates).map(({ type }) => type))
-    expect([...offered].sort()).toEqual(Object.keys(definitions).sort())
+    const elsewhere = [...old, ...fromTheProgram]
+    expect([...offered, ...elsewhere].sort()).toEqual(Object.keys(definitions).sort())
   })
 
   it('has words for each category, in the order of the folders', () => {
-    expect(toolbox.map(({ category }) => category)).toEqual(families)
+    expect(toolbox.map(({ category }) => category)).toEqual(families.filter((name) => name !== 'variables'))
     for (const { category } of toolbox) expectMessage(`category.${category}`, [])
   })
 
@@ -163,7 +206,7 @@ describe('the toolbox', () => {
         expect(field, `${type}.${name}`).toBeDefined()
         if (field?.kind === 'choice') expect(field.options.map((option) => option.value)).toContain(value)
       }
-      const inputs = [...look.inputs.map(({ name }) => name), ...(look.items ? ['ADD0', 'ADD1'] : [])]
+      const inputs = [...look.inputs.map(({ name }) => name), ...(look.items ? ['ADD0', 'ADD1', 'ADD2'] : [])]
       for (const name of Object.keys(values)) expect(inputs).toContain(name)
     },
   )
@@ -178,7 +221,7 @@ describe('the words', () => {
       typeof value === 'string' ? [`${path}${name}`] : keys(value, `${path}${name}.`),
     )
 
-  it.each(['block', 'category', 'choice', 'neuron', 'problem'])(
+  it.each(['block', 'category', 'choice', 'neuron', 'problem', 'richer'])(
     'of %s are the same in both languages',
     (section) => {
       const own = (words: Words) => keys(words[section] as Words, '')
@@ -192,6 +235,7 @@ describe('the words', () => {
 
   it('belong to blocks that are there', () => {
     expect(Object.keys(english.block as Words).sort()).toEqual(Object.keys(definitions).sort())
+    expect(Object.keys(wordsIn('expert/en').block as Words).filter((type) => !(type in expert))).toEqual([])
   })
 
   it('use every choice', () => {

@@ -1,4 +1,4 @@
-import type { BlockType } from './block-type.ts'
+import type { BlockType, CoreType } from './block-type.ts'
 import { actions_bricklight_off_ev3 } from './action/actions_bricklight_off_ev3.ts'
 import { actions_bricklight_on_ev3 } from './action/actions_bricklight_on_ev3.ts'
 import { robActions_display_clear } from './action/robActions_display_clear.ts'
@@ -54,8 +54,8 @@ import { robSensors_ultrasonic_getSample } from './sensors/robSensors_ultrasonic
 import { text } from './text/text.ts'
 import type { Definition } from './types.ts'
 
-/** Every block of the language; a name of `BlockType` without its definition does not compile. */
-export const definitions: { readonly [T in BlockType]: Definition } = {
+/** What the cards need; a name of `CoreType` without its definition does not compile. */
+const core: { readonly [T in CoreType]: Definition } = {
   robControls_start,
   robControls_loopForever,
   controls_repeat_ext,
@@ -111,5 +111,16 @@ export const definitions: { readonly [T in BlockType]: Definition } = {
   ai_q_drive_the_best_way,
 }
 
-/** Is it a block this version knows? Files may hold others; they are kept and cannot run. */
+/**
+ * The blocks that are loaded, by type: what the cards need at once, the whole language after `addBlocks(expert)`
+ * (`@botgarten/blocks/later`). Ask `isBlockType` before a look-up.
+ */
+export const definitions: { readonly [T in BlockType]: Definition } = { ...core } as never
+
+/** Makes more of the language known, in place. */
+export function addBlocks(more: { readonly [type: string]: Definition }): void {
+  Object.assign(definitions, more)
+}
+
+/** Is it a block that is loaded? Files may hold others; they are kept and cannot run. */
 export const isBlockType = (type: string): type is BlockType => Object.hasOwn(definitions, type)

@@ -16,3 +16,9 @@ export function blockFrom(template: Template, freshId: () => string): Block {
     }),
   }
 }
+
+/** An example's blocks as stacks: each function stands alone, the others follow each other. */
+export function stacksOf(example: readonly Template[]): readonly (readonly Template[])[] {
+  const alone = (template: Template) => /^robProcedures_def/.test(template.type)
+  return [example.filter((template) => !alone(template)), ...example.filter(alone).map((block) => [block])]
+}

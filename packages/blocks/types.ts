@@ -53,11 +53,10 @@ export type Order =
   | { readonly order: 'text'; readonly text: string; readonly level: number }
   | { readonly order: 'sound'; readonly level: number }
 
+/** Types of Open Roberta's blocks as its files name them; of the network's parts ours. */
 export type ValueType =
-  | 'Number'
-  | 'String'
-  | 'Boolean'
-  | 'Colour'
+  | PlainType
+  | ListType
   | 'InputNode'
   | 'OutputNode'
   | 'InputLayer'
@@ -65,6 +64,8 @@ export type ValueType =
   /** A road that is closed, and a list of them. */
   | 'Obstacle'
   | 'ObstacleList'
+export type PlainType = 'Number' | 'String' | 'Boolean' | 'Colour' | 'Connection'
+export type ListType = `Array_${PlainType}`
 
 // ---- what a block may touch ----
 
@@ -77,7 +78,23 @@ export interface Robot {
   /** Has the last move with `degrees` ended? */
   arrived(): boolean
   stop(): void
-  led(colour: LedColour | null): void
+  /** Percent a motor is set to. */
+  power(port: MotorPort): Percent
+  /** Turns one motor so far (degrees ≥ 0); it stops by itself. */
+  turn(port: MotorPort, percent: Percent, degrees: Degrees): void
+  /** Has the motor's last turn ended? */
+  turned(port: MotorPort): boolean
+  /** `blink` not given: it stays on. */
+  led(colour: LedColour | null, blink?: 'flash' | 'double'): void
+  /** A picture in place of all that is on the display, by Open Roberta's name. */
+  picture(name: string): void
+  /** 0..100 */
+  volume(): Percent
+  setVolume(percent: Percent): void
+  /** `speed`, `pitch`: 0..100. */
+  say(text: string, speed: Percent, pitch: Percent): void
+  /** Language of what is said, by Open Roberta's name. */
+  language(name: string): void
   /** Replaces what stands in `row` (0..) from `column` on. */
   display(row: number, column: number, text: string): void
   clearDisplay(): void
@@ -97,12 +114,79 @@ export interface Robot {
   readonly trackWidth: number
 }
 
-export interface Context {
+/** What a program is run on. */
+export interface Host {
   readonly robot: Robot
   /** Seconds of simulated time since the run began. */
   readonly now: Seconds
   /** One run of the brain that belongs to the network block with this id. */
-  think(networkId: string, inputs: readonly number[]): readonly number[]
+  readonly think: (networkId: string, inputs: readonly number[]) => readonly number[]
+  /** The brain under this id, with the weights this robot drives with. */
+  readonly brain?: (id: string) => HostBrain | undefined
+  /** Other robots of the same world. Not given: there are none. */
+  readonly mail?: Mail
+}
+
+/** As much of a brain as blocks look at: neurons' names and biases by layer from the inputs on, weights by name. */
+export interface HostBrain {
+  readonly layers: readonly (readonly { readonly id: string; readonly bias: number }[])[]
+  readonly weights: { readonly [from: string]: { readonly [to: string]: number } }
+}
+
+/** Messages between robots. A robot is named by its id in the world. */
+export interface Mail {
+  /** The id of another robot that goes by this name; null where there is none. */
+  find(name: string): string | null
+  send(to: string, letter: Omit<Letter, 'from'>): void
+}
+
+/** What lies in a robot's letter box. `call`: a robot wants to be connected. */
+export interface Letter {
+  readonly from: string
+  readonly kind: 'call' | 'text'
+  readonly text: string
+}
+
+/** What a block may touch while it runs. */
+export interface Context extends Host {
+  readonly memory: Memory
+}
+
+/** What the program itself remembers: it belongs to the thread. */
+export interface Memory {
+  /** undefined where no variable of this name is there. */
+  get(name: string): Value | undefined
+  /** Sets the variable where it was made; false where there is none of this name. */
+  set(name: string, value: Value): boolean
+  /** Makes a variable: of the function that runs, else of the whole program. */
+  make(name: string, value: Value): void
+  /** Uniform in [0, 1), from the run's seed. */
+  random(): number
+  /** The two values that were compared last, for assertions. */
+  compared: readonly [Value, Value] | null
+  assert(assertion: Assertion): void
+  debug(block: string, text: string): void
+  /** Id of the block that carries the network of the `robActions_NNstep` family. */
+  readonly networkId: string
+  net(): NetMemory
+  letters(): Letter[]
+}
+
+/** What a block `robActions_assert` found out. `expected`, `got`: texts of the two values of a comparison, else of the truth. */
+export interface Assertion {
+  readonly id: string
+  readonly text: string
+  readonly expected: string
+  readonly got: string
+  readonly passed: boolean
+}
+
+/** The network of the `robActions_NNstep` family while it runs: what blocks have changed of its brain. By neurons' names. */
+export interface NetMemory {
+  inputs: { [name: string]: number }
+  outputs: { [name: string]: number }
+  weights: { [from: string]: { [to: string]: number } }
+  biases: { [name: string]: number }
 }
 
 // ---- how a block runs: data in, data out ----
@@ -123,8 +207,14 @@ export type Next =
   | { readonly next: 'value'; readonly input: string; readonly given?: readonly Value[] }
   /** Carry out the blocks in a statement input, then come back. */
   | { readonly next: 'statements'; readonly input: string }
-  /** This block is done; a value block hands up its value. */
-  | { readonly next: 'done'; readonly value?: Value }
+  /** This block is done; a value block hands up its value. `cost`: blocks of the tick's budget it took besides its own. */
+  | { readonly next: 'done'; readonly value?: Value; readonly cost?: number }
+  /** Carry out a function of the program; what it gives is added to `got`. */
+  | { readonly next: 'call'; readonly name: string; readonly args: readonly Value[] }
+  /** Leave the function that runs. */
+  | { readonly next: 'return'; readonly value?: Value }
+  /** Leave the innermost loop, or its pass. */
+  | { readonly next: 'leave'; readonly how: 'loop' | 'pass' }
   /** Come back to this frame in the same tick (a loop's back edge: running.md 3). */
   | { readonly next: 'again' }
   /** Come back in a later tick. */
@@ -136,7 +226,19 @@ export type Facts = { readonly [name: string]: string | number }
 
 // ---- one block, one file ----
 
-export type Category = 'control' | 'action' | 'sensors' | 'logic' | 'math' | 'text' | 'network' | 'q-learning'
+export type Category =
+  | 'control'
+  | 'action'
+  | 'sensors'
+  | 'logic'
+  | 'math'
+  | 'text'
+  | 'lists'
+  | 'variables'
+  | 'functions'
+  | 'messages'
+  | 'network'
+  | 'q-learning'
 
 export type FieldLook =
   | {
@@ -147,7 +249,15 @@ export type FieldLook =
       readonly max?: number
       readonly step?: number
     }
-  | { readonly name: string; readonly kind: 'text'; readonly preset: string }
+  | { readonly name: string; readonly kind: 'text'; readonly preset: string; readonly long?: true }
+  /** A name of the program: the block makes such a thing, or uses one that is there. */
+  | {
+      readonly name: string
+      readonly kind: 'name'
+      readonly of: 'variable' | 'function' | 'neuron'
+      readonly makes?: true
+      readonly preset: string
+    }
   /** A drop-down. `words` of an option: a message key, or null where the value itself is shown ("2", "C"). `dot`: a colour shown as a ringed dot. */
   | {
       readonly name: string
@@ -171,26 +281,80 @@ export type InputLook =
       readonly accepts: readonly ValueType[]
       /** The block runs without it, or says itself what is missing. */
       readonly optional?: true
+      /** Names a variable that the block writes to: a variable block must stand here and is not asked. */
+      readonly target?: true
+      readonly when?: When
     }
-  | { readonly name: string; readonly kind: 'statements' }
+  | {
+      readonly name: string
+      readonly kind: 'statements'
+      /** Declarations stand here: variables of the program, or a function's parameters. */
+      readonly holds?: 'variables' | 'parameters'
+      readonly when?: When
+    }
+
+/** A part is there only while a field, or an attribute of the mutation, says one of these. */
+export type When =
+  | { readonly field: string; readonly is: readonly string[] }
+  | { readonly attribute: string; readonly is: readonly string[] }
 
 /** Shape as data. No functions, no sentences, no colours written out. */
 export interface Look {
   readonly category: Category
-  /** hat: starts a program · statement: has a row before and after · value: is plugged in. */
-  readonly shape: 'hat' | 'statement' | 'value'
-  readonly output?: ValueType
+  /** hat: starts a program · statement: has a row before and after · value: is plugged in · function: stands alone. */
+  readonly shape: Shape
+  /** What a value block gives; 'any': what fits (nothing, a list's entry before it is known). */
+  readonly output?: ValueType | 'any'
+  /** The block has another shape while `when` holds. */
+  readonly also?: { readonly shape: Shape; readonly when: When }
+  readonly typed?: Typed
   readonly icon?: 'play' | 'network' | 'repeat' | 'map' | 'gear'
   readonly fields: readonly FieldLook[]
   readonly inputs: readonly InputLook[]
   /** A list that grows: `items` rows `ADD0…`, each with its own minus, a plus at the foot (mutation `items`). */
-  readonly items?: { readonly prefix: 'ADD'; readonly min: number; readonly max: number }
+  readonly items?: {
+    readonly prefix: 'ADD'
+    readonly min: number
+    readonly max: number
+    /** Where faces do not say it. */
+    readonly accepts?: readonly ValueType[]
+    readonly fresh?: Template
+  }
+  /** More ways of a decision or a wait: `IF1`, `DO1`, …, as many as the attribute of the mutation says. */
+  readonly branches?: {
+    readonly attribute: 'elseif' | 'wait'
+    readonly value: 'IF' | 'WAIT'
+    readonly most: number
+  }
+  /** Holes `ARG0`, …, one for each parameter of the function that is called (mutation's `args`). */
+  readonly args?: true
   /** Message keys, one a row of the block; `{NAME}` in the message is where a field, an input or the {ICON} stands. */
   readonly rows: readonly string[]
   /** What the block always writes into its mutation besides `items`: a constant, or what one of its fields says. */
-  readonly mutation?: { readonly [attribute: string]: string | { readonly field: string } }
+  readonly mutation?: { readonly [attribute: string]: Said }
   /** Faces of one type, told apart by a field or an attribute of the mutation. The look itself shows the preset's face. */
   readonly faces?: Faces
+}
+
+/** A constant · what a field says · 'true' while a field says one of these, else 'false'. */
+type Said = string | { readonly field: string } | { readonly field: string; readonly is: readonly string[] }
+
+export type Shape = 'hat' | 'statement' | 'value' | 'function'
+
+/**
+ * The block's type of value is chosen, in a field or in an attribute of its mutation, or follows what is plugged in.
+ * `list`: the list type of it.
+ */
+export interface Typed {
+  readonly by:
+    | { readonly field: string }
+    | { readonly attribute: string }
+    /** As the block in this input gives, or as its list's entries. */
+    | { readonly input: string; readonly entry?: true }
+  readonly preset: ValueType
+  readonly output?: 'type' | 'list'
+  readonly inputs?: { readonly [name: string]: 'type' | 'list' }
+  readonly items?: 'type'
 }
 
 export interface Faces {
@@ -199,7 +363,7 @@ export interface Faces {
 }
 
 export interface Face {
-  readonly output: ValueType
+  readonly output: ValueType | 'any'
   /** Form of the plug; round where nothing is said. */
   readonly plug?: 'pointed' | 'round'
   /** Colour of the plug and of the list's edge. */
@@ -254,6 +418,9 @@ export interface CheckContext {
   readonly sensors: { readonly [port in SensorPort]?: { readonly kind: SensorKind } }
 }
 
+/** What a check finds at a block. */
+export type CheckFinding = Omit<Finding, 'block'> & { readonly block?: string }
+
 export interface Definition {
   readonly type: string
   readonly look: Look
@@ -261,11 +428,14 @@ export interface Definition {
   readonly words: { readonly help: string; readonly name: string }
   readonly neuron?: NeuronLook
   /** Where a finding names no block, this one is meant. */
-  check?(
+  check?(block: Block, context: CheckContext): readonly CheckFinding[]
+  /** Blocks that are written in the block as text: they stand in its inputs. An error is a key of the section `problem`. */
+  written?(
     block: Block,
-    context: CheckContext,
-  ): readonly (Omit<Finding, 'block'> & { readonly block?: string })[]
+  ): { readonly values: { readonly [input: string]: Block } } | { readonly error: CheckFinding }
   run(block: Block, frame: Frame, context: Context): Next
+  /** A loop: "leave the loop" ends it. */
+  readonly loops?: true
   /** Does it sense, drive, show, sound or run a net? (running.md 3) */
   readonly acts: boolean
   /** A whole small program around the block that runs, for help and for the contract tests. */

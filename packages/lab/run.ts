@@ -6,6 +6,7 @@ import { observe, watch, type Watch } from './checks/checks.ts'
 import { withHandOnKeys } from './inputs/keys.ts'
 import { repeats } from './inputs/repeats.ts'
 import type { Brains } from './robots/brains.ts'
+import { mailOf } from './robots/mail.ts'
 import { robotRun, type RobotRun } from './robots/run.ts'
 import { poseIn, type Course, type Moment } from './timeline/moment.ts'
 import { shared } from './timeline/shared.ts'
@@ -49,7 +50,15 @@ export class Run {
     this.starts = Object.fromEntries(world.obstacles.map(({ id, pose }) => [id, pose]))
     this.checks = checks
     this.watches = watch(checks)
-    this.robots = simulation.world.robots.map((_, index) => robotRun(simulation, index, programs, brains))
+    this.robots = simulation.world.robots.map((_, index) =>
+      robotRun(
+        simulation,
+        index,
+        programs,
+        brains,
+        mailOf(index, () => this.robots),
+      ),
+    )
     this.tracks = this.robots.map(newTrack)
     if (before) this.#goOnFrom(before)
     this.#timeline.keep(this.moment())

@@ -1,6 +1,16 @@
-import type { Block, Finding, Frame, NeuronLook, Value } from '@botgarten/blocks'
+import type {
+  Assertion,
+  Block,
+  Finding,
+  Frame,
+  Letter,
+  NetMemory,
+  NeuronLook,
+  Value,
+} from '@botgarten/blocks'
 import type { Brain } from '@botgarten/learning/neural-network'
 import type { Settings } from '@botgarten/learning/q-learning'
+import type { StreamState } from '@botgarten/numbers'
 import type { World } from '@botgarten/simulation'
 
 export interface Stack {
@@ -39,7 +49,30 @@ export interface Thread {
   /** Seconds of the tick that is over for this thread; running it again in that tick does nothing. */
   overAt: number
   ended: boolean
+  /** Variables by name: first those of the program, then of each function that is being carried out. */
+  scopes: Scope[]
+  /** The stream of the program's random numbers. */
+  random: StreamState
+  /** What blocks of the `robActions_NNstep` family have done. */
+  net: NetMemory
+  /** Letters of other robots that nobody has read yet. */
+  letters: Letter[]
+  assertions: Assertions
+  /** What `robActions_debug` said last, newest at the end. */
+  notes: { readonly block: string; readonly text: string }[]
   problem: (Finding & { readonly stops: true }) | null
+}
+
+export interface Scope {
+  [variable: string]: Value
+}
+
+/** What blocks `robActions_assert` found out. Of those that failed the first hundred are kept. */
+export interface Assertions {
+  passed: number
+  /** How many did not hold. */
+  wrong: number
+  failed: Assertion[]
 }
 
 /** A network block and its neurons, read from the blocks. */

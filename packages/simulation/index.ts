@@ -8,11 +8,17 @@ export {
   clearDisplay,
   display,
   freshRobot,
+  motorTurned,
+  say,
+  setLanguage,
   setLed,
   setMotor,
+  setVolume,
+  showPicture,
   startMove,
   stopMotors,
   tone,
+  turnMotor,
 } from './body/verbs.ts'
 export { cardConfig, defaultConfig } from './configs.ts'
 export { COLOURS, colourOf } from './floor/colours.ts'

@@ -13,7 +13,7 @@ export function startState(world: World, seed: number): SimulationState {
 }
 
 function startRobot(pose: Pose): RobotState {
-  const motor = () => ({ percent: 0, turned: 0 })
+  const motor = () => ({ percent: 0, turned: 0, left: null })
   const heading = radiansOf(pose.heading)
   return {
     x: pose.x,
@@ -22,8 +22,13 @@ function startRobot(pose: Pose): RobotState {
     motors: { A: motor(), B: motor(), C: motor(), D: motor() },
     move: null,
     led: null,
+    blink: null,
+    picture: null,
     display: [],
     tone: null,
+    volume: 50,
+    language: '',
+    speech: null,
     touching: [],
     spin: 0,
     gyroZero: { '1': heading, '2': heading, '3': heading, '4': heading },
@@ -55,6 +60,7 @@ function copyRobot(robot: RobotState): RobotState {
     move: robot.move && { ...robot.move },
     display: [...robot.display],
     tone: robot.tone && { ...robot.tone },
+    speech: robot.speech && { ...robot.speech },
     touching: [...robot.touching],
     gyroZero: { ...robot.gyroZero },
     timers: [...robot.timers],

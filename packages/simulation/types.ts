@@ -113,15 +113,25 @@ export interface RobotState {
   x: Cm
   y: Cm
   heading: Radians
-  /** Set speed of each motor in percent, and how far it has turned in degrees. */
-  motors: { [port in MotorPort]: { percent: Percent; turned: Degrees } }
+  /** Set speed of each motor in percent, how far it has turned in degrees, and how far it still has to turn (null: until set again). */
+  motors: { [port in MotorPort]: { percent: Percent; turned: Degrees; left: Degrees | null } }
   /** A move that ends by itself: what is left for the two wheels, in degrees of wheel turning, both ≥ 0. */
   move: { left: Degrees; right: Degrees } | null
   led: LedColour | null
+  /** How the lamp blinks; null: it stays on. */
+  blink: 'flash' | 'double' | null
+  /** A picture on the display in place of its rows, by Open Roberta's name. */
+  picture: string | null
   /** Rows of the display, 0 at the top. */
   display: string[]
   /** The tone that sounds now. `untilTick` null = until it is changed. */
   tone: { frequency: Hertz; untilTick: number | null } | null
+  /** 0..100 */
+  volume: Percent
+  /** Language it speaks, by Open Roberta's name; '' = that of the page. */
+  language: string
+  /** What it said last, with the tick in which it began; `speed`, `pitch` 0..100. */
+  speech: { text: string; language: string; speed: Percent; pitch: Percent; tick: number } | null
   /** Ids of the obstacles and robots that the body touched in the last tick, and 'edge' for the floor's. */
   touching: string[]
   /** Radians a second that it has turned by in the last tick, counter-clockwise. */

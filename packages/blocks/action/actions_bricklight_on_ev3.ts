@@ -1,16 +1,10 @@
-import type { LedColour } from '@botgarten/simulation'
 import { start } from '../parts/examples.ts'
 import { field } from '../parts/fields.ts'
 import { choice, hidden, rows, worded, words } from '../parts/looks.ts'
-import { done, fail } from '../parts/next.ts'
+import { lampOn } from '../parts/lamps.ts'
 import type { Definition } from '../types.ts'
 
 const type = 'actions_bricklight_on_ev3'
-const lamps: ReadonlyMap<string, LedColour> = new Map([
-  ['GREEN', 'green'],
-  ['ORANGE', 'orange'],
-  ['RED', 'red'],
-])
 
 export const actions_bricklight_on_ev3: Definition = {
   type,
@@ -30,11 +24,7 @@ export const actions_bricklight_on_ev3: Definition = {
   },
   words: words(type),
   acts: true,
-  run(block, _frame, { robot }) {
-    const lamp = lamps.get(field(block, 'COLOUR', 'GREEN'))
-    if (lamp === undefined) return fail('unknownChoice')
-    robot.led(lamp)
-    return done
-  },
+  run: (block, _frame, { robot }) =>
+    lampOn(robot, field(block, 'COLOUR', 'GREEN'), field(block, 'MODE', 'ON')),
   example: [start, { type, fields: { COLOUR: 'GREEN', MODE: 'ON' } }],
 }

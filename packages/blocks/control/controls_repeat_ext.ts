@@ -20,6 +20,7 @@ export const controls_repeat_ext: Definition = {
   },
   words: words(type),
   acts: false,
+  loops: true,
   /** Stages: 0 asks how often, 1 begins a pass, 2 ends one. `counter`: passes that have begun. */
   run(_block, frame) {
     if (frame.stage === 0) {

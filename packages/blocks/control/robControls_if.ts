@@ -13,6 +13,7 @@ export const robControls_if: Definition = {
     shape: 'statement',
     fields: [],
     inputs: [value('IF0', 'Boolean'), statements('DO0')],
+    branches: { attribute: 'elseif', value: 'IF', most: 30 },
     rows: rows(type, 2),
   },
   words: words(type),

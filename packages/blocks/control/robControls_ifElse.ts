@@ -14,6 +14,7 @@ export const robControls_ifElse: Definition = {
     fields: [],
     inputs: [value('IF0', 'Boolean'), statements('DO0'), statements('ELSE')],
     mutation: { else: '1' },
+    branches: { attribute: 'elseif', value: 'IF', most: 30 },
     rows: rows(type, 4),
   },
   words: words(type),

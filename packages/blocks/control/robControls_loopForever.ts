@@ -18,6 +18,7 @@ export const robControls_loopForever: Definition = {
   },
   words: words(type),
   acts: false,
+  loops: true,
   run(_block, frame) {
     frame.stage = 1 - frame.stage
     return frame.stage === 1 ? body : again

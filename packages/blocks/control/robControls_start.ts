@@ -1,9 +1,10 @@
 import { number, show, start } from '../parts/examples.ts'
 import { hidden, rows, words } from '../parts/looks.ts'
-import { done } from '../parts/next.ts'
+import { carryOut, done } from '../parts/next.ts'
 import type { Definition } from '../types.ts'
 
 const type = 'robControls_start'
+const variables = carryOut('ST')
 
 export const robControls_start: Definition = {
   type,
@@ -12,12 +13,15 @@ export const robControls_start: Definition = {
     shape: 'hat',
     icon: 'play',
     fields: [hidden('DEBUG', 'FALSE')],
-    inputs: [],
+    inputs: [
+      { name: 'ST', kind: 'statements', holds: 'variables', when: { attribute: 'declare', is: ['true'] } },
+    ],
     mutation: { declare: 'false' },
     rows: rows(type, 1),
   },
   words: words(type),
   acts: false,
-  run: () => done,
+  /** Variables of the program stand in ST (mutation `declare` true); their own type is in the expert pack. */
+  run: (_block, frame) => (frame.stage++ === 0 ? variables : done),
   example: [start, show(number(1))],
 }

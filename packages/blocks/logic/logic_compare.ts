@@ -3,10 +3,12 @@ import { isColour } from '../parts/colours.ts'
 import { field } from '../parts/fields.ts'
 import { choice, rows, value, worded, words } from '../parts/looks.ts'
 import { ask, fail, give } from '../parts/next.ts'
+import { same } from '../parts/same.ts'
 import { afterAsking } from '../parts/steps.ts'
 import type { Definition, Next, Value } from '../types.ts'
 
 const type = 'logic_compare'
+const comparable = ['Number', 'Colour', 'Boolean', 'String', 'Connection'] as const
 
 const orders: ReadonlyMap<string, (a: number, b: number) => boolean> = new Map([
   ['EQ', (a, b) => a === b],
@@ -17,16 +19,21 @@ const orders: ReadonlyMap<string, (a: number, b: number) => boolean> = new Map([
   ['GTE', (a, b) => a >= b],
 ])
 
-function compareColours(operator: string, a: string, b: string): Next {
-  if (operator !== 'EQ' && operator !== 'NEQ') return fail('coloursHaveNoOrder')
-  return give((a.toUpperCase() === b.toUpperCase()) === (operator === 'EQ'))
-}
+const isText = (value: Value | undefined): value is string => typeof value === 'string'
 
+/** Texts, truths, colours and lists are equal or not; only numbers have an order. */
 function compare(operator: string, a: Value | undefined, b: Value | undefined): Next {
-  if (isColour(a) && isColour(b)) return compareColours(operator, a, b)
-  if (typeof a !== 'number' || typeof b !== 'number') return fail('cannotCompare')
   const order = orders.get(operator)
-  return order === undefined ? fail('unknownChoice') : give(order(a, b))
+  if (order === undefined) return fail('unknownChoice')
+  if (typeof a === 'number' && typeof b === 'number') return give(order(a, b))
+  if (operator === 'EQ' || operator === 'NEQ') return give(same(a, b) === (operator === 'EQ'))
+  return fail(
+    isColour(a) && isColour(b)
+      ? 'coloursHaveNoOrder'
+      : isText(a) && isText(b)
+        ? 'textsHaveNoOrder'
+        : 'cannotCompare',
+  )
 }
 
 export const logic_compare: Definition = {
@@ -45,14 +52,16 @@ export const logic_compare: Definition = {
         worded('GTE', 'greaterOrEqual'),
       ]),
     ],
-    inputs: [value('A', 'Number', 'Colour'), value('B', 'Number', 'Colour')],
+    inputs: [value('A', ...comparable), value('B', ...comparable)],
     rows: rows(type, 1),
   },
   words: words(type),
   acts: false,
-  run: afterAsking([ask('A'), ask('B')], (frame, _context, block) =>
-    compare(field(block, 'OP', 'EQ'), frame.got[0], frame.got[1]),
-  ),
+  run: afterAsking([ask('A'), ask('B')], (frame, { memory }, block) => {
+    const [a = null, b = null] = frame.got
+    memory.compared = [a, b]
+    return compare(field(block, 'OP', 'EQ'), a, b)
+  }),
   example: [
     start,
     {

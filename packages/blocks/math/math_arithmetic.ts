@@ -1,10 +1,10 @@
 import { number, show, start } from '../parts/examples.ts'
 import { field } from '../parts/fields.ts'
 import { choice, rows, value, worded, words } from '../parts/looks.ts'
-import { ask, fail, give } from '../parts/next.ts'
-import { numberAt } from '../parts/numbers.ts'
+import { ask, fail } from '../parts/next.ts'
+import { finite, numberAt } from '../parts/numbers.ts'
 import { afterAsking } from '../parts/steps.ts'
-import type { Definition, Next } from '../types.ts'
+import type { Definition, Frame, Next } from '../types.ts'
 
 const type = 'math_arithmetic'
 
@@ -15,12 +15,13 @@ const operations: ReadonlyMap<string, (a: number, b: number) => number> = new Ma
   ['DIVIDE', (a, b) => a / b],
 ])
 
-function calculate(operator: string, a: number, b: number): Next {
+function calculate(operator: string, frame: Frame): Next {
+  const a = numberAt(frame, 0)
+  const b = numberAt(frame, 1)
   if (operator === 'DIVIDE' && b === 0) return fail('divisionByZero')
   const operation = operations.get(operator)
   if (operation === undefined) return fail('unknownChoice')
-  const result = operation(a, b)
-  return Number.isFinite(result) ? give(result + 0) : fail('tooBigNumber')
+  return finite(operation(a, b), frame)
 }
 
 export const math_arithmetic: Definition = {
@@ -43,7 +44,7 @@ export const math_arithmetic: Definition = {
   words: words(type),
   acts: false,
   run: afterAsking([ask('A'), ask('B')], (frame, _context, block) =>
-    calculate(field(block, 'OP', 'ADD'), numberAt(frame, 0), numberAt(frame, 1)),
+    calculate(field(block, 'OP', 'ADD'), frame),
   ),
   example: [start, show({ type, fields: { OP: 'MULTIPLY' }, values: { A: number(6), B: number(7) } })],
 }

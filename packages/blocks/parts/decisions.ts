@@ -1,15 +1,32 @@
 import type { Definition, Next } from '../types.ts'
 import { ask, carryOut, done } from './next.ts'
 
-const condition = ask('IF0')
-const then = carryOut('DO0')
+interface Way {
+  readonly ask: Next
+  readonly carryOut: Next
+}
 
-/** Asks for the condition, carries out one of the two ways, and is done. `otherwise`: what happens when it is not true. */
+const ways: Way[] = []
+
+function wayAt(k: number): Way {
+  while (ways.length <= k) ways.push({ ask: ask(`IF${ways.length}`), carryOut: carryOut(`DO${ways.length}`) })
+  return ways[k] ?? { ask: done, carryOut: done }
+}
+
+/**
+ * Asks its conditions (mutation `elseif`: how many more than one) until one is true, carries out that way, and is done.
+ * `otherwise`: what happens when none is true.
+ */
 export const decide =
   (otherwise: Next): Definition['run'] =>
-  (_block, frame) => {
-    const stage = frame.stage++
-    if (stage === 0) return condition
-    if (stage === 1) return frame.got[0] === true ? then : otherwise
-    return done
+  (block, frame) => {
+    const asked = frame.stage
+    if (asked < 0) return done
+    const holds = asked > 0 && frame.got[asked - 1] === true
+    if (!holds && asked < 1 + (Number(block.mutation?.attrs.elseif) || 0)) {
+      frame.stage++
+      return wayAt(asked).ask
+    }
+    frame.stage = -1
+    return holds ? wayAt(asked - 1).carryOut : otherwise
   }

@@ -16,3 +16,9 @@ export function speedOf(frame: Frame, block: Block): number {
   const speed = percent(numberAt(frame, 0))
   return secondWays.has(field(block, 'DIRECTION')) ? 0 - speed : speed
 }
+
+/** The first two values as percent of the wheels, negative where the field says backward. Never −0. */
+export function speedsOf(frame: Frame, block: Block): { readonly left: number; readonly right: number } {
+  const sign = secondWays.has(field(block, 'DIRECTION')) ? -1 : 1
+  return { left: percent(numberAt(frame, 0)) * sign + 0, right: percent(numberAt(frame, 1)) * sign + 0 }
+}

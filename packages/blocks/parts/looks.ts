@@ -1,6 +1,6 @@
 import type { Colour } from '@botgarten/simulation'
 import type { BlockType } from '../block-type.ts'
-import type { FieldLook, InputLook, ValueType } from '../types.ts'
+import type { FieldLook, InputLook, ValueType, When } from '../types.ts'
 
 type Options = Extract<FieldLook, { kind: 'choice' }>['options']
 
@@ -26,7 +26,7 @@ export const worded = (value: string, words: string, dot?: Colour) => ({
   words: `choice.${words}`,
   ...(dot === undefined ? {} : { dot }),
 })
-const plain = (value: string) => ({ value, words: null })
+export const plain = (value: string) => ({ value, words: null })
 
 export const sensorPort = (preset: string) => choice('SENSORPORT', ['1', '2', '3', '4'].map(plain), preset)
 /** Which motor's encoder; Open Roberta calls that a sensor's port, too. */
@@ -39,3 +39,13 @@ export const rows = (type: BlockType, count: number): readonly string[] =>
   Array.from({ length: count }, (_, k) => `block.${type}.row${k}`)
 
 export const words = (type: BlockType) => ({ help: `block.${type}.help`, name: `block.${type}.name` })
+
+export const number = (name: string) => value(name, 'Number')
+
+/** A value input that is there only while a field or an attribute says so. */
+export const valueWhen = (name: string, when: When, ...accepts: readonly ValueType[]): InputLook => ({
+  name,
+  kind: 'value',
+  accepts,
+  when,
+})

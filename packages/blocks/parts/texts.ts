@@ -5,7 +5,8 @@ import { colours, isColour } from './colours.ts'
 export const nothing = '∅'
 
 /** At most four places after a decimal point, no zeros at the end, no minus before 0. */
-const numberText = (x: number): string => String(Number(x.toFixed(4)) + 0)
+const numberText = (x: number): string =>
+  Number.isFinite(x) ? String(Number(x.toFixed(4)) + 0) : x > 0 ? '∞' : '-∞'
 
 const colourText = (colour: string) =>
   colours.find(({ value }) => value === colour.toUpperCase())?.name ?? colour.toUpperCase()
@@ -14,5 +15,6 @@ const colourText = (colour: string) =>
 export function textOf(value: Value | undefined): string {
   if (typeof value === 'number') return numberText(value)
   if (isColour(value)) return colourText(value)
+  if (Array.isArray(value)) return `[${value.map((entry: Value) => textOf(entry)).join(', ')}]`
   return typeof value === 'string' || typeof value === 'boolean' ? String(value) : ''
 }

@@ -1,13 +1,12 @@
 import { forever, show, start } from '../parts/examples.ts'
-import { field, sensorPortIn } from '../parts/fields.ts'
+import { readColour } from '../parts/read-colour.ts'
 import { choice, hidden, rows, sensorPort, worded, words } from '../parts/looks.ts'
-import { fail, give } from '../parts/next.ts'
 import { sensorAtPort } from '../parts/sensors.ts'
 import type { Definition } from '../types.ts'
 
 const type = 'robSensors_colour_getSample'
 
-/** MODE COLOUR: one of the eight colours as `#RRGGBB` · MODE LIGHT: brightness of the floor, 0..100. */
+/** See `readColour`; the modes RGB, AMBIENTLIGHT and RED are on the block of the expert pack. */
 export const robSensors_colour_getSample: Definition = {
   type,
   look: {
@@ -30,11 +29,6 @@ export const robSensors_colour_getSample: Definition = {
   words: words(type),
   acts: true,
   check: sensorAtPort('colour', 'SENSORPORT'),
-  run(block, _frame, { robot }) {
-    const port = sensorPortIn(block, 'SENSORPORT')
-    const mode = field(block, 'MODE', 'COLOUR') === 'LIGHT' ? 'light' : 'colour'
-    const reading = port === undefined ? null : robot.read(port, mode)
-    return reading === null ? fail('nothingToRead') : give(reading)
-  },
+  run: readColour,
   example: [start, forever(show({ type, fields: { MODE: 'COLOUR', SENSORPORT: '1', SLOT: '' } }))],
 }

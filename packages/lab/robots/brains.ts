@@ -31,6 +31,7 @@ export const weightsFor = (brain: Brain, placement: RobotPlacement): Weights =>
 export class RobotBrains {
   readonly #placement: RobotPlacement
   readonly #nets = new Map<string, Net>()
+  readonly #brains = new Map<string, Brain>()
   /** Inputs of the last run, by network block. */
   readonly lastInputs = new Map<string, readonly number[]>()
   /** How many runs there have been, for stepping from run to run. */
@@ -43,7 +44,14 @@ export class RobotBrains {
 
   /** A brain with other weights or neurons takes the place of the one before. */
   use(id: string, brain: Brain): void {
+    this.#brains.set(id, brain)
     this.#nets.set(id, layOut(brain, weightsFor(brain, this.#placement)))
+  }
+
+  /** A brain with the weights this robot drives with. */
+  brain(id: string): { layers: Brain['layers']; weights: Weights } | undefined {
+    const brain = this.#brains.get(id)
+    return brain && { layers: brain.layers, weights: weightsFor(brain, this.#placement) }
   }
 
   /** One run of a network. Unknown networks give nothing. */

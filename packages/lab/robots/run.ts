@@ -1,4 +1,4 @@
-import type { Context } from '@botgarten/blocks'
+import type { Host, Mail } from '@botgarten/blocks'
 import {
   indexProgram,
   networks,
@@ -19,9 +19,12 @@ export interface RobotRun {
   /** Network blocks of its program. */
   readonly networks: readonly string[]
   readonly brains: RobotBrains
-  readonly context: Context & { now: number }
+  readonly context: Host & { now: number }
   thread: Thread
 }
+
+/** Robots of one run draw different numbers, and the same in every run with its seed. */
+const seedOf = ({ state }: Simulation, robot: number): number => (state.noise[0] ?? 0) + robot
 
 const nothing: Program = { stacks: [], config: { stacks: [] } }
 
@@ -30,6 +33,7 @@ export function robotRun(
   robot: number,
   programs: { readonly [id: string]: Program },
   brains: Brains,
+  mail: Mail,
 ): RobotRun {
   const placement = simulation.world.robots[robot]!
   const program = programs[placement.program] ?? nothing
@@ -42,7 +46,7 @@ export function robotRun(
     index,
     networks: networks(program).map(({ id }) => id),
     brains: nets,
-    context: { robot: robotOf(simulation, robot), now: 0, think },
-    thread: startThread(index),
+    context: { robot: robotOf(simulation, robot), now: 0, think, brain: (id) => nets.brain(id), mail },
+    thread: startThread(index, seedOf(simulation, robot)),
   }
 }

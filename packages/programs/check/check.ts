@@ -1,12 +1,14 @@
-import type { Block, CheckContext, Finding } from '@botgarten/blocks'
+import type { Block, CheckContext, Definition, Finding } from '@botgarten/blocks'
 import { startingStacks } from '../run/index-program.ts'
+import { shapeOf } from '../run/shape-of.ts'
 import type { Program } from '../types.ts'
-import { definitionOf, holesOf, outputOf, type Hole } from './places.ts'
+import { calledBy, doubledNames, nameProblems, namesIn, within, type Names } from './names.ts'
+import { definitionOf, holesOf, outputOf, type Hole, type Output } from './places.ts'
 import { rules } from './rules.ts'
 
 /**
  * What a child should change before the program runs, in the order of the blocks. Only what a start block reaches is
- * looked at: other blocks may lie about half done.
+ * looked at, functions that are called included: other blocks may lie about half done.
  * @param sockets the robot's configuration, or as much of it as says which sensors it has
  */
 export function check(program: Program, sockets: CheckContext): Finding[] {
@@ -14,7 +16,17 @@ export function check(program: Program, sockets: CheckContext): Finding[] {
   if (stacks.length === 0) return [{ block: '', problem: 'problem.noStart', stops: true }]
   const [first, ...others] = stacks
   const seconds = others.map(({ blocks }) => said(blocks[0], 'secondStart'))
-  return [...seconds, ...rowsFindings(first?.blocks ?? [], 'hat', sockets)]
+  const rows = first?.blocks ?? []
+  const names = namesIn(program, rows[0], rows)
+  return [
+    ...seconds,
+    ...doubledNames(program, rows[0]),
+    ...rowsFindings(rows, 'hat', { sockets, names }),
+    ...calledBy(program, rows).flatMap((block) => {
+      const own = namesIn(program, rows[0], [block], block)
+      return blockFindings(block, 'function', { sockets, names: own })
+    }),
+  ]
 }
 
 const said = (block: Block | undefined, name: string, stops = true): Finding => ({
@@ -23,38 +35,75 @@ const said = (block: Block | undefined, name: string, stops = true): Finding => 
   stops,
 })
 
-type Place = 'hat' | 'statement' | 'value'
+type Place = Definition['look']['shape']
 
-function rowsFindings(rows: readonly Block[], top: Place, sockets: CheckContext): Finding[] {
+interface Around {
+  readonly sockets: CheckContext
+  readonly names: Names
+}
+
+function rowsFindings(rows: readonly Block[], top: Place, around: Around): Finding[] {
   const running = rows.filter(({ disabled }) => disabled !== true)
   return [
-    ...running.flatMap((block, k) => blockFindings(block, k === 0 ? top : 'statement', sockets)),
+    ...running.flatMap((block, k) => blockFindings(block, k === 0 ? top : 'statement', around)),
     ...neverReached(running),
   ]
 }
 
 function neverReached(rows: readonly Block[]): Finding[] {
-  const loop = rows.findIndex(({ type }) => type === 'robControls_loopForever')
+  const loop = rows.findIndex((block) => block.type === 'robControls_loopForever' && !isLeft(block))
   const next = loop < 0 ? undefined : rows[loop + 1]
   return next ? [said(next, 'neverReached', false)] : []
 }
 
-function blockFindings(block: Block, place: Place, sockets: CheckContext): Finding[] {
+/** Is there a block in it that leaves a loop? Perhaps only an inner one. */
+const isLeft = (loop: Block) =>
+  within(loop).some(({ type, fields }) => type === 'controls_flow_statements' && fields?.FLOW !== 'CONTINUE')
+
+function blockFindings(block: Block, place: Place, around: Around): Finding[] {
   const definition = definitionOf(block)
   if (!definition) return [said(block, 'unknownBlock')]
-  if (definition.look.shape !== place) return [said(block, 'wrongKind')]
-  const own = rules.flatMap((rule) => rule(block, definition, sockets))
+  if (shapeOf(block, definition.look) !== place) return [said(block, 'wrongKind')]
+  const own = [
+    ...rules.flatMap((rule) => rule(block, definition, around.sockets)),
+    ...nameProblems(block, around.names),
+  ]
+  const inner = definition.loops ? { ...around, names: { ...around.names, inLoop: true } } : around
   return [
     ...own.map((finding) => ({ block: block.id, ...finding })),
-    ...holesOf(block, definition).flatMap((hole) => holeFindings(hole, sockets)),
-    ...Object.values(block.statements ?? {}).flatMap((rows) => rowsFindings(rows, 'statement', sockets)),
+    ...holesOf(block, definition).flatMap((hole) => holeFindings(hole, around)),
+    ...writtenFindings(block, definition, around),
+    ...Object.values(block.statements ?? {}).flatMap((rows) => rowsFindings(rows, 'statement', inner)),
   ]
 }
 
-function holeFindings({ child, accepts }: Hole, sockets: CheckContext): Finding[] {
+function holeFindings({ child, accepts, target }: Hole, around: Around): Finding[] {
   if (!child) return []
+  if (target && child.type !== 'variables_get') return [said(child, 'wrongKind')]
+  return valueFindings(child, accepts, around)
+}
+
+function valueFindings(child: Block, accepts: Hole['accepts'], around: Around): Finding[] {
   const definition = definitionOf(child)
   const output = definition && outputOf(child, definition)
-  if (output && !accepts.includes(output)) return [said(child, 'wrongKind')]
-  return blockFindings(child, 'value', sockets)
+  if (output && !fits(output, accepts)) return [said(child, 'wrongKind')]
+  return blockFindings(child, 'value', around)
+}
+
+/** May this be plugged in there, as far as that can be told before the run? */
+export const fits = (output: Output, accepts: Hole['accepts']): boolean =>
+  output === 'any' || accepts === 'any' || accepts.includes(output)
+
+/** What is written as text is said at the block it is written in. */
+function writtenFindings(block: Block, definition: Definition, around: Around): Finding[] {
+  const written = definition.written?.(block)
+  if (!written) return []
+  if ('error' in written) return [{ block: block.id, ...written.error }]
+  const output = outputOf(block, definition) ?? 'any'
+  return Object.values(written.values).flatMap((child) =>
+    valueFindings(child, output === 'any' ? 'any' : [output], around).map((finding) => ({
+      ...finding,
+      block: block.id,
+    })),
+  )
 }

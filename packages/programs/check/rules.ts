@@ -34,6 +34,7 @@ function fieldProblem(look: FieldLook, value: string | undefined): readonly Said
         : [stop('unknownChoice')]
     case 'hidden':
       return look.name === 'MODE' && value !== look.preset ? [stop('unknownPart')] : []
+    case 'name':
     case 'text':
       return []
   }
@@ -50,8 +51,10 @@ const sameWord = (a: string, b: string) => a.toUpperCase() === b.toUpperCase()
 const orderOfColours: Rule = (block, definition) => {
   if (block.type !== 'logic_compare') return []
   const kinds = holesOf(block, definition).map(({ child }) => child && kindOf(child))
-  if (kinds.includes('Colour') && kinds.includes('Number')) return [stop('cannotCompare')]
+  const [a, b] = kinds
+  if (a && b && a !== 'any' && b !== 'any' && a !== b) return [stop('cannotCompare')]
   const ordered = !['EQ', 'NEQ'].includes(block.fields?.OP ?? 'EQ')
+  if (ordered && kinds.includes('String')) return [stop('textsHaveNoOrder')]
   return ordered && kinds.includes('Colour') ? [stop('coloursHaveNoOrder')] : []
 }
 

@@ -22,9 +22,12 @@ interface Said {
 }
 
 const wordsOf = (language: string) => {
-  const url = new URL(`../../../content/words/${language}.json`, import.meta.url)
-  const { problem } = JSON.parse(readFileSync(url, 'utf8')) as { problem: { [name: string]: Said } }
-  return Object.entries(problem).filter(([name]) => name !== 'fix')
+  const problems = [language, `expert/${language}`].flatMap((file) => {
+    const url = new URL(`../../../content/words/${file}.json`, import.meta.url)
+    const { problem } = JSON.parse(readFileSync(url, 'utf8')) as { problem: { [name: string]: Said } }
+    return Object.entries(problem)
+  })
+  return problems.filter(([name]) => name !== 'fix')
 }
 
 describe.each(['en', 'de'])('the problems in %s', (language) => {

@@ -1,15 +1,18 @@
 import { definitions, isBlockType, plugged } from '@botgarten/blocks'
-import type { Block, Definition } from '@botgarten/blocks'
+import type { Block, Definition, Shape } from '@botgarten/blocks'
+import { shapeOf } from './shape-of.ts'
 import type { Program } from '../types.ts'
 
 /** Where a block stands decides what it may be. */
-type Place = 'hat' | 'statement' | 'value'
+type Place = Shape
 
 /** A block with all that the interpreter looks up of it, found once. Blocks that are switched off are left out. */
 export interface IndexedBlock {
   readonly block: Block
-  readonly definition: Pick<Definition, 'run' | 'acts'>
+  readonly definition: Pick<Definition, 'run' | 'acts' | 'loops'>
+  /** It hands something up when it is done: a value block, a function. */
   readonly isValue: boolean
+  readonly isFunction: boolean
   readonly values: ReadonlyMap<string, IndexedBlock>
   /** The first block in each statement input. */
   readonly statements: ReadonlyMap<string, IndexedBlock>
@@ -22,6 +25,16 @@ export interface ProgramIndex {
   readonly blocks: ReadonlyMap<string, IndexedBlock>
   /** The start block; null where there is none, and nothing runs. */
   readonly start: IndexedBlock | null
+  /** By name; of several with one name the first. */
+  readonly functions: ReadonlyMap<string, IndexedFunction>
+  /** Id of the block that carries the network of the `robActions_NNstep` family. */
+  readonly networkId: string
+}
+
+export interface IndexedFunction {
+  readonly block: IndexedBlock
+  /** Names of its parameters. */
+  readonly parameters: readonly string[]
 }
 
 const unable = (problem: string): IndexedBlock['definition'] => {
@@ -34,7 +47,7 @@ const misplaced = unable('problem.wrongKind')
 function definitionOf(block: Block, place: Place): IndexedBlock['definition'] {
   if (!isBlockType(block.type)) return unknown
   const definition = definitions[block.type]
-  return definition.look.shape === place ? definition : misplaced
+  return shapeOf(block, definition.look) === place ? definition : misplaced
 }
 
 type Blocks = Map<string, IndexedBlock>
@@ -43,7 +56,8 @@ function indexBlock(block: Block, place: Place, below: IndexedBlock | null, bloc
   const indexed = {
     block,
     definition: definitionOf(block, place),
-    isValue: place === 'value',
+    isValue: place === 'value' || place === 'function',
+    isFunction: place === 'function',
     values: indexValues(block, blocks),
     statements: indexStatements(block, blocks),
     below,
@@ -58,7 +72,15 @@ function indexValues(block: Block, blocks: Blocks) {
     const child = plugged(block, input)
     if (child) values.set(input, indexBlock(child, 'value', null, blocks))
   }
+  for (const [input, child] of Object.entries(writtenIn(block)))
+    values.set(input, indexBlock(child, 'value', null, blocks))
   return values
+}
+
+/** Blocks that are written in the block as text. */
+function writtenIn({ type, ...block }: Block): NonNullable<Block['values']> {
+  const written = isBlockType(type) ? definitions[type].written?.({ type, ...block }) : undefined
+  return written && 'values' in written ? written.values : {}
 }
 
 function indexStatements(block: Block, blocks: Blocks) {
@@ -91,11 +113,50 @@ export function indexProgram(program: Program): ProgramIndex {
   const blocks: Blocks = new Map()
   for (const stack of program.stacks) {
     const top = stack.blocks[0]
-    const alone = stack.blocks.length === 1 && isLooseValue(top)
-    indexRows(stack.blocks, isStart(top) ? 'hat' : alone ? 'value' : 'statement', blocks)
+    indexRows(stack.blocks, placeOfTop(top, stack.blocks.length === 1), blocks)
   }
   const start = startingStacks(program)[0]?.blocks[0]
-  return { blocks, start: (start && blocks.get(start.id)) ?? null }
+  return {
+    blocks,
+    start: (start && blocks.get(start.id)) ?? null,
+    functions: functionsIn(program, blocks),
+    networkId: networkIdIn(blocks, start),
+  }
+}
+
+function placeOfTop(top: Block | undefined, alone: boolean): Place {
+  if (isStart(top)) return 'hat'
+  if (isFunction(top)) return 'function'
+  return alone && isLooseValue(top) ? 'value' : 'statement'
+}
+
+const isFunction = (block: Block | undefined): block is Block =>
+  block !== undefined && /^robProcedures_def/.test(block.type) && block.disabled !== true
+
+/** The blocks that make a function, in the order of the stacks. */
+export const functionBlocks = ({ stacks }: Program): readonly Block[] =>
+  stacks.map(({ blocks }) => blocks[0]).filter(isFunction)
+
+/** Names that a row of declarations makes. */
+export const declaredIn = (rows: readonly Block[] = []): readonly Block[] =>
+  rows.filter(({ disabled, fields }) => disabled !== true && fields?.VAR !== undefined)
+
+function functionsIn(program: Program, blocks: Blocks): ProgramIndex['functions'] {
+  const functions = new Map<string, IndexedFunction>()
+  for (const block of functionBlocks(program)) {
+    const indexed = blocks.get(block.id)
+    const name = block.fields?.NAME ?? ''
+    const parameters = declaredIn(block.statements?.ST).map(({ fields }) => fields?.VAR ?? '')
+    if (indexed && !functions.has(name)) functions.set(name, { block: indexed, parameters })
+  }
+  return functions
+}
+
+/** Today's files keep the network at the start block, old ones at the step. */
+function networkIdIn(blocks: Blocks, start: Block | undefined): string {
+  for (const { block } of blocks.values())
+    if (block.type === 'robActions_NNstep' && block.data?.startsWith('{')) return block.id
+  return start?.id ?? ''
 }
 
 /** A value block that lies about can be asked for its value, too. */

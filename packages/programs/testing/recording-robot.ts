@@ -1,11 +1,11 @@
-import type { CheckContext, Context, Robot } from '@botgarten/blocks'
+import type { CheckContext, Host, Mail, Robot } from '@botgarten/blocks'
 import type { ReadMode, SensorKind } from '@botgarten/simulation'
 
 /** What a robot was told, in order, with the tick. */
 export type Entry = readonly [tick: number, verb: string, ...facts: readonly unknown[]]
 
 export interface Recording {
-  readonly context: Context & { now: number }
+  readonly context: Host & { now: number }
   readonly log: Entry[]
   tick: number
 }
@@ -48,6 +48,18 @@ const kinds: { readonly [mode in ReadMode]?: SensorKind } = {
   heading: 'position',
 }
 
+/** A net from n1 to n2, for the blocks around `robActions_NNstep`. */
+const smallNet = {
+  layers: [[{ id: 'n1', bias: 0 }], [{ id: 'n2', bias: 1 }]],
+  weights: { n1: { n2: 2 } },
+}
+
+/** One other robot. */
+const mailTo = (write: (verb: string, ...facts: unknown[]) => void): Mail => ({
+  find: (name) => (name === 'Bo 2' ? 'bo2' : null),
+  send: (to, { kind, text }) => write('send', to, kind, text),
+})
+
 /** Each move with degrees takes three ticks. */
 const moveTicks = 3
 
@@ -58,6 +70,7 @@ const moveTicks = 3
 export function recordingRobot(outputs = 2, sensors: CheckContext['sensors'] = cardSensors): Recording {
   const log: Entry[] = []
   let movedAt = -Infinity
+  let turnedAt = -Infinity
   const write = (verb: string, ...facts: unknown[]) => void log.push([recording.tick, verb, ...facts])
   const robot: Robot = {
     read(port, mode) {
@@ -71,7 +84,18 @@ export function recordingRobot(outputs = 2, sensors: CheckContext['sensors'] = c
     },
     arrived: () => recording.tick >= movedAt + moveTicks,
     stop: () => write('stop'),
-    led: (colour) => write('led', colour),
+    power: (port) => (port === 'B' ? 30 : -20),
+    turn: (port, percent, degrees) => {
+      turnedAt = recording.tick
+      write('turn', port, percent, degrees)
+    },
+    turned: () => recording.tick >= turnedAt + moveTicks,
+    led: (colour, ...blink) => write('led', colour, ...blink),
+    picture: (name) => write('picture', name),
+    volume: () => 50,
+    setVolume: (percent) => write('volume', percent),
+    say: (text, speed, pitch) => write('say', text, speed, pitch),
+    language: (name) => write('language', name),
     display: (row, column, text) => write('display', row, column, text),
     clearDisplay: () => write('clearDisplay'),
     tone: (frequency, seconds) => write('tone', frequency, seconds),
@@ -92,7 +116,7 @@ export function recordingRobot(outputs = 2, sensors: CheckContext['sensors'] = c
   const recording: Recording = {
     log,
     tick: 0,
-    context: { robot, think, now: 0 },
+    context: { robot, think, now: 0, brain: () => smallNet, mail: mailTo(write) },
   }
   return recording
 }

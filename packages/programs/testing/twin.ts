@@ -1,4 +1,4 @@
-import type { Block, Context, Value } from '@botgarten/blocks'
+import type { Block, Host, Value } from '@botgarten/blocks'
 
 /** What the interpreter does, told again as plainly as can be: one generator a block, one `yield` where time may pass. */
 type Pause = 'block' | 'tick'
@@ -20,11 +20,11 @@ export class Twin {
   problem: Failure | null = null
   lit: string | null = null
   readonly #steps: Steps<void>
-  readonly #context: Context
+  readonly #context: Host
   #acts = 0
   #spent = 1
 
-  constructor(stack: readonly Block[], context: Context) {
+  constructor(stack: readonly Block[], context: Host) {
     this.#context = context
     this.#steps = this.#rows(stack.slice(1))
   }

@@ -38,9 +38,23 @@ function order(robot: RobotState, { drive, strength }: RobotConfig): void {
   for (const port of MOTORS) turns[port] = turnOf(motors[port].percent)
   turns[drive.left] = told.left * share
   turns[drive.right] = told.right * share
+  for (const port of MOTORS) endTurn(motors[port], port)
   if (!move) return
   if (ticks <= LAST) endMove(robot, drive)
   else useUp(move, told)
+}
+
+/** A motor that turns a certain way turns no farther: its last tick is scaled. */
+function endTurn(motor: RobotState['motors']['A'], port: 'A' | 'B' | 'C' | 'D'): void {
+  if (motor.left === null) return
+  const way = Math.abs(turns[port])
+  if (way * LAST < motor.left) {
+    motor.left -= way
+    return
+  }
+  if (way > 0) turns[port] *= motor.left / way
+  motor.left = null
+  motor.percent = 0
 }
 
 /** A move that needs this many ticks ends in this one; the hair above 1 takes up rounding. */

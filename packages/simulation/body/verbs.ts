@@ -28,7 +28,25 @@ export function setMotor(sim: Simulation, robot: number, port: MotorPort, percen
   const { left, right } = driveOf(sim, robot)
   if (state.move && (port === left || port === right)) stopMotors(sim, robot)
   state.motors[port].percent = held(percent)
+  state.motors[port].left = null
 }
+
+/** Turns one motor so far (degrees ≥ 0) at this speed; it stops by itself. Speed or way 0: it stands at once. */
+export function turnMotor(
+  sim: Simulation,
+  robot: number,
+  port: MotorPort,
+  percent: Percent,
+  degrees: Degrees,
+): void {
+  const way = degrees > 0 && percent !== 0 ? degrees : 0
+  setMotor(sim, robot, port, way > 0 ? percent : 0)
+  robotOf(sim, robot).motors[port].left = way > 0 ? way : null
+}
+
+/** Has a motor's last turn ended? */
+export const motorTurned = (sim: Simulation, robot: number, port: MotorPort): boolean =>
+  robotOf(sim, robot).motors[port].left === null
 
 /**
  * Sets both wheels. With `degrees` the faster wheel turns that far (backwards when negative), the other in proportion,
@@ -46,6 +64,7 @@ export function startMove(
   const right = held(order.right * sign)
   state.motors[drive.left].percent = left
   state.motors[drive.right].percent = right
+  state.motors[drive.left].left = state.motors[drive.right].left = null
   state.move = null
   if (order.degrees !== undefined) limit(sim, robot, Math.abs(order.degrees) || 0)
 }
@@ -71,25 +90,57 @@ export function stopMotors(sim: Simulation, robot: number): void {
   const { left, right } = driveOf(sim, robot)
   state.motors[left].percent = 0
   state.motors[right].percent = 0
+  state.motors[left].left = state.motors[right].left = null
   state.move = null
 }
 
-export function setLed(sim: Simulation, robot: number, colour: LedColour | null): void {
-  robotOf(sim, robot).led = colour
+/** `blink`: how the lamp lights; not given: it stays on. */
+export function setLed(
+  sim: Simulation,
+  robot: number,
+  colour: LedColour | null,
+  blink: RobotState['blink'] = null,
+): void {
+  const state = robotOf(sim, robot)
+  state.led = colour
+  state.blink = colour === null ? null : blink
+}
+
+/** A picture in place of all that is on the display. */
+export function showPicture(sim: Simulation, robot: number, name: string): void {
+  clearDisplay(sim, robot)
+  robotOf(sim, robot).picture = name
+}
+
+export function setVolume(sim: Simulation, robot: number, percent: Percent): void {
+  robotOf(sim, robot).volume = Math.max(0, Math.min(100, percent || 0))
+}
+
+export function setLanguage(sim: Simulation, robot: number, name: string): void {
+  robotOf(sim, robot).language = name
+}
+
+/** Says a text in the robot's language. */
+export function say(sim: Simulation, robot: number, text: string, speed: Percent, pitch: Percent): void {
+  const state = robotOf(sim, robot)
+  state.speech = { text, language: state.language, speed, pitch, tick: sim.state.tick }
 }
 
 /** Replaces what stands in `row` (0 at the top) from `column` (0 at the left) on. Outside the display nothing happens. */
 export function display(sim: Simulation, robot: number, row: number, column: number, text: string): void {
-  const rows = robotOf(sim, robot).display
+  const state = robotOf(sim, robot)
+  const rows = state.display
   const line = Math.floor(row)
   const from = Math.floor(column)
   if (!(line >= 0 && line < DISPLAY_ROWS && from >= 0 && from < DISPLAY_COLUMNS)) return
+  state.picture = null
   while (rows.length <= line) rows.push('')
   rows[line] = (rows[line]!.slice(0, from).padEnd(from) + text).slice(0, DISPLAY_COLUMNS)
 }
 
 export function clearDisplay(sim: Simulation, robot: number): void {
   robotOf(sim, robot).display = []
+  robotOf(sim, robot).picture = null
 }
 
 /** Sounds a tone for `seconds`; null: until it is changed. A frequency that is not above 0 is silence. */
@@ -106,9 +157,15 @@ export function freshRobot(robot: RobotState): void {
   for (const motor of Object.values(robot.motors)) {
     motor.percent = 0
     motor.turned = 0
+    motor.left = null
   }
   robot.move = null
   robot.led = null
+  robot.blink = null
+  robot.picture = null
+  robot.volume = 50
+  robot.language = ''
+  robot.speech = null
   robot.display = []
   robot.tone = null
   robot.spin = 0

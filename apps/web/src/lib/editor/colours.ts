@@ -8,6 +8,10 @@ export const categoryColours: { readonly [category in Category]: string } = {
   logic: '#2C6FB0',
   math: '#6F55C4',
   text: '#0B7C88',
+  lists: '#3D6A75',
+  variables: '#9A3F9C',
+  functions: '#7B5B45',
+  messages: '#5C6470',
   network: '#C2335F',
   'q-learning': '#5B7A12',
 }

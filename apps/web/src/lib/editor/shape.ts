@@ -108,8 +108,9 @@ class RowBuilder {
     const field = look.fields.find((field) => field.name === name)
     const input = look.inputs.find((input) => input.name === name)
     if (field) this.#waiting.push([makeField(field, this.#block, this.#language), name])
-    else if (input) this.#placeInput(input)
-    else if (look.icon) this.#waiting.push([iconField(look.icon)])
+    else if (input) {
+      if (!input.when) this.#placeInput(input)
+    } else if (look.icon) this.#waiting.push([iconField(look.icon)])
   }
 
   #placeInput(input: InputLook) {
@@ -143,6 +144,7 @@ function makeField(look: FieldLook, block: BotBlock, { words, locale }: Language
   switch (look.kind) {
     case 'number':
       return new NumberField(look, locale === 'de' ? ',' : '.')
+    case 'name':
     case 'text':
       return new TextField(look.preset)
     case 'hidden':

@@ -1,0 +1,19 @@
+import { start } from '../parts/examples.ts'
+import { rows, words } from '../parts/looks.ts'
+import { done } from '../parts/next.ts'
+import type { Definition } from '../types.ts'
+
+const type = 'robActions_brickLight_off'
+
+/** An old block; today actions_bricklight_off_ev3 with MODE OFF. */
+export const robActions_brickLight_off: Definition = {
+  type,
+  look: { category: 'action', shape: 'statement', fields: [], inputs: [], rows: rows(type, 1) },
+  words: words(type),
+  acts: true,
+  run(_block, _frame, { robot }) {
+    robot.led(null)
+    return done
+  },
+  example: [start, { type }],
+}

@@ -1,0 +1,35 @@
+import { number, start } from '../parts/examples.ts'
+import { field } from '../parts/fields.ts'
+import { choice, rows, value, worded, words } from '../parts/looks.ts'
+import { ask, done } from '../parts/next.ts'
+import { afterAsking } from '../parts/steps.ts'
+import type { Definition } from '../types.ts'
+
+const type = 'robActions_display_picture'
+
+/** An old block: X and Y are asked and mean nothing, as in Open Roberta today. */
+export const robActions_display_picture: Definition = {
+  type,
+  look: {
+    category: 'action',
+    shape: 'statement',
+    fields: [
+      choice('PICTURE', [
+        worded('EYESOPEN', 'eyesOpen'),
+        worded('EYESCLOSED', 'eyesClosed'),
+        worded('FLOWERS', 'flowers'),
+        worded('OLDGLASSES', 'glasses'),
+        worded('TACHO', 'tacho'),
+      ]),
+    ],
+    inputs: [value('X', 'Number'), value('Y', 'Number')],
+    rows: rows(type, 1),
+  },
+  words: words(type),
+  acts: true,
+  run: afterAsking([ask('X'), ask('Y')], (_frame, { robot }, block) => {
+    robot.picture(field(block, 'PICTURE', 'EYESOPEN'))
+    return done
+  }),
+  example: [start, { type, fields: { PICTURE: 'EYESOPEN' }, values: { X: number(0), Y: number(0) } }],
+}

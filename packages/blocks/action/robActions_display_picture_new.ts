@@ -1,0 +1,34 @@
+import { start } from '../parts/examples.ts'
+import { field } from '../parts/fields.ts'
+import { choice, rows, worded, words } from '../parts/looks.ts'
+import { done } from '../parts/next.ts'
+import type { Definition } from '../types.ts'
+
+const type = 'robActions_display_picture_new'
+
+/** A picture in place of all that is on the display. */
+export const robActions_display_picture_new: Definition = {
+  type,
+  look: {
+    category: 'action',
+    shape: 'statement',
+    fields: [
+      choice('PICTURE', [
+        worded('EYESOPEN', 'eyesOpen'),
+        worded('EYESCLOSED', 'eyesClosed'),
+        worded('FLOWERS', 'flowers'),
+        worded('OLDGLASSES', 'glasses'),
+        worded('TACHO', 'tacho'),
+      ]),
+    ],
+    inputs: [],
+    rows: rows(type, 1),
+  },
+  words: words(type),
+  acts: true,
+  run(block, _frame, { robot }) {
+    robot.picture(field(block, 'PICTURE', 'EYESOPEN'))
+    return done
+  },
+  example: [start, { type, fields: { PICTURE: 'EYESOPEN' } }],
+}

@@ -1,0 +1,40 @@
+import { number, show, start } from '../parts/examples.ts'
+import { field } from '../parts/fields.ts'
+import { rows, statements, words } from '../parts/looks.ts'
+import { again, carryOut, done, fail } from '../parts/next.ts'
+import { numberIn } from '../parts/numbers.ts'
+import type { Definition } from '../types.ts'
+
+const type = 'controls_repeat'
+
+const body = carryOut('DO')
+
+/** An old block: field TIMES instead of an input. */
+export const controls_repeat: Definition = {
+  type,
+  look: {
+    category: 'control',
+    shape: 'statement',
+    fields: [{ name: 'TIMES', kind: 'number', preset: 10, min: 0, step: 1 }],
+    inputs: [statements('DO')],
+    icon: 'repeat',
+    rows: rows(type, 3),
+  },
+  words: words(type),
+  acts: false,
+  loops: true,
+  run(block, frame) {
+    const times = numberIn(field(block, 'TIMES', '10'))
+    if (times === null) return fail('notANumber')
+    const begun = frame.counter ?? 0
+    if (begun >= times) return done
+    if (frame.stage === 1) {
+      frame.stage = 0
+      return again
+    }
+    frame.stage = 1
+    frame.counter = begun + 1
+    return body
+  },
+  example: [start, { type, fields: { TIMES: '3' }, statements: { DO: [show(number(1))] } }],
+}

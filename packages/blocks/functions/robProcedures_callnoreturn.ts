@@ -1,0 +1,24 @@
+import { sayIt, saying } from '../parts/function-examples.ts'
+import { start } from '../parts/examples.ts'
+import { askArgs } from '../parts/functions.ts'
+import { rows, words } from '../parts/looks.ts'
+import type { Definition } from '../types.ts'
+
+const type = 'robProcedures_callnoreturn'
+
+/** Mutation `name`: of the function; `args`: its parameters, whose values are ARG0, ARG1, … */
+export const robProcedures_callnoreturn: Definition = {
+  type,
+  look: {
+    category: 'functions',
+    shape: 'statement',
+    fields: [],
+    inputs: [],
+    args: true,
+    rows: rows(type, 1),
+  },
+  words: words(type),
+  acts: false,
+  run: askArgs,
+  example: [start, sayIt, saying],
+}

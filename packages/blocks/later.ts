@@ -1,0 +1,2 @@
+export { expert } from './expert.ts'
+export { callBlock, expertToolbox, variableBlocks } from './toolbox-expert.ts'

@@ -1,0 +1,24 @@
+import { truth } from '../parts/truths.ts'
+import { lampIf, start } from '../parts/examples.ts'
+import { rows, value, words } from '../parts/looks.ts'
+import { ask, give } from '../parts/next.ts'
+import { afterAsking } from '../parts/steps.ts'
+import type { Definition } from '../types.ts'
+
+const type = 'logic_negate'
+
+export const logic_negate: Definition = {
+  type,
+  look: {
+    category: 'logic',
+    shape: 'value',
+    output: 'Boolean',
+    fields: [],
+    inputs: [value('BOOL', 'Boolean')],
+    rows: rows(type, 1),
+  },
+  words: words(type),
+  acts: false,
+  run: afterAsking([ask('BOOL')], (frame) => give(frame.got[0] !== true)),
+  example: [start, lampIf({ type, values: { BOOL: truth(false) } })],
+}

@@ -1,0 +1,54 @@
+import { properties } from '../parts/primes.ts'
+import { lampIf, number, start } from '../parts/examples.ts'
+import { field } from '../parts/fields.ts'
+import { choice, rows, value, valueWhen, worded, words } from '../parts/looks.ts'
+import { ask, fail, give } from '../parts/next.ts'
+import { numberAt } from '../parts/numbers.ts'
+import type { Definition } from '../types.ts'
+
+const type = 'math_number_property'
+
+const number_ = ask('NUMBER_TO_CHECK')
+const divisor = ask('DIVISOR')
+
+/** PROPERTY DIVISIBLE_BY has an input DIVISOR (mutation `divisor_input`). */
+export const math_number_property: Definition = {
+  type,
+  look: {
+    category: 'math',
+    shape: 'value',
+    output: 'Boolean',
+    fields: [
+      choice('PROPERTY', [
+        worded('EVEN', 'even'),
+        worded('ODD', 'odd'),
+        worded('PRIME', 'prime'),
+        worded('WHOLE', 'wholeNumber'),
+        worded('POSITIVE', 'positive'),
+        worded('NEGATIVE', 'belowZero'),
+        worded('DIVISIBLE_BY', 'divisibleBy'),
+      ]),
+    ],
+    inputs: [
+      value('NUMBER_TO_CHECK', 'Number'),
+      valueWhen('DIVISOR', { field: 'PROPERTY', is: ['DIVISIBLE_BY'] }, 'Number'),
+    ],
+    mutation: { divisor_input: { field: 'PROPERTY', is: ['DIVISIBLE_BY'] } },
+    rows: rows(type, 1),
+  },
+  words: words(type),
+  acts: false,
+  run(block, frame) {
+    const property = field(block, 'PROPERTY', 'EVEN')
+    const stage = frame.stage++
+    if (stage === 0) return number_
+    if (stage === 1 && property === 'DIVISIBLE_BY') return divisor
+    if (property === 'DIVISIBLE_BY') {
+      if (numberAt(frame, 1) === 0) return fail('divisionByZero')
+      return give(numberAt(frame, 0) % numberAt(frame, 1) === 0)
+    }
+    const holds = properties.get(property)
+    return holds === undefined ? fail('unknownChoice') : give(holds(numberAt(frame, 0)))
+  },
+  example: [start, lampIf({ type, fields: { PROPERTY: 'EVEN' }, values: { NUMBER_TO_CHECK: number(4) } })],
+}

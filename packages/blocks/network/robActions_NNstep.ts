@@ -1,0 +1,29 @@
+import { netStart } from '../parts/net-examples.ts'
+import { rows, statements, words } from '../parts/looks.ts'
+import { runNet } from '../parts/nets.ts'
+import { carryOut, done, fail } from '../parts/next.ts'
+import type { Definition } from '../types.ts'
+
+const type = 'robActions_NNstep'
+
+const neurons = carryOut('IONEURON')
+
+/** One run of the network that the start block carries (field `data`). Old files: it carries it itself, with neurons in IONEURON (see semantics.md). */
+export const robActions_NNstep: Definition = {
+  type,
+  look: {
+    category: 'network',
+    shape: 'statement',
+    fields: [],
+    inputs: [statements('IONEURON')],
+    icon: 'network',
+    rows: rows(type, 2),
+  },
+  words: words(type),
+  acts: true,
+  run(_block, frame, context) {
+    if (frame.stage++ === 0) return neurons
+    return runNet(context) ? done : fail('noNetwork')
+  },
+  example: [...netStart, { type }],
+}

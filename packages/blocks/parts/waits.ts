@@ -1,0 +1,33 @@
+import type { Definition, Next } from '../types.ts'
+import { ask, carryOut, done, wait } from './next.ts'
+
+interface Way {
+  readonly ask: Next
+  readonly carryOut: Next
+}
+
+const ways: Way[] = []
+
+function wayAt(k: number): Way {
+  while (ways.length <= k)
+    ways.push({ ask: ask(`WAIT${ways.length}`), carryOut: carryOut(`DO${ways.length}`) })
+  return ways[k] ?? { ask: done, carryOut: done }
+}
+
+/** Asks its conditions from the first on in every tick, until one is true; carries out what belongs to it. */
+export const waitFor: Definition['run'] = (block, frame) => {
+  if (frame.counter === 1) return done
+  const count = 1 + (Number(block.mutation?.attrs.wait) || 0)
+  const asked = frame.stage
+  if (asked > 0 && frame.got[asked - 1] === true) {
+    frame.counter = 1
+    return wayAt(asked - 1).carryOut
+  }
+  if (asked < count) {
+    frame.stage++
+    return wayAt(asked).ask
+  }
+  frame.stage = 0
+  frame.got.length = 0
+  return wait
+}
