@@ -41,5 +41,5 @@ export function divide(a: Doubled, b: Doubled): Doubled {
   return sumOf(first, (rest.high + rest.low) / b.high)
 }
 
-export const negative = ({ high, low }: Doubled): Doubled => ({ high: -high, low: -low })
+const negative = ({ high, low }: Doubled): Doubled => ({ high: -high, low: -low })
 export const single = (high: number): Doubled => ({ high, low: 0 })

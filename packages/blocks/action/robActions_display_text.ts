@@ -1,4 +1,5 @@
 import { show, start, text } from '../parts/examples.ts'
+import { anyInput } from '../parts/kinds.ts'
 import { rows, value, words } from '../parts/looks.ts'
 import { ask, done } from '../parts/next.ts'
 import { cut, numberAt } from '../parts/numbers.ts'
@@ -18,11 +19,7 @@ export const robActions_display_text: Definition = {
     category: 'action',
     shape: 'statement',
     fields: [],
-    inputs: [
-      value('OUT', 'String', 'Number', 'Boolean', 'Colour'),
-      value('COL', 'Number'),
-      value('ROW', 'Number'),
-    ],
+    inputs: [anyInput('OUT'), value('COL', 'Number'), value('ROW', 'Number')],
     rows: rows(type, 2),
   },
   words: words(type),

@@ -18,7 +18,7 @@ const questionsOf = (block: Block): readonly Next[] => [
   ...(counts(block, 'WHERE2') ? [ask('AT2')] : []),
 ]
 
-/** A new list from WHERE1 (AT1) to WHERE2 (AT2), both included; counted from 0. Empty where the end is before the start. */
+/** A new list from WHERE1 (AT1) to WHERE2 (AT2), both included; counted from 0. What lies beyond the list is left out; empty where the end is before the start. */
 export const robLists_getSublist: Definition = {
   type,
   look: {
@@ -48,8 +48,7 @@ export const robLists_getSublist: Definition = {
     const asked = questions.length === 3 ? numberAt(frame, 2) : numberAt(frame, 1)
     const from = placeIn(entries, field(block, 'WHERE1', 'FROM_START'), numberAt(frame, 1))
     const to = placeIn(entries, field(block, 'WHERE2', 'FROM_START'), asked)
-    if (from === null || to === null || from > entries.length || to >= entries.length)
-      return fail(entries.length === 0 ? 'emptyList' : 'noSuchEntry')
+    if (from === null || to === null) return fail(entries.length === 0 ? 'emptyList' : 'noSuchEntry')
     return { next: 'done', value: entries.slice(from, to + 1), cost: costOf(entries.length) }
   },
   example: [

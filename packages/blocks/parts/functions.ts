@@ -1,7 +1,7 @@
 import type { Block, Definition, Next } from '../types.ts'
 import { ask, done, give } from './next.ts'
 
-export const nameOf = (block: Block): string => block.mutation?.attrs.name ?? ''
+const nameOf = (block: Block): string => block.mutation?.attrs.name ?? ''
 
 const questions: Next[] = []
 

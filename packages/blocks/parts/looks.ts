@@ -40,8 +40,6 @@ export const rows = (type: BlockType, count: number): readonly string[] =>
 
 export const words = (type: BlockType) => ({ help: `block.${type}.help`, name: `block.${type}.name` })
 
-export const number = (name: string) => value(name, 'Number')
-
 /** A value input that is there only while a field or an attribute says so. */
 export const valueWhen = (name: string, when: When, ...accepts: readonly ValueType[]): InputLook => ({
   name,

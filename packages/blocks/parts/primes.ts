@@ -1,5 +1,5 @@
 /** By trial of odd divisors up to the root; for whole numbers up to 2^53. */
-export function isPrime(x: number): boolean {
+function isPrime(x: number): boolean {
   if (!Number.isSafeInteger(x) || x < 2) return false
   if (x % 2 === 0) return x === 2
   for (let divisor = 3; divisor * divisor <= x; divisor += 2) if (x % divisor === 0) return false

@@ -31,7 +31,7 @@ export interface ProgramIndex {
   readonly networkId: string
 }
 
-export interface IndexedFunction {
+interface IndexedFunction {
   readonly block: IndexedBlock
   /** Names of its parameters. */
   readonly parameters: readonly string[]
