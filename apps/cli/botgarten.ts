@@ -1,9 +1,14 @@
 #!/usr/bin/env node
+import { addBlocks } from '@botgarten/blocks'
+import { expert } from '@botgarten/blocks/later'
 import { cards } from './cards.ts'
 import { convert } from './convert.ts'
 import { CallError, FileError } from './errors.ts'
 import { learn } from './learn.ts'
 import { run } from './run.ts'
+
+// No screen waits for a smaller first part here.
+addBlocks(expert)
 
 const verbs: { readonly [name: string]: (args: string[]) => string | Promise<string> } = {
   run,
