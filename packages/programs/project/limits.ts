@@ -41,4 +41,4 @@ function refuseKey(name: string): void {
 }
 
 /** What one world holds at most: so much is still drawn and driven smoothly on a slow laptop. */
-export const most = { obstacles: 100, areas: 100, lines: 100, points: 1000 }
+export const most = { robots: 4, obstacles: 100, areas: 100, lines: 100, points: 1000 }

@@ -193,6 +193,15 @@ describe('what is refused, and why', () => {
 })
 
 describe('hostile files', () => {
+  it('with four robots are taken, with five they are not', () => {
+    const [robot] = project.world.robots
+    const robots = (count: number) =>
+      Array.from({ length: count }, (_, index) => ({ ...robot!, id: `robot${index}` }))
+    const reason = (count: number) =>
+      reasonOf({ ...project, world: { ...project.world, robots: robots(count) } })
+    expect([reason(4), reason(5)]).toEqual(['accepted', 'notAProject'])
+  })
+
   it('of more than 5 MB are too big, in bytes', () => {
     expect(reasonOf(' '.repeat(5_000_001))).toBe('tooBig')
     expect(reasonOf(JSON.stringify('ä'.repeat(2_500_001)))).toBe('tooBig')

@@ -89,7 +89,11 @@ export const sceneEntries = {
 export const worldSchema: v.GenericSchema<unknown, World> = v.pipe(
   v.object({
     ...sceneEntries,
-    robots: v.pipe(v.array(robot), v.minLength(1, 'A world needs a robot.')),
+    robots: v.pipe(
+      v.array(robot),
+      v.minLength(1, 'A world needs a robot.'),
+      v.maxLength(most.robots, `A world holds at most ${most.robots} robots.`),
+    ),
   }),
   v.check((world) => idsUnique(world), 'Two things have the same id.'),
 )

@@ -1,6 +1,3 @@
-/** More would not fit on a slow laptop's screen, nor into its processor. */
-export const MOST_ROBOTS = 4
-
 /** `shared`: the same program, weights of its own · `own`: a program of its own, with weights of its own. */
 export type NewRobot = 'shared' | 'own'
 

@@ -1,5 +1,6 @@
 import type { Session } from '#lib/state/session.svelte.ts'
-import { MOST_ROBOTS, type NewRobot } from './looks.ts'
+import { most } from '@botgarten/programs'
+import type { NewRobot } from './looks.ts'
 
 /** The robots of a world, for the row of chips: who is there, whose program and network are shown. */
 export class Crew {
@@ -18,7 +19,7 @@ export class Crew {
     return this.#session.robotId
   }
   get full() {
-    return this.ids.length >= MOST_ROBOTS
+    return this.ids.length >= most.robots
   }
 
   choose(id: string): void {

@@ -2,6 +2,7 @@ import type { Facts } from '@botgarten/blocks'
 import { parseProject, ProjectError, type Project } from '@botgarten/programs'
 import { placeOf } from '#lib/content/cards.ts'
 import * as m from '#lib/words/generated/messages.js'
+import { nameOfCopy } from './copy-name.ts'
 import { isOpenRoberta } from './endings.ts'
 import { handOut } from './handout.ts'
 import { isHome, mostHomeBytes, readHome, writeHome } from './home-file.ts'
@@ -65,7 +66,7 @@ async function takeHomeFile(data: unknown): Promise<OpenedFile> {
   const { projects, broken } = readHome(data)
   const { added, copies, same } = mergeHome(await list(), projects, {
     fresh: freshId,
-    copy: (name) => m['session.copy']({ name }),
+    copy: (name) => nameOfCopy(name, []),
     place: placeOf,
   })
   const trouble = await add(added)

@@ -3,6 +3,7 @@ import { listBin, takeBack, throwAway } from '#lib/storage/bin.ts'
 import { watchTabs } from '#lib/storage/channel.ts'
 import { keepsAnything, type Kept } from '#lib/storage/database.ts'
 import type { Merged } from '#lib/storage/files.ts'
+import { nameOfCopy } from '#lib/storage/copy-name.ts'
 import { freshId, list, rename, save } from '#lib/storage/projects.ts'
 import { wordsOfRefusal } from '#lib/storage/refusal.ts'
 import * as m from '#lib/words/generated/messages.js'
@@ -88,7 +89,7 @@ export class Shelf {
   }
 
   async duplicate(one: Kept): Promise<void> {
-    const name = m['session.copy']({ name: shownName(one) })
+    const name = nameOfCopy(shownName(one), (this.#all ?? []).map(shownName))
     const outcome = await save(freshId(placeOf(one.project)), { ...one.project, name }, 0)
     await this.#did(outcome, { text: m['projects.doubled']({ name }) })
   }

@@ -4,7 +4,7 @@ import { placeOf } from '#lib/content/cards.ts'
 import type { Desk } from '#lib/state/desk.svelte.ts'
 import type { Session } from '#lib/state/session.svelte.ts'
 import { freshId } from '#lib/storage/projects.ts'
-import { m } from '#lib/words/generated/messages.js'
+import { nameOfCopy } from '#lib/storage/copy-name.ts'
 
 const addressOf = (card: string, id: string) => resolve(`/lab/[card]?p=${encodeURIComponent(id)}`, { card })
 const show = (card: string, id: string) => goto(addressOf(card, id), { invalidateAll: true })
@@ -30,7 +30,7 @@ export async function saveForOpenRoberta(session: Session, name: string): Promis
 export function keepCopy(session: Session, title: string): void {
   const place = placeOf(session.project)
   const id = freshId(place)
-  void session.continueAsCopy(id, m['session.copy']({ name: title }))
+  void session.continueAsCopy(id, nameOfCopy(title, []))
   void replaceState(addressOf(place, id), {})
 }
 
@@ -45,7 +45,7 @@ export function keepGone(session: Session): void {
 /** Another tab has saved this project: that is shown. What stands here is put aside first. */
 export async function loadNewer(session: Session, desk: Desk, title: string): Promise<void> {
   const place = placeOf(session.project)
-  const safe = await session.keeper.putAside(freshId(place), m['session.copy']({ name: title }))
+  const safe = await session.keeper.putAside(freshId(place), nameOfCopy(title, []))
   if (safe) await show(place, session.keeper.id)
   else desk.say('problem.notKept.title', 'problem.notKept.text')
 }
