@@ -7,9 +7,12 @@ import { sentenceFor } from './map-problems.ts'
 const folder = join(import.meta.dirname, '../../content/maps')
 const tooLarge = 4_000_000
 
+/** Names of the maps of the product. */
+export const shippedMaps = (): readonly string[] => readdirSync(folder)
+
 /** A map of the product by its name, or one from an SVG file. */
 export function findMap(what: string): MapFile {
-  const shipped = readdirSync(folder)
+  const shipped = shippedMaps()
   if (!shipped.includes(what) && !existsSync(what))
     throw new CallError(`There is no map and no file called "${what}". Maps: ${shipped.join(', ')}.`)
   const path = shipped.includes(what) ? join(folder, what, 'map.svg') : what

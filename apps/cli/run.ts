@@ -1,11 +1,13 @@
 import { existsSync } from 'node:fs'
 import { createLab, type Check, type Document, type Lab } from '@botgarten/lab'
 import { cardDocument } from '@botgarten/materials'
+import { withLearnedWay } from '@botgarten/materials/maps'
 import { check } from '@botgarten/programs'
 import { TICKS_PER_SECOND } from '@botgarten/simulation'
 import { findCard, floorOf, programOf, worldOf, wrongAnswers, type FoundCard } from './content.ts'
 import { CallError, FileError, numberIn, options, wholeNumberIn } from './errors.ts'
 import { isOpenRoberta, readProjectFile } from './project-file.ts'
+import { findMap, shippedMaps } from './maps.ts'
 import { withWeights } from './weights.ts'
 
 const known = {
@@ -24,6 +26,8 @@ interface Runnable {
   readonly document: Document
   readonly floor: ReturnType<typeof floorOf>
   readonly checks: readonly Check[]
+  /** Does it drive a way that it learned? */
+  readonly drives?: boolean
 }
 
 /** `botgarten run FILE|CARD …`: a project or a card without a screen. */
@@ -31,8 +35,8 @@ export function run(args: string[]): string {
   const { values, positionals } = options(args, known)
   const [what, ...more] = positionals
   if (!what || more.length > 0) throw new CallError('"run" takes one project file or one card.')
-  const runnable = withGivenWeights(find(what, values), values)
-  const seconds = numberIn('seconds', values.seconds, presetSeconds(runnable.checks), 0, 86_400)
+  const runnable = learned(withGivenWeights(find(what, values), values))
+  const seconds = numberIn('seconds', values.seconds, presetSeconds(runnable), 0, 86_400)
   const seed = wholeNumberIn('seed', values.seed, 1, 0, 4_294_967_295)
   // A foreign program runs as it is, up to what cannot go on.
   if (!isOpenRoberta(what)) refuseWhatCannotRun(runnable.document)
@@ -44,8 +48,18 @@ export function run(args: string[]): string {
   return values.json ? JSON.stringify(report) : sentenceOf(report)
 }
 
-/** A card's checks say how long it takes; a free project runs a minute. */
-const presetSeconds = (checks: readonly Check[]) => Math.max(60, ...checks.map(({ seconds }) => seconds))
+/** A card's checks say how long it takes; a free project runs a minute, one that learned a way three. */
+const presetSeconds = ({ checks, drives }: Runnable) =>
+  Math.max(drives ? 180 : 60, ...checks.map(({ seconds }) => seconds))
+
+/** What a program learns by trying it has learned before it drives (seed 1). */
+function learned(runnable: Runnable): Runnable {
+  const document = withLearnedWay(runnable.document, mapNamed)
+  if (document === runnable.document) return runnable
+  return { ...runnable, document, floor: floorOf(document.world), drives: true }
+}
+
+const mapNamed = (id: string) => (shippedMaps().includes(id) ? findMap(id) : null)
 
 function find(what: string, values: Values): Runnable {
   const found = findCard(what)

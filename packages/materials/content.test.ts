@@ -3,6 +3,7 @@ import { basename, dirname, join } from 'node:path'
 import { createLab, type CheckResult } from '@botgarten/lab'
 import { check, parseProject } from '@botgarten/programs'
 import { paintFloor, TICKS_PER_SECOND, type World } from '@botgarten/simulation'
+import { readMap, withLearnedWay } from './maps/index.ts'
 import { describe, expect, it } from 'vitest'
 import { cardDocument, cardProject, readCard, readCardText, type CardProgram } from './index.ts'
 
@@ -16,14 +17,19 @@ const languages = globSync(join(content, 'words/*.json')).map((file) => basename
 type Named = { readonly [id: string]: string | undefined }
 type Words = { readonly [id: string]: { readonly [check: string]: string } | undefined }
 
+const mapNamed = (id: string) => readMap(readFileSync(join(content, 'maps', id, 'map.svg'), 'utf8')).map
+
 function runOf(folder: string, file: string, start: number): readonly CheckResult[] {
   const card = readCard(read(folder, 'card.json'))
   const world = read(content, 'worlds', card.world, 'world.json') as World
-  const document = cardDocument(world, card, read(folder, file) as CardProgram, start)
+  const document = withLearnedWay(
+    cardDocument(world, card, read(folder, file) as CardProgram, start),
+    mapNamed,
+  )
   const lab = createLab()
-  lab.load(document, floorOf(world), { seed: 1, checks: card.checks })
+  lab.load(document, floorOf(document.world), { seed: 1, checks: card.checks })
   lab.start()
-  lab.advance(60 * TICKS_PER_SECOND)
+  lab.advance((card.playground === 'q-learning' ? 180 : 60) * TICKS_PER_SECOND)
   return lab.view().checks
 }
 

@@ -23,7 +23,7 @@ export interface Card {
 }
 
 /** What stands beside the world; `drive`: blocks alone. */
-export type Playground = 'network' | 'drive'
+export type Playground = 'network' | 'drive' | 'q-learning'
 
 export type Need = 'distanceSensors' | 'colourSensor' | 'motors' | 'lamp' | 'blueSquare' | 'wall' | 'flag'
 

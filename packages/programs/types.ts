@@ -117,8 +117,8 @@ export interface Learned {
   readonly moves: number
   /** Of the settings that it was learned with, as `learningKey` writes them. */
   readonly key: string
-  /** The way that lies drawn on the floor; null: none does. */
-  readonly drawn: readonly number[] | null
+  /** Does this run stand in the table already? */
+  readonly noted: boolean
   /** Rows of the table of experiments, the oldest first. */
   readonly runs: readonly LearnedRun[]
 }

@@ -32,7 +32,7 @@ const learnedRun = v.object({
 })
 const learned: v.GenericSchema<Learned> = v.object({
   ...{ seed: whole, moves: whole, key: shortText },
-  drawn: v.nullable(v.pipe(v.array(station), v.maxLength(1000))),
+  noted: v.boolean(),
   runs: v.pipe(v.array(learnedRun), v.maxLength(1000)),
 })
 

@@ -2,6 +2,7 @@ import * as Blockly from 'blockly/core'
 import type { Finding, Template } from '@botgarten/blocks'
 import type { Program } from '@botgarten/programs'
 import type { RobotConfig } from '@botgarten/simulation'
+import { setClosed } from './closed-roads.ts'
 import { listen, type Reports } from './events.ts'
 import { showFindings } from './finding-icon.ts'
 import { keepEscape } from './escape.ts'
@@ -212,6 +213,11 @@ export class Pane {
    */
   addNeuron(networkId: string, layer: 'input' | 'output', template?: Template): string | null {
     return addNeuron(this.#workspace, networkId, layer, template)
+  }
+
+  /** Makes these the closed roads of a map block. */
+  setClosed(map: string, roads: readonly (readonly [number, number])[]): void {
+    setClosed(this.#workspace, map, roads)
   }
 
   deleteSelected(): void {

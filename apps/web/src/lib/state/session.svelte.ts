@@ -8,7 +8,7 @@ import {
   type Brain,
 } from '@botgarten/learning/neural-network'
 import { check, inScene, networks, sceneOf } from '@botgarten/programs'
-import type { Program, Progress, Project, Scene } from '@botgarten/programs'
+import type { Learned, Program, Progress, Project, Scene } from '@botgarten/programs'
 import type { Floor, Pose, RobotConfig } from '@botgarten/simulation'
 import { Keeper } from './keeper.svelte.ts'
 import { floorPictureOf, type Opened } from './opening.ts'
@@ -27,10 +27,13 @@ export class Session {
   moveBlocks: (direction: 'undo' | 'redo', program: string) => boolean = () => false
   /** Paints the floor of a scene that is taken back; who builds sets it. */
   paint: (scene: Scene) => Floor | null = () => null
+  /** Start was pressed: learns first what the program wants learned. The playground sets it; true where it has begun. */
+  learnFirst: () => boolean = () => false
   /** Pictures of floors, those of steps that can be taken back too. */
   #pictures = $state.raw<Project['assets']>({})
   #name = $state('')
   #progress = $state.raw<Progress>({ starts: [], hints: 0 })
+  #learned: NonNullable<Project['q']>
   /** By the id of the robot. */
   #findings = $state.raw<{ readonly [robot: string]: readonly Finding[] }>({})
   #before: { readonly pose?: Pose; readonly brain?: Brain } = {}
@@ -41,6 +44,7 @@ export class Session {
     this.opened = opened
     const { project, card } = opened
     this.#name = project.name
+    this.#learned = project.q ?? {}
     this.#progress = project.progress ?? { starts: [], hints: 0 }
     this.lab = new RunningLab(project, opened.floor, card?.card.checks ?? [])
     this.keeper = new Keeper(opened.id, opened.revision)
@@ -97,7 +101,21 @@ export class Session {
   get project(): Project {
     const { programs, world, brains } = this.lab.document
     const parts = { programs, world, brains, progress: this.#progress, assets: this.#pictureIn(world.floor) }
-    return { ...this.opened.project, name: this.#name, ...parts }
+    const learned = Object.keys(this.#learned).length > 0 && { q: this.#learned }
+    return { ...this.opened.project, name: this.#name, ...parts, ...learned }
+  }
+
+  /** Does the program learn by trying? Its playground is shown then. */
+  learns = $derived.by(() => JSON.stringify(this.program.stacks).includes(learningMap))
+
+  /** How far the chosen robot's learning by trying has come. */
+  get learned(): Learned | undefined {
+    return this.#learned[this.robot.program]
+  }
+
+  keepLearned(learned: Learned): void {
+    this.#learned = { ...this.#learned, [this.robot.program]: learned }
+    this.keeper.changed(() => this.project)
   }
 
   /** Only the picture that lies there is kept. */
@@ -293,6 +311,7 @@ export class Session {
       this.choose(stuck)
       return this.findings.find(({ stops }) => stops) ?? null
     }
+    if (this.learnFirst()) return null
     const standsAt = this.lab.view.robots[0]?.pose
     this.#startedFrom = this.opened.card?.card.starts.findIndex((start) => samePose(start, standsAt)) ?? -1
     this.lab.start()
@@ -332,6 +351,9 @@ export class Session {
     this.keeper.changed(() => this.project)
   }
 }
+
+/** The block that says on which map. */
+const learningMap = '"ai_q_learning_states_and_actions_map"'
 
 const noProgram: Program = { stacks: [], config: { stacks: [] } }
 

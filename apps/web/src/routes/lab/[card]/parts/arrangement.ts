@@ -49,16 +49,23 @@ function columnsDesigned(free: number): readonly [program: number, world: number
   return [program, Math.min(free - program - designed.network, designed.worldMost)]
 }
 
-function columns(area: Area, sizes: PaneSizes['columns']): readonly [Border, Border] {
+/** Learning by trying has a map: it gets the larger half. */
+const columnsLearning = (free: number): readonly [program: number, world: number] => [
+  Math.min(0.262 * free, designed.programMost),
+  0.228 * free,
+]
+
+function columns(area: Area, sizes: PaneSizes['columns'], learns: boolean): readonly [Border, Border] {
   const free = area.width - 2 * gap
-  const wanted = sizes ? [sizes[0] * area.width, sizes[1] * area.width] : columnsDesigned(free)
+  const asDesigned = learns ? columnsLearning(free) : columnsDesigned(free)
+  const wanted = sizes ? [sizes[0] * area.width, sizes[1] * area.width] : asDesigned
   const program = border('x', wanted[0] ?? 0, least.program, free - least.world - least.network)
   const world = border('x', wanted[1] ?? 0, least.world, free - program.at - least.network)
   return [program, world]
 }
 
-function stacked(area: Area, sizes: PaneSizes['stacked']): readonly [Border, Border] {
-  const [program, world] = sizes ?? [0.456, 0.435]
+function stacked(area: Area, sizes: PaneSizes['stacked'], learns: boolean): readonly [Border, Border] {
+  const [program, world] = sizes ?? (learns ? [0.36, 0.3] : [0.456, 0.435])
   return [
     border('x', program * area.width, least.program, area.width - gap - least.network),
     border('y', world * area.height, least.worldHeight, area.height - gap - least.networkHeight),
@@ -74,9 +81,14 @@ function rows(area: Area, sizes: PaneSizes['rows']): readonly [Border, Border] {
 }
 
 /** The two borders of an arrangement, as the child has dragged them or as they are designed; none when panes are pages. */
-export function bordersOf(arrangement: Arrangement, area: Area, sizes: PaneSizes): readonly Border[] {
-  if (arrangement === 'columns') return columns(area, sizes.columns)
-  if (arrangement === 'stacked') return stacked(area, sizes.stacked)
+export function bordersOf(
+  arrangement: Arrangement,
+  area: Area,
+  sizes: PaneSizes,
+  learns = false,
+): readonly Border[] {
+  if (arrangement === 'columns') return columns(area, sizes.columns, learns)
+  if (arrangement === 'stacked') return stacked(area, sizes.stacked, learns)
   return arrangement === 'rows' ? rows(area, sizes.rows) : []
 }
 

@@ -169,6 +169,8 @@ export interface LabFrameProps {
   onresetweights: () => void
   /** Is there a network to reset and step? */
   hasNetwork: boolean
+  /** The program learns by trying: that has the place of the network. */
+  learns: boolean
   /** A card without a network has no pane for one. */
   networkPane: boolean
   /** The child builds the world, which needs room. */
