@@ -9,7 +9,9 @@ export const barrier = (from: number, to: number): Template => ({
 export const obstacles = (roads: readonly (readonly [number, number])[]): Template => ({
   type: 'rl_obstacles_easy_list',
   mutation: { attrs: { items: String(roads.length), list_type: 'Obstacle' } },
-  values: Object.fromEntries(roads.map(([from, to], k) => [`ADD${k}`, barrier(from, to)])),
+  ...(roads.length > 0 && {
+    values: Object.fromEntries(roads.map(([from, to], k) => [`ADD${k}`, barrier(from, to)])),
+  }),
 })
 
 /** The map of the first card. */

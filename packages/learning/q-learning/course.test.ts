@@ -64,6 +64,19 @@ describe('a course', () => {
     expect([...one.learner.q]).toEqual([...other.q])
   })
 
+  test('opens the last move, whatever stopped it', () => {
+    for (const [moves, episodes] of [
+      [77, 1e6],
+      [100_000, 10],
+      [1, 1],
+    ] as const) {
+      const one = course(4, episodes)
+      one.next()
+      one.advance(moves)
+      expect(one.trace?.t).toBe(one.shown)
+    }
+  })
+
   test('says which limit stopped it', () => {
     const few = course(1, 20)
     few.advance(100_000)

@@ -91,6 +91,8 @@ export class Course {
       this.#note()
     }
     if (this.shown < from + moves) this.next()
+    // Where a limit stopped it the last move was not opened yet.
+    if (this.shown > from && this.#trace?.t !== this.shown) this.goTo(this.shown)
     return this.shown - from
   }
 

@@ -60,13 +60,16 @@ export function faceOf(block: BotBlock): Face | undefined {
   return (key === undefined ? undefined : look.faces?.of[key]) ?? Object.values(look.faces?.of ?? {})[0]
 }
 
+/** Colours of the frame round a list; every family that has lists has one. */
+const layerStyle = ({ category }: Look) => (category === 'q-learning' ? 'roads' : 'layer')
+
 /** Gives the block the plug and the frame of its face. */
 export function applyFace(block: BotBlock): void {
   const { look } = block.definition
   if (look.shape !== 'value') return
   const face = faceOf(block)
   block.frame = face?.items ? { plug: face.plug ?? 'round', tint: face.tint ?? 'sensor' } : null
-  block.setStyle(block.frame ? 'layer' : look.category)
+  block.setStyle(block.frame ? layerStyle(look) : look.category)
   block.setOutput(true, face?.output ?? look.output ?? null)
 }
 

@@ -35,3 +35,5 @@ export function darker(colour: string, share: number): string {
 
 /** Ground of a layer's frame. */
 export const layerGround = '#8E2247'
+/** And of the list of closed roads. */
+export const roadsGround = '#425A0A'

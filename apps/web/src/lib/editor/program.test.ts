@@ -91,10 +91,11 @@ function blockOf(type: string, depth: number): fc.Arbitrary<Draft> {
 }
 
 type Children = Pick<Draft, 'values' | 'statements' | 'mutation'>
-const listTypes = fc.constantFrom('InputNode', 'OutputNode')
+/** Kinds of list that a growing block can be: the faces it has. */
+const listTypes = (look: Look) => fc.constantFrom(...Object.keys(look.faces?.of ?? {}))
 const childless = (look: Look): fc.Arbitrary<Children> =>
   look.items
-    ? listTypes.map((type) => ({ mutation: { attrs: { items: '1', list_type: type } } }))
+    ? listTypes(look).map((type) => ({ mutation: { attrs: { items: '1', list_type: type } } }))
     : fc.constant({})
 
 function mutationFor(
@@ -111,7 +112,7 @@ function mutationFor(
 }
 
 function childrenOf(look: Look, depth: number): fc.Arbitrary<Children> {
-  if (look.items) return listOf(depth)
+  if (look.items) return listOf(look, depth)
   const values = look.inputs.flatMap((input) =>
     input.kind === 'value' ? [[input.name, valueFor(input.accepts, depth)]] : [],
   )
@@ -131,16 +132,21 @@ function childrenOf(look: Look, depth: number): fc.Arbitrary<Children> {
     }))
 }
 
-const listOf = (depth: number): fc.Arbitrary<Children> =>
-  listTypes.chain((listType) =>
-    fc.array(fc.option(valueFor([listType], depth)), { minLength: 1, maxLength: 5 }).map((rows) => ({
-      mutation: { attrs: { items: String(rows.length), list_type: listType } },
-      ...(rows.some(Boolean) && {
-        values: Object.fromEntries(
-          rows.flatMap((row, at) => (row ? [[`ADD${at}`, row]] : [])),
-        ) as Block['values'],
-      }),
-    })),
+const listOf = (look: Look, depth: number): fc.Arbitrary<Children> =>
+  listTypes(look).chain((listType) =>
+    fc
+      .array(fc.option(valueFor(look.faces?.of[listType]?.items?.accepts ?? [], depth)), {
+        minLength: 1,
+        maxLength: 5,
+      })
+      .map((rows) => ({
+        mutation: { attrs: { items: String(rows.length), list_type: listType } },
+        ...(rows.some(Boolean) && {
+          values: Object.fromEntries(
+            rows.flatMap((row, at) => (row ? [[`ADD${at}`, row]] : [])),
+          ) as Block['values'],
+        }),
+      })),
   )
 
 const outputs = (look: Look) => [

@@ -1,5 +1,5 @@
 import * as Blockly from 'blockly/core'
-import { categoryColours, darker, layerGround, paper, unknownColour } from './colours.ts'
+import { categoryColours, darker, layerGround, roadsGround, paper, unknownColour } from './colours.ts'
 
 const plain = 'Nunito, sans-serif'
 const clear = "'Atkinson Hyperlegible Next', sans-serif"
@@ -17,7 +17,7 @@ function style(colour: string): Blockly.Theme.BlockStyle {
   }
 }
 
-const colours = { ...categoryColours, layer: layerGround, unknown: unknownColour }
+const colours = { ...categoryColours, layer: layerGround, roads: roadsGround, unknown: unknownColour }
 
 /** Two fonts, else equal: the name tells Blockly's styles apart. */
 function define(name: string, letters: boolean): Blockly.Theme {

@@ -24,9 +24,10 @@ export interface BedCard {
 export interface HomeProps {
   /** Newest first; empty on the first visit. */
   recent: readonly RecentProject[]
-  /** The cards of the two beds that have some. */
+  /** The cards of the beds that have some. */
   drive: readonly BedCard[]
   network: readonly BedCard[]
+  learning: readonly BedCard[]
   onopenfile: (file: File) => void
 }
 

@@ -1,5 +1,6 @@
 import { resolve } from '$app/paths'
 import { allCards, pictureOf, placeOf } from '#lib/content/cards.ts'
+import type { Card } from '@botgarten/materials'
 import type { Kept } from '#lib/storage/database.ts'
 import { isSaid, say } from '#lib/words/say.ts'
 import type { BedCard, Level, RecentProject } from './home.ts'
@@ -46,7 +47,7 @@ function levelOf(card: string, kept: readonly Kept[]): Level {
 }
 
 /** The cards of one playground, and how far each has been solved on this device. */
-export const bedOf = (playground: 'drive' | 'network', kept: readonly Kept[]): BedCard[] =>
+export const bedOf = (playground: Card['playground'], kept: readonly Kept[]): BedCard[] =>
   allCards
     .filter((card) => card.playground === playground)
     .map(({ id }) => ({

@@ -51,8 +51,8 @@ function columnsDesigned(free: number): readonly [program: number, world: number
 
 /** Learning by trying has a map: it gets the larger half. */
 const columnsLearning = (free: number): readonly [program: number, world: number] => [
-  Math.min(0.262 * free, designed.programMost),
-  0.228 * free,
+  Math.min(0.256 * free, designed.programMost),
+  Math.min(0.256 * free, designed.worldMost),
 ]
 
 function columns(area: Area, sizes: PaneSizes['columns'], learns: boolean): readonly [Border, Border] {
@@ -65,10 +65,13 @@ function columns(area: Area, sizes: PaneSizes['columns'], learns: boolean): read
 }
 
 function stacked(area: Area, sizes: PaneSizes['stacked'], learns: boolean): readonly [Border, Border] {
-  const [program, world] = sizes ?? (learns ? [0.36, 0.3] : [0.456, 0.435])
+  const [program, world] = sizes ?? (learns ? [0.385, 0.52] : [0.456, 0.435])
+  const [upper, lower] = learns
+    ? [least.programHeight, least.worldHeight]
+    : [least.worldHeight, least.networkHeight]
   return [
     border('x', program * area.width, least.program, area.width - gap - least.network),
-    border('y', world * area.height, least.worldHeight, area.height - gap - least.networkHeight),
+    border('y', world * area.height, upper, area.height - gap - lower),
   ]
 }
 
@@ -118,12 +121,15 @@ export function gridOfTwo(arrangement: Arrangement, borders: readonly Border[]):
 }
 
 /** `grid-template` of an arrangement. */
-export function gridOf(arrangement: Arrangement, borders: readonly Border[]): string {
+export function gridOf(arrangement: Arrangement, borders: readonly Border[], learns = false): string {
   const [a, b] = borders.map((border) => `${border.at}px`)
   switch (arrangement) {
     case 'columns':
       return `"program first world second network" ${rest} / ${a} ${gap}px ${b} ${gap}px ${rest}`
     case 'stacked':
+      // A map wants height: it stands beside program and world.
+      if (learns)
+        return `"program first network" ${b} "second first network" ${gap}px "world first network" ${rest} / ${a} ${gap}px ${rest}`
       return `"program first world" ${b} "program first second" ${gap}px "program first network" ${rest} / ${a} ${gap}px ${rest}`
     case 'rows':
       return `"world first network" ${b} "second second second" ${gap}px "program program program" ${rest} / ${a} ${gap}px ${rest}`
