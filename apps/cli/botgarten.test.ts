@@ -79,11 +79,23 @@ describe('botgarten cards', () => {
     expect(stdout.trim()).not.toContain('\n')
     expectToFit(json(), 'cards.json')
     const ids = (json() as unknown as { id: string }[]).map(({ id }) => id)
-    expect(ids).toEqual(['forward', 'square', 'stop', 'chameleon', 'friendship', 'fear'])
+    expect(ids).toEqual([
+      'forward',
+      'square',
+      'stop',
+      'chameleon',
+      'friendship',
+      'fear',
+      'railway',
+      'forest',
+      'city',
+    ])
   })
 
   it('lists them for people, a line each', () => {
-    expect(botgarten('cards').stdout).toMatch(/\nfriendship .*Friendship \/ Freundschaft\nfear .*\n$/)
+    expect(botgarten('cards').stdout).toMatch(
+      /\nfriendship .*Friendship \/ Freundschaft\nfear .*\nrailway .*Railway \/ Eisenbahn\n/,
+    )
   })
 })
 
