@@ -1,0 +1,129 @@
+import { axeFindings } from '../child-cards.ts'
+import { Learner } from '../child-learning.ts'
+import { TimeHands } from '../child-time.ts'
+import { expect, test } from '../house.ts'
+import { languages } from '../words.ts'
+
+for (const language of languages) {
+  test.describe(`learning by trying in ${language}`, () => {
+    test.use({ language })
+
+    test('the railway: a road is closed on the map, Bo learns, the way is drawn, and Bo stands at the goal', async ({
+      child,
+      page,
+    }) => {
+      const learner = new Learner(child)
+      await child.opensHome()
+      await page.getByRole('link', { name: child.word('home.railway'), exact: true }).click()
+      await learner.sees()
+      await learner.closes(2, 3)
+      await learner.seesClosedRoads(2)
+      await child.presses('lab.undo')
+      await learner.seesClosedRoads(0)
+      await learner.closes(2, 3)
+      await learner.hurries()
+      await child.presses('lab.start')
+      await learner.seesWay(3, 5, 0, 1)
+      await child.seesDriving()
+      const time = new TimeHands(child)
+      await time.opens()
+      await time.chooses('Infinity')
+      await child.seesCheck('railway', 'way')
+      await child.seesCheck('railway', 'arrives')
+    })
+
+    test('by keys alone', async ({ child, page }) => {
+      const learner = new Learner(child)
+      await learner.opens('railway')
+      await child.tabsTo(learner.station(0))
+      // Six stations, then the roads 0–1, 0–5, 1–2, 2–3.
+      for (let step = 0; step < 9; step += 1) await child.types('ArrowRight')
+      await expect(learner.road(2, 3)).toBeFocused()
+      await child.types('Enter')
+      await expect(child.button('q.closeRoad')).toBeFocused()
+      await child.types('Enter')
+      await learner.seesClosedRoads(2)
+      await child.tabsAndPresses('q.turbo')
+      await child.tabsAndPresses('lab.start')
+      await learner.seesWay(3, 5, 0, 1)
+      await child.tabsAndPresses('time.open')
+      const speed = page.getByLabel(child.word('time.speed'), { exact: true })
+      await child.tabsTo(speed)
+      await child.types('End')
+      await child.seesCheck('railway', 'arrives')
+    })
+
+    test('what was learned when the page was left goes on, and the same dice give the same', async ({
+      child,
+    }) => {
+      const learner = new Learner(child)
+      await learner.opens('railway')
+      await child.presses('q.times', { speed: 3 })
+      await child.presses('q.play')
+      await expect.poll(async () => (await learner.moves()).made).toBeGreaterThan(3)
+      await child.presses('q.pause')
+      const { made } = await learner.moves()
+      const said = await child.page.locator('.q [aria-live]').textContent()
+      await child.seesSaved()
+      await child.reloads()
+      await learner.sees()
+      await expect.poll(() => learner.moves()).toEqual({ shown: made, made })
+      await child.presses('q.step')
+      await expect.poll(() => learner.moves()).toEqual({ shown: made + 1, made: made + 1 })
+      await learner.timeline.focus()
+      await child.types('ArrowLeft')
+      await expect.poll(() => learner.moves()).toEqual({ shown: made, made: made + 1 })
+      await expect(child.page.locator('.q [aria-live]')).toHaveText(said!)
+    })
+
+    test('a goal that is closed off is said, and Bo does not drive', async ({ child, page }) => {
+      const learner = new Learner(child)
+      await learner.opens('railway')
+      await learner.closes(0, 1)
+      await learner.closes(1, 2)
+      await expect(page.getByText(child.word('q.noWay'), { exact: true })).toBeVisible()
+      await learner.hurries()
+      await child.presses('lab.start')
+      const over = `${child.word('q.byEpisodes', { count: 10 })} ${child.word('q.notYet')}`
+      await expect(page.locator('.line').getByText(over)).toBeVisible()
+      await child.seesStanding()
+    })
+
+    test('in the city few tries end in a circle, which is said in words', async ({ child, page }) => {
+      const learner = new Learner(child)
+      await learner.opens('city')
+      await learner.hurries()
+      await child.presses('q.play')
+      const circle = child.word('q.circle', { station: '\\d+', circle: '\\d+( → \\d+)+' })
+      await expect(page.locator('.line').getByText(new RegExp(circle))).toBeVisible()
+    })
+
+    test('every page of every level: nothing for axe to find, a step is said, a run becomes a row', async ({
+      child,
+      page,
+    }) => {
+      await page.emulateMedia({ reducedMotion: 'reduce' })
+      const learner = new Learner(child)
+      await learner.opens('railway')
+      await child.presses('q.step')
+      const facts = { move: 1, from: '\\d', to: '\\d', how: '.+', stars: '\\d' }
+      await expect(page.locator('.q [aria-live]')).toHaveText(new RegExp(child.word('q.said.move', facts)))
+      expect(await axeFindings(page)).toEqual([])
+      await learner.hurries()
+      await child.presses('q.play')
+      await expect(child.button('q.playNew')).toBeVisible()
+      await child.presses('lab.stop')
+      for (const level of ['starter', 'expert']) {
+        await page.getByLabel(child.word('q.level')).selectOption(level)
+        await learner.turnsTo('inside')
+        expect(await axeFindings(page)).toEqual([])
+      }
+      await learner.turnsTo('curves')
+      await expect(page.getByRole('figure')).toHaveCount(3)
+      expect(await axeFindings(page)).toEqual([])
+      await learner.turnsTo('trials')
+      await expect(page.locator('.drawer tbody tr')).toHaveCount(1)
+      expect(await axeFindings(page)).toEqual([])
+    })
+  })
+}
