@@ -56,6 +56,11 @@ export type CoreType =
   | 'ai_q_apply_learning_rule'
   | 'ai_q_draw_the_best_way'
   | 'ai_q_drive_the_best_way'
+  | 'ai_sorting_collect'
+  | 'ai_sorting_find'
+  | 'ai_sorting_group'
+  | 'ai_sorting_near'
+  | 'ai_sorting_name'
 
 /** The rest of Open Roberta's two toolboxes, and what only old files hold: `expert.ts`. */
 export type ExpertType =

@@ -44,7 +44,7 @@ function expectMessage(key: string, names?: readonly string[]) {
 
 const families = [
   ...['control', 'action', 'sensors', 'logic', 'math', 'text', 'lists', 'variables', 'functions', 'messages'],
-  ...['network', 'q-learning'],
+  ...['network', 'q-learning', 'sorting'],
 ]
 const files = families.flatMap((family) =>
   readdirSync(new URL(family, import.meta.url))

@@ -51,6 +51,11 @@ import { robSensors_timer_getSample } from './sensors/robSensors_timer_getSample
 import { robSensors_timer_reset } from './sensors/robSensors_timer_reset.ts'
 import { robSensors_touch_getSample } from './sensors/robSensors_touch_getSample.ts'
 import { robSensors_ultrasonic_getSample } from './sensors/robSensors_ultrasonic_getSample.ts'
+import { ai_sorting_collect } from './sorting/ai_sorting_collect.ts'
+import { ai_sorting_find } from './sorting/ai_sorting_find.ts'
+import { ai_sorting_group } from './sorting/ai_sorting_group.ts'
+import { ai_sorting_name } from './sorting/ai_sorting_name.ts'
+import { ai_sorting_near } from './sorting/ai_sorting_near.ts'
 import { text } from './text/text.ts'
 import type { Definition } from './types.ts'
 
@@ -109,6 +114,11 @@ const core: { readonly [T in CoreType]: Definition } = {
   ai_q_apply_learning_rule,
   ai_q_draw_the_best_way,
   ai_q_drive_the_best_way,
+  ai_sorting_collect,
+  ai_sorting_find,
+  ai_sorting_group,
+  ai_sorting_near,
+  ai_sorting_name,
 }
 
 /**

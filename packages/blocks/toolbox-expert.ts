@@ -176,7 +176,7 @@ const newOnes: readonly ToolboxCategory[] = [
 ]
 
 /** What the playgrounds bring stands at the end. */
-const last: readonly Category[] = ['network', 'q-learning']
+const last: readonly Category[] = ['network', 'q-learning', 'sorting']
 
 const withMore = ({ category, blocks }: ToolboxCategory): ToolboxCategory => ({
   category,

@@ -7,6 +7,7 @@ import {
   learner,
   learningMap,
 } from './parts/learning-examples.ts'
+import { colourReading, find, groupAs } from './parts/sorting-examples.ts'
 import type { BlockType } from './block-type.ts'
 import type { Category, Template } from './types.ts'
 
@@ -107,6 +108,15 @@ const learning: readonly Template[] = [
   barrier(2, 3),
 ]
 
+const sorting: readonly Template[] = [
+  colourReading,
+  find(3),
+  groupAs('NUMBER'),
+  groupAs('NAME'),
+  block('ai_sorting_near', { SENSORPORT: '1' }, { GROUP: number(1) }),
+  block('ai_sorting_name', {}, { GROUP: number(1), NAME: text('') }),
+]
+
 /** What a child finds, in order, with what is plugged in: presets of Open Roberta's beginner toolbox, our ports. */
 export const toolbox: readonly ToolboxCategory[] = [
   { category: 'control', blocks: control },
@@ -123,4 +133,5 @@ export const toolbox: readonly ToolboxCategory[] = [
   { category: 'text', blocks: [block('text', { TEXT: '' })] },
   { category: 'network', blocks: neurons },
   { category: 'q-learning', blocks: learning },
+  { category: 'sorting', blocks: sorting },
 ]

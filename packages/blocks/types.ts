@@ -170,6 +170,19 @@ export interface Memory {
   readonly networkId: string
   net(): NetMemory
   letters(): Letter[]
+  /** What the blocks of sorting have collected; they write into it. */
+  sorting(): SortingMemory
+}
+
+/** What a program has collected and sorted. Plain data, part of its thread. */
+export interface SortingMemory {
+  /** Rows of red, green and blue. */
+  readings: (readonly number[])[]
+  /** How many there were, those included whose places others have taken. */
+  collected: number
+  /** Middles of the groups, in the order in which they were met; empty until groups were found. */
+  centres: (readonly number[])[]
+  names: string[]
 }
 
 /** What a block `robActions_assert` found out. `expected`, `got`: texts of the two values of a comparison, else of the truth. */
@@ -239,6 +252,7 @@ export type Category =
   | 'messages'
   | 'network'
   | 'q-learning'
+  | 'sorting'
 
 export type FieldLook =
   | {

@@ -20,7 +20,7 @@ const check: v.GenericSchema<unknown, Check> = v.pipe(
 const card = v.strictObject({
   id: v.pipe(v.string(), v.regex(/^[a-z][a-z0-9-]*$/)),
   code: v.string(),
-  playground: v.picklist(['network', 'drive', 'q-learning']),
+  playground: v.picklist(['network', 'drive', 'q-learning', 'sorting']),
   grades: v.tuple([v.number(), v.number()]),
   minutes: v.number(),
   starts: v.pipe(v.array(pose), v.minLength(1)),

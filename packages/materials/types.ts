@@ -22,8 +22,8 @@ export interface Card {
   readonly next: string | null
 }
 
-/** What stands beside the world; `drive`: blocks alone. */
-export type Playground = 'network' | 'drive' | 'q-learning'
+/** What stands beside the world; `drive` and `sorting`: blocks alone. */
+export type Playground = 'network' | 'drive' | 'q-learning' | 'sorting'
 
 export type Need = 'distanceSensors' | 'colourSensor' | 'motors' | 'lamp' | 'blueSquare' | 'wall' | 'flag'
 

@@ -6,6 +6,7 @@ import type {
   Letter,
   NetMemory,
   NeuronLook,
+  SortingMemory,
   Value,
 } from '@botgarten/blocks'
 import type { Brain } from '@botgarten/learning/neural-network'
@@ -60,6 +61,8 @@ export interface Thread {
   assertions: Assertions
   /** What `robActions_debug` said last, newest at the end. */
   notes: { readonly block: string; readonly text: string }[]
+  /** What its blocks of sorting have collected and found. */
+  sorting: SortingMemory
   problem: (Finding & { readonly stops: true }) | null
 }
 

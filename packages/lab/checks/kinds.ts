@@ -3,6 +3,7 @@ import type { AnyKind } from './kind.ts'
 import { led } from './led.ts'
 import { near } from './near.ts'
 import { neverTouches } from './neverTouches.ts'
+import { showsGroups } from './showsGroups.ts'
 import { stays } from './stays.ts'
 import { turnsAway } from './turnsAway.ts'
 import { visits } from './visits.ts'
@@ -13,6 +14,7 @@ export const kinds: { readonly [kind: string]: AnyKind } = {
   led,
   near,
   neverTouches,
+  showsGroups,
   stays,
   turnsAway,
   visits,

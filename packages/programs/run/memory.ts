@@ -9,6 +9,7 @@ import type {
   Memory,
   NetMemory,
   Robot,
+  SortingMemory,
   Value,
 } from '@botgarten/blocks'
 import type { Scope, Thread } from '../types.ts'
@@ -90,5 +91,9 @@ export class Running implements Context, Memory {
 
   letters(): Letter[] {
     return this.#thread.letters
+  }
+
+  sorting(): SortingMemory {
+    return this.#thread.sorting
   }
 }

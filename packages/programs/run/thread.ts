@@ -1,5 +1,5 @@
 import { stream } from '@botgarten/numbers'
-import type { Host, Value } from '@botgarten/blocks'
+import { emptySorting, type Host, type Value } from '@botgarten/blocks'
 import type { Thread } from '../types.ts'
 import { takeFrame } from './frames.ts'
 import type { IndexedBlock, ProgramIndex } from './index-program.ts'
@@ -20,6 +20,7 @@ const threadFrom = (node: IndexedBlock | null, seed = 0): Thread => ({
   letters: [],
   assertions: { passed: 0, wrong: 0, failed: [] },
   notes: [],
+  sorting: emptySorting(),
   problem: null,
 })
 

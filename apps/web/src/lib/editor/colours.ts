@@ -14,6 +14,7 @@ export const categoryColours: { readonly [category in Category]: string } = {
   messages: '#5C6470',
   network: '#C2335F',
   'q-learning': '#5B7A12',
+  sorting: '#8C6A00',
 }
 
 /** A block that this version does not know. */

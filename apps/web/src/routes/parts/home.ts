@@ -28,6 +28,7 @@ export interface HomeProps {
   drive: readonly BedCard[]
   network: readonly BedCard[]
   learning: readonly BedCard[]
+  sorting: readonly BedCard[]
   onopenfile: (file: File) => void
 }
 

@@ -1,0 +1,52 @@
+import fc from 'fast-check'
+import { expect, test } from 'vitest'
+import { apart, fieldIn, spotOf, under } from './geometry.ts'
+
+const room = fc.record({
+  width: fc.integer({ min: 300, max: 2000 }),
+  height: fc.integer({ min: 250, max: 1200 }),
+})
+const value = fc.double({ min: 0, max: 10, noNaN: true })
+
+test('from the plane to the screen and back is the same place', () => {
+  fc.assert(
+    fc.property(room, value, value, (size, x, y) => {
+      const field = fieldIn(size)
+      expect(field.valueX(field.x(x))).toBeCloseTo(x, 9)
+      expect(field.valueY(field.y(y))).toBeCloseTo(y, 9)
+    }),
+  )
+})
+
+test('what a finger lets go outside stays on the plane', () => {
+  const field = fieldIn({ width: 700, height: 500 })
+  expect(field.valueX(-100)).toBe(0)
+  expect(field.valueY(-100)).toBe(10)
+})
+
+test('things on one place move apart, each once', () => {
+  const spots = apart(
+    Array.from({ length: 12 }, () => ({ x: 100, y: 100 })),
+    40,
+  )
+  expect(spots[0]).toEqual({ x: 100, y: 100 })
+  spots.forEach((a, index) =>
+    spots
+      .slice(index + 1)
+      .forEach((b) => expect(Math.hypot(a.x - b.x, a.y - b.y)).toBeGreaterThanOrEqual(37.9)),
+  )
+})
+
+test('without a column things lie in the middle of that axis', () => {
+  const field = fieldIn({ width: 700, height: 500 })
+  expect(spotOf(field, [10], [0, -1])).toEqual({ x: field.x(10), y: field.y(5) })
+})
+
+test('a finger takes the nearest spot within reach, or none', () => {
+  const spots = [
+    { x: 0, y: 0 },
+    { x: 10, y: 0 },
+  ]
+  expect(under(spots, 6, 0, 20)).toBe(1)
+  expect(under(spots, 60, 0, 20)).toBeNull()
+})

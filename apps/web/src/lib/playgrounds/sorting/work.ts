@@ -1,0 +1,129 @@
+import {
+  bestOf,
+  plusPlusStart,
+  pointsOf,
+  randomStart,
+  startAt,
+  type Distance,
+  type KState,
+  type KTrace,
+  type Points,
+} from '@botgarten/learning/k-means'
+import { columnsOf, onPlane, rawOf, type Column, type ThingSet } from '@botgarten/materials/things'
+import { stream } from '@botgarten/numbers'
+
+/** What is sorted. */
+export type Source = 'things' | 'points' | 'readings'
+export type Start = 'random' | '++' | 'best'
+
+/** Rows of numbers with their columns, on the plane's scale of 0 to 10. */
+export interface Table {
+  readonly columns: readonly Column[]
+  readonly rows: readonly (readonly number[])[]
+}
+
+/** The whole playground as plain data: every change makes a new one, and the line of them is the way back. */
+export interface Work {
+  readonly source: Source
+  /** Id of the set of things; of a data set of points, '' for own ones. */
+  readonly set: string
+  /** Features of the things that count. */
+  readonly counting: readonly string[]
+  readonly table: Table
+  /** Columns that lie along the two axes; −1: none does. */
+  readonly axes: readonly [x: number, y: number]
+  readonly flags: number
+  readonly distance: Distance
+  /** Null where there is nothing to sort yet. */
+  readonly state: KState | null
+  readonly trace: KTrace | null
+  /** Grows with every throw of the flags, so that each is another one. */
+  readonly throws: number
+}
+
+export const MOST_FLAGS = 6
+export const MOST_POINTS = 5000
+const inUnit = { part: '', low: 0, high: 10, scale: 10 }
+
+export const thingTable = (set: ThingSet, counting: readonly string[]): Table => {
+  const columns = columnsOf(set, counting)
+  const rows = set.things.map((thing) => columns.map((one) => onPlane(rawOf(set, thing, one), one)))
+  return { columns, rows }
+}
+
+/** Points by hand: right and up on the plane. */
+export const handTable = (rows: Table['rows']): Table => ({
+  columns: ['right', 'up'].map((feature) => ({ ...inUnit, feature, unit: '' })),
+  rows,
+})
+
+/** What a colour sensor has read: red, green and blue, 0 to 255. */
+export const readingTable = (rows: Table['rows']): Table => ({
+  columns: ['red', 'green', 'blue'].map((part) => ({
+    ...inUnit,
+    feature: 'colour',
+    part,
+    unit: '',
+    high: 255,
+  })),
+  rows: rows.map((row) => row.map((value) => (value / 255) * 10)),
+})
+
+/** A file's columns, each as wide as the plane. */
+export function fileTable(names: readonly string[], rows: Table['rows']): Table {
+  const columns = names.map((feature, at) => {
+    const values = rows.map((row) => row[at]!)
+    const [low, high] = [values.reduce((a, b) => Math.min(a, b)), values.reduce((a, b) => Math.max(a, b))]
+    return { ...inUnit, feature, unit: '', low, high }
+  })
+  return { columns, rows: rows.map((row) => row.map((value, at) => onPlane(value, columns[at]!))) }
+}
+
+export const pointsIn = ({ rows }: Table): Points => pointsOf(rows)
+
+const sortable = ({ columns, rows }: Table) => columns.length > 0 && rows.length > 0
+
+/** As many flags as there are, or as there can be: no more than points. */
+export const flagsFor = (wanted: number, table: Table): number =>
+  Math.max(1, Math.min(wanted, MOST_FLAGS, table.rows.length))
+
+/** Other rows or columns: flags are thrown anew. */
+export function withTable(work: Work, table: Table): Work {
+  const { length } = table.columns
+  // Of red, green and blue, red and blue part colours best.
+  const axes = [length > 0 ? 0 : -1, work.source === 'readings' ? 2 : length > 1 ? 1 : -1] as const
+  return thrown({ ...work, table, axes, flags: flagsFor(work.flags, table) })
+}
+
+/** All flags at new places, nothing sorted yet. */
+export function thrown(work: Work, start: Start = 'random'): Work {
+  if (!sortable(work.table)) return { ...work, state: null, trace: null }
+  const { table, flags, distance, throws } = work
+  const points = pointsIn(table)
+  const chance = stream(throws, 'learn/sorting/flags')
+  if (start === 'best') {
+    const { centres } = bestOf(points, flags, { starts: 10, init: '++', distance, stream: chance })
+    return { ...placed(work, centres), throws: throws + 1 }
+  }
+  const centres =
+    start === '++' ? plusPlusStart(points, flags, distance, chance) : randomStart(points, flags, chance)
+  return { ...placed(work, centres), throws: throws + 1 }
+}
+
+/** Flags where a hand has put them: sorting begins anew from there. */
+export function placed(work: Work, centres: KState['centres']): Work {
+  return { ...work, state: startAt(pointsIn(work.table), centres, work.distance), trace: null }
+}
+
+/** One flag more, or fewer; the others stay. */
+export function withFlags(work: Work, wanted: number): Work {
+  const flags = flagsFor(wanted, work.table)
+  if (!work.state) return { ...work, flags }
+  const kept = work.state.centres.slice(0, flags)
+  const more = randomStart(
+    pointsIn(work.table),
+    flags - kept.length || 1,
+    stream(work.throws, 'learn/sorting/flags'),
+  ).slice(0, flags - kept.length)
+  return { ...placed({ ...work, flags }, [...kept, ...more]), throws: work.throws + 1 }
+}

@@ -1,0 +1,3 @@
+import { fetchLateWords } from '#lib/words/say.ts'
+
+export const load = () => fetchLateWords()

@@ -1,0 +1,63 @@
+import type { Browser } from '@playwright/test'
+import { launchBrowser } from '../e2e/browser.ts'
+import { SortingHands } from '../e2e/child-sorting.ts'
+import { Child } from '../e2e/child.ts'
+import { buildWhenNeeded } from '../scripts/prepare/build.mjs'
+import { startServer } from '../scripts/server.ts'
+import { percentile, type Table } from './bench.ts'
+import { noteFrames } from './in-page.ts'
+
+const throttle = 4
+const count = 2000
+
+/** Points all over the plane: flags move for many rounds. */
+function table(): string {
+  const rows = Array.from({ length: count }, (_, row) => `${(row * 7919) % 1000};${(row * 104_729) % 997}`)
+  return `x;y\n${rows.join('\n')}\n`
+}
+
+/** Plays to the end on a slow laptop; frames from the first round on. */
+async function playing(browser: Browser, baseURL: string): Promise<number[]> {
+  const context = await browser.newContext({
+    baseURL,
+    viewport: { width: 1366, height: 768 },
+    locale: 'en-GB',
+  })
+  const page = await context.newPage()
+  const session = await context.newCDPSession(page)
+  const sorting = new SortingHands(new Child(page, 'en'))
+  await sorting.opens('points')
+  await sorting.opensTable(table())
+  await sorting.seesPoints(count)
+  for (let press = 0; press < 2; press += 1) await sorting.presses('moreFlags')
+  await session.send('Emulation.setCPUThrottlingRate', { rate: throttle })
+  await page.waitForTimeout(1000)
+  await page.evaluate(noteFrames)
+  await sorting.presses('play')
+  await page.waitForTimeout(10_000)
+  const times = await page.evaluate(() => globalThis.frameTimes)
+  await context.close()
+  return times.slice(1).map((time, index) => time - times[index]!)
+}
+
+const ms = (value: number) => `${value.toFixed(1)} ms`
+
+/** How the sorting playground feels on a slow laptop. */
+export default async function sorting(): Promise<Table> {
+  await buildWhenNeeded()
+  const server = await startServer({ port: 0, host: '127.0.0.1' })
+  const browser = await launchBrowser()
+  const gaps = await playing(browser, server.url)
+  await browser.close()
+  await server.close()
+  return {
+    title: 'The sorting playground on a slow laptop',
+    how: `Chromium without a graphics card, 1366 × 768, processor at a quarter; ${count} points, 5 flags, played for ten seconds at 1 ×.`,
+    columns: ['what', 'measured', 'goal'],
+    rows: [
+      ['frame, median', ms(percentile(gaps, 0.5)), ''],
+      ['frame, p95', ms(percentile(gaps, 0.95)), '≤ 18 ms'],
+      ['frame, longest', ms(Math.max(...gaps)), ''],
+    ],
+  }
+}

@@ -1,0 +1,99 @@
+import { readFileSync } from 'node:fs'
+import { expect, type Locator } from '@playwright/test'
+import type { Child } from './child.ts'
+import type { Spot } from './hand.ts'
+
+/** What a child does in the sorting playground. */
+export class SortingHands {
+  readonly #child: Child
+
+  constructor(child: Child) {
+    this.#child = child
+  }
+
+  word = (key: string, facts = {}) => this.#child.word(`sorting.${key}`, facts)
+  words = (key: string, facts = {}) => this.#child.words(`sorting.${key}`, facts)
+  presses = (key: string, facts = {}) => this.#child.presses(`sorting.${key}`, facts)
+
+  async opens(source: 'things' | 'points' | 'readings' = 'things') {
+    await this.#child.page.goto('/sorting')
+    await expect(this.plane).toBeVisible()
+    if (source !== 'things') await this.presses(`tab.${source}`)
+  }
+
+  get plane(): Locator {
+    return this.#child.page.getByRole('application')
+  }
+
+  flag(number: number): Locator {
+    return this.#child.page.getByRole('button', { name: this.word('flag', { number }), exact: true })
+  }
+
+  get flags(): Locator {
+    return this.#child.page.getByRole('button', {
+      name: new RegExp(`^${this.word('flag', { number: '\\d' })}$`),
+    })
+  }
+
+  feature(name: string): Locator {
+    return this.#child.page.getByRole('switch', { name: this.word(`feature.${name}`), exact: true })
+  }
+
+  group(number: number): Locator {
+    return this.#child.page.getByRole('textbox', { name: this.word('nameOf', { number }), exact: true })
+  }
+
+  thing(kind: string, number: number): Locator {
+    return this.#child.page.getByRole('button', {
+      name: `${this.word(`kind.${kind}`)} ${number}`,
+      exact: true,
+    })
+  }
+
+  /** Where flag 1 and all others stand. */
+  places(): Promise<string[]> {
+    return this.flags.evaluateAll((flags) => flags.map((flag) => (flag as HTMLElement).style.transform))
+  }
+
+  async middleOfPlane(): Promise<Spot> {
+    return this.#child.middleOf(this.plane)
+  }
+
+  /** Steps by hand until no flag moves any more. */
+  async sorts() {
+    for (let round = 0; round < 40; round += 1) {
+      if (await this.isDone()) return
+      await this.presses((await this.isOff('join')) ? 'move' : 'join')
+    }
+    throw new Error('The flags still move.')
+  }
+
+  isDone = async () => (await this.isOff('join')) && (await this.isOff('move'))
+  isOff = async (key: 'join' | 'move') =>
+    (await this.#child.button(`sorting.${key}`).getAttribute('aria-disabled')) === 'true'
+
+  async seesDone() {
+    await expect(this.#child.page.getByText(this.word('say.done'))).toBeVisible()
+  }
+
+  async opensTable(text: string) {
+    const file = { name: 'table.csv', mimeType: 'text/csv', buffer: Buffer.from(text) }
+    await this.#child.page.locator('input[type=file]').setInputFiles(file)
+  }
+
+  async seesPoints(count: number) {
+    await expect(this.plane).toHaveAttribute('aria-label', this.word('plane', { count }))
+  }
+}
+
+/** A card of sorting with one of its programs, as a project file. */
+export function sortingProject(card: 'tidy-up' | 'new-colours', program: string): string {
+  const [folder, world] = card === 'tidy-up' ? ['01-tidy-up', 'tiles'] : ['02-new-colours', 'meadow']
+  const read = (path: string) =>
+    JSON.parse(readFileSync(new URL(`../content/${path}`, import.meta.url), 'utf8')) as object
+  return JSON.stringify({
+    ...{ botgarten: 1, name: 'Mine', card, assets: {} },
+    ...read(`cards/sorting/${folder}/${program}.json`),
+    world: read(`worlds/${world}/world.json`),
+  })
+}

@@ -1,0 +1,200 @@
+import { axeFindings } from '../child-cards.ts'
+import { SortingHands, sortingProject } from '../child-sorting.ts'
+import { expect, test } from '../house.ts'
+import { languages } from '../words.ts'
+
+for (const language of languages) {
+  test.describe(`sorting in ${language}`, () => {
+    test.use({ language })
+
+    test('the home page leads there; things find their groups, which keep the names of the child', async ({
+      child,
+      page,
+    }) => {
+      const sorting = new SortingHands(child)
+      await child.opensHome()
+      await page.getByRole('link', { name: child.word('home.sorting'), exact: true }).click()
+      await expect(sorting.flags).toHaveCount(3)
+      await sorting.sorts()
+      await sorting.seesDone()
+      await sorting.group(1).fill('Bottles')
+      await sorting.thing('bottle', 1).click()
+      await expect(page.getByText(/^\d+[.,]?\d*$/).first()).toBeVisible()
+      await page.reload()
+      await expect(sorting.group(1)).toHaveValue('Bottles')
+    })
+
+    test('the criterion decides: without any nothing is sorted, another one makes other groups', async ({
+      child,
+    }) => {
+      const sorting = new SortingHands(child)
+      await sorting.opens()
+      for (const name of ['width', 'height']) await sorting.feature(name).click()
+      await expect(sorting.words('nothingCounts')).toBeVisible()
+      await expect(sorting.flags).toHaveCount(0)
+      await sorting.feature('colour').click()
+      await expect(sorting.flags).toHaveCount(3)
+      await sorting.presses('play')
+      await sorting.seesDone()
+    })
+
+    test('a flag is pulled; the way back leads to every step', async ({ child, page }) => {
+      const sorting = new SortingHands(child)
+      await sorting.opens()
+      await child.drags(await child.middleOf(sorting.flag(1)), await sorting.middleOfPlane())
+      const pulled = await sorting.places()
+      await sorting.presses('join')
+      await sorting.presses('move')
+      expect(await sorting.places()).not.toEqual(pulled)
+      await sorting.presses('back')
+      await sorting.presses('back')
+      expect(await sorting.places()).toEqual(pulled)
+      await page.getByRole('slider', { name: sorting.word('wayBack') }).press('End')
+      expect(await sorting.places()).not.toEqual(pulled)
+    })
+
+    test('all of it with the keyboard', async ({ child, page }) => {
+      const sorting = new SortingHands(child)
+      await sorting.opens()
+      const before = await sorting.places()
+      await child.tabsTo(sorting.flag(2))
+      await child.types('ArrowLeft', 'ArrowUp', 'Shift+ArrowUp')
+      const after = await sorting.places()
+      expect(after[1]).not.toBe(before[1])
+      expect(after[0]).toBe(before[0])
+      await child.tabsAndPresses('sorting.joinOne')
+      await sorting.plane.focus()
+      await child.types('ArrowRight')
+      await expect(
+        page.getByText(sorting.word('awayFrom', { flag: 3, away: '' }).split(':')[0]!),
+      ).not.toHaveCount(0)
+      await child.types('Escape')
+      await child.tabsAndPresses('sorting.join')
+      await child.tabsAndPresses('sorting.moveOne')
+      await child.tabsAndPresses('sorting.play')
+      await sorting.seesDone()
+    })
+
+    test('points by hand, by key and taken away; no more flags than points', async ({ child }) => {
+      const sorting = new SortingHands(child)
+      await sorting.opens('points')
+      await child.page.getByRole('combobox').first().selectOption('')
+      await expect(sorting.words('noPoints')).toBeVisible()
+      await sorting.presses('tool.add')
+      const middle = await sorting.middleOfPlane()
+      await child.page.mouse.click(middle.x - 150, middle.y - 100)
+      await child.page.mouse.click(middle.x + 150, middle.y + 100)
+      await sorting.plane.focus()
+      await child.types('ArrowUp', 'ArrowUp', 'Enter')
+      await sorting.seesPoints(3)
+      await expect(sorting.flags).not.toHaveCount(4)
+      await sorting.presses('tool.remove')
+      await child.page.mouse.click(middle.x - 150, middle.y - 100)
+      await sorting.seesPoints(2)
+      for (let press = 0; press < 5; press += 1) await sorting.presses('moreFlags')
+      await expect(sorting.flags).toHaveCount(2)
+    })
+
+    test('an own table, as a German spreadsheet writes it; what is wrong with others is said', async ({
+      child,
+      page,
+    }) => {
+      const sorting = new SortingHands(child)
+      await sorting.opens('points')
+      await sorting.opensTable('Länge;Breite;Höhe\r\n1,5;2;7\r\n9,5;8;1\r\n1,25;2,5;6\r\n9;9;2\r\n')
+      await sorting.seesPoints(4)
+      await expect(page.getByRole('combobox', { name: sorting.word('axisX') })).toContainText('Länge')
+      await sorting.presses('play')
+      await sorting.seesDone()
+      const alert = page.getByRole('alert')
+      for (const [text, key, facts] of [
+        ['', 'empty', {}],
+        ['x;y\n1;2\nNaN;3', 'noNumber', { row: 3, column: 1, cell: 'NaN' }],
+        ['x;y\n1;apple', 'noNumber', { row: 2, column: 2, cell: 'apple' }],
+        ['1;2\n3', 'unequalRows', { row: 2, cells: 1, columns: 2 }],
+        ['1\n'.repeat(1_000_000), 'manyRows', { most: 5000 }],
+      ] as const) {
+        await sorting.opensTable(text)
+        await expect(alert).toHaveText(sorting.word(`table.${key}`, facts))
+      }
+      await sorting.seesPoints(4)
+      await sorting.opensTable('5;5\n5;5\n5;5\n')
+      await sorting.seesPoints(3)
+      await sorting.presses('play')
+      await sorting.seesDone()
+    })
+
+    test('Bo drives, collects and finds the colours', async ({ child, page }) => {
+      const sorting = new SortingHands(child)
+      await sorting.opens('readings')
+      await expect(sorting.words('noReadings')).toBeVisible()
+      await sorting.presses('drive.lanes')
+      await expect(
+        page.getByText(new RegExp(`^[4-9]\\d ${sorting.word('readingCount', { count: '' }).trim()}$`)),
+      ).toBeVisible()
+      await sorting.presses('drive.stop')
+      await expect(sorting.flags).toHaveCount(3)
+      await sorting.presses('placeHow')
+      await sorting.presses('start.best')
+      await sorting.presses('play')
+      await sorting.seesDone()
+      for (const number of [1, 2, 3]) await expect(sorting.group(number)).toBeVisible()
+    })
+
+    test('two guess what counts on one device', async ({ child }) => {
+      const sorting = new SortingHands(child)
+      await sorting.opens()
+      await sorting.presses('guess.open')
+      const game = child.dialog('sorting.guess.title')
+      const press = (key: string) =>
+        game.getByRole('button', { name: sorting.word(key), exact: true }).click()
+      await press('feature.height')
+      await press('guess.sort')
+      await press('feature.colour')
+      await press('guess.check')
+      await expect(game.getByText(sorting.word('guess.wrong', { found: 0, of: 1 }))).toBeVisible()
+      await press('feature.colour')
+      await press('feature.height')
+      await press('guess.check')
+      await expect(
+        game.getByText(sorting.word('guess.right', { list: sorting.word('feature.height') })),
+      ).toBeVisible()
+      await press('guess.swap')
+      await expect(game.getByText(sorting.word('guess.first'))).toBeVisible()
+    })
+
+    test('the cards are solved by their programs: groups on every tile, names on every colour', async ({
+      child,
+    }) => {
+      for (const card of ['tidy-up', 'new-colours'] as const) {
+        await child.opensLab(card)
+        await child.opensProject('Mine', sortingProject(card, 'solution'))
+        await child.pressesStart()
+        await child.seesCheck(card, 'shows', true, 60_000)
+        await child.pressesStop()
+      }
+    })
+
+    test('axe finds nothing', async ({ child, page }) => {
+      const sorting = new SortingHands(child)
+      const found: { [screen: string]: string[] } = {}
+      await page.emulateMedia({ reducedMotion: 'reduce' })
+      for (const size of [
+        { width: 1366, height: 768 },
+        { width: 390, height: 844 },
+      ]) {
+        await page.setViewportSize(size)
+        for (const source of ['things', 'points', 'readings'] as const) {
+          await sorting.opens(source)
+          if (source !== 'readings') await sorting.presses('join')
+          found[`${source} ${size.width}`] = await axeFindings(page)
+        }
+        await sorting.opens()
+        await sorting.presses('guess.open')
+        await expect(child.dialog('sorting.guess.title')).toBeVisible()
+        found[`guess ${size.width}`] = await axeFindings(page)
+      }
+      expect(found).toEqual(Object.fromEntries(Object.keys(found).map((screen) => [screen, []])))
+    })
+  })
+}

@@ -1,0 +1,32 @@
+import { SortingHands } from '../child-sorting.ts'
+import { expect, test } from '../house.ts'
+import { languages } from '../words.ts'
+
+for (const language of languages) {
+  test.describe(`sorting with a finger in ${language}`, () => {
+    test.use({ language })
+
+    test('a flag is pulled, a thing tapped, and all is sorted', async ({ child, page }) => {
+      const sorting = new SortingHands(child)
+      await sorting.opens()
+      const before = await sorting.places()
+      await child.drags(await child.middleOf(sorting.flag(1)), await sorting.middleOfPlane())
+      expect((await sorting.places())[0]).not.toBe(before[0])
+      await sorting.thing('cup', 5).tap()
+      await expect(sorting.thing('cup', 5)).toHaveAttribute('aria-pressed', 'true')
+      await page.getByRole('button', { name: sorting.word('play') }).tap()
+      await sorting.seesDone()
+    })
+
+    test('points are set with a finger', async ({ child, page }) => {
+      const sorting = new SortingHands(child)
+      await sorting.opens('points')
+      await page.getByRole('combobox').first().selectOption('')
+      await page.getByRole('button', { name: sorting.word('tool.add') }).tap()
+      const { x, y } = await sorting.middleOfPlane()
+      await page.touchscreen.tap(x - 100, y)
+      await page.touchscreen.tap(x + 100, y)
+      await sorting.seesPoints(2)
+    })
+  })
+}
