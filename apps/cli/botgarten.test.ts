@@ -126,6 +126,18 @@ describe('botgarten run', () => {
     expect(given['hash']).toBe(botgarten('run', 'friendship', '--solution', '--json').json()['hash'])
   })
 
+  it('runs a file of Open Roberta as it is, and says what it asserts of itself', () => {
+    const { json } = botgarten('run', join(openRoberta, 'composed__common__mathBasics.xml'), '--json')
+    expectToFit(json(), 'run.json')
+    expect(json()['assertions']).toEqual({ passed: 5, failed: [] })
+    const wrong = join(openRoberta, 'composed__common__controlFlowDecisons.xml')
+    expect(botgarten('run', wrong, '--json').json()['assertions']).toEqual({
+      passed: 15,
+      failed: [{ id: 'hYTvh!=P6mP399o-51Yp', text: 'pos-14', expected: '14', got: '13' }],
+    })
+    expect(botgarten('run', wrong).stdout).toMatch(/asserted wrongly {2}pos-14: expected 14, got 13/)
+  })
+
   it('says in words what it says in JSON', () => {
     expect(botgarten('run', 'friendship', '--solution').stdout).toMatch(/passed {2}near at \d/)
   })

@@ -121,14 +121,24 @@ function reportOf(lab: Lab, seed: number) {
   const [robot] = robots
   if (!robot) throw new FileError('There is no robot in this world.')
   const { pose, trail, led, display, tones } = robot
-  return { seconds, seed, pose, trail, led, display, tones, checks, problem, hash: lab.hash() }
+  const assertions = assertionsOf(lab)
+  return { seconds, seed, pose, trail, led, display, tones, checks, assertions, problem, hash: lab.hash() }
 }
 
-function sentenceOf({ seconds, pose, checks, hash }: ReturnType<typeof reportOf>): string {
+/** What the program has asserted of itself; of those that failed at most a hundred. */
+function assertionsOf(lab: Lab) {
+  const { passed = 0, failed = [] } = lab.state().threads[0]?.assertions ?? {}
+  return { passed, failed: failed.map(({ id, text, expected, got }) => ({ id, text, expected, got })) }
+}
+
+function sentenceOf({ seconds, pose, checks, assertions, hash }: ReturnType<typeof reportOf>): string {
   const place = `${pose.x.toFixed(1)} cm, ${pose.y.toFixed(1)} cm, heading ${pose.heading.toFixed(1)}°`
   const results = checks.map(
     ({ id, passed, at }) =>
       `  ${passed ? 'passed' : 'not yet'}  ${id}${at === null ? '' : ` at ${at.toFixed(1)} s`}`,
   )
-  return [`${seconds} s: the robot stands at ${place} (hash ${hash})`, ...results].join('\n')
+  const said = assertions.failed.map(
+    ({ text, expected, got }) => `  asserted wrongly  ${text}: expected ${expected}, got ${got}`,
+  )
+  return [`${seconds} s: the robot stands at ${place} (hash ${hash})`, ...results, ...said].join('\n')
 }

@@ -16,6 +16,7 @@ import { Run } from './run.ts'
 import { reachStop, stepBlock, stepNetwork, type Stops, type Walk } from './stepping.ts'
 import type { Course } from './timeline/moment.ts'
 import type { Check, Document, DriveKey, Input, Lab, Phase, StepKind } from './types.ts'
+import { variablesOf } from './variables.ts'
 import { viewOf } from './view.ts'
 
 /** An empty lab; `load` gives it something to run. */
@@ -223,6 +224,11 @@ class OneLab implements Lab {
         if (!this.#buttons.some((held) => held.key === key && held.robot === robot))
           this.#give({ kind: 'button', key, down: false, robot })
     })
+  }
+
+  variables = (robot?: string) => {
+    const run = this.#run.robots[this.#robotAt(robot)]
+    return run ? variablesOf(run) : []
   }
 
   senses = (robot?: string) => sensesOf(this.#simulation, this.#robotAt(robot))

@@ -3,6 +3,7 @@ import type { Finding } from '@botgarten/blocks'
 import type { Project } from '@botgarten/programs'
 import type { Floor, LedColour, Pose, Ray, RobotKey, SensorPort } from '@botgarten/simulation'
 import type { Senses } from './robots/senses.ts'
+import type { Variable } from './variables.ts'
 import type { Moment } from './timeline/moment.ts'
 
 /** What a lab runs: the parts of a project that behave. */
@@ -158,6 +159,8 @@ export interface Lab {
   press(key: DriveKey, down: boolean, robot?: string): void
   /** Presses a key on a robot's own panel, or lets it go. */
   pressButton(key: RobotKey, down: boolean, robot?: string): void
+  /** What a robot's program remembers at the moment that is shown. */
+  variables(robot?: string): readonly Variable[]
   /** What a robot's sensors, motors, timers and keys say now; the first robot's where none is named. */
   senses(robot?: string): Senses
   /**

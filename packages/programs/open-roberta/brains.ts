@@ -3,8 +3,11 @@ import type { Brain } from '@botgarten/learning/neural-network'
 import * as v from 'valibot'
 import { brainSchema } from '../project/schema.ts'
 import type { Program, Project } from '../types.ts'
+import { networkIn, withNetwork } from './network-json.ts'
 
 const type = 'ai_neural_network'
+/** Blocks that carry a network of today's Open Roberta. */
+const carriers = new Set(['robControls_start', 'robActions_NNstep'])
 const marked = v.object({ botgartenBrain: brainSchema })
 
 /** The program with the weights of its networks as data of their blocks, since a file of Open Roberta has no place for them. */
@@ -19,14 +22,18 @@ export const withBrains = (program: Program, brains: Project['brains']): Program
 function withBrain(block: Block, brains: Project['brains']): Block {
   const { values, statements } = block
   return {
-    ...(block.type === type
-      ? withData(block, Object.hasOwn(brains, block.id) ? brains[block.id] : undefined)
-      : block),
+    ...withOwn(block, Object.hasOwn(brains, block.id) ? brains[block.id] : undefined),
     ...(values && { values: mapped(values, (child) => withBrain(child, brains)) }),
     ...(statements && {
       statements: mapped(statements, (row) => row.map((child) => withBrain(child, brains))),
     }),
   }
+}
+
+function withOwn(block: Block, brain: Brain | undefined): Block {
+  if (block.type === type) return withData(block, brain)
+  if (!carriers.has(block.type) || block.data === undefined || !brain) return block
+  return { ...block, data: withNetwork(block.data, brain) }
 }
 
 /** Weights that the block brought along before are not kept beside. */
@@ -47,7 +54,8 @@ export const brainsIn = ({ stacks }: Program): Project['brains'] =>
   Object.fromEntries(stacks.flatMap(({ blocks }) => blocks.flatMap(brainsOf)))
 
 function brainsOf(block: Block): (readonly [string, Brain])[] {
-  const own = block.type === type && block.data !== undefined ? brainOf(block.data) : null
+  const { data = '' } = block
+  const own = block.type === type ? brainOf(data) : carriers.has(block.type) ? networkIn(data) : null
   const inside = [...Object.values(block.values ?? {}), ...Object.values(block.statements ?? {}).flat()]
   return [...(own ? [[block.id, own] as const] : []), ...inside.flatMap(brainsOf)]
 }
