@@ -53,10 +53,14 @@ export interface Blocks {
   setClosed(map: string, roads: LearningOutline['closed']): void
 }
 
-const files = import.meta.glob<string>('../../../../../../content/maps/*/map.svg', {
-  query: '?raw',
-  import: 'default',
-})
+const addresses = import.meta.glob<string>(
+  '../../../../../../content/maps/{city,forest,mars,railway}/map.svg',
+  {
+    query: '?url&no-inline',
+    import: 'default',
+    eager: true,
+  },
+)
 
 /** Milliseconds of a frame that learning may take in turbo: the rest is for drawing. */
 const BUDGET = 7
@@ -172,9 +176,11 @@ export class Learning {
 
   async #bring(id: string): Promise<Stage | null> {
     if (this.#stage?.id === id) return this.#stage
-    const text = await files[`../../../../../../content/maps/${id}/map.svg`]?.()
-    const map = text === undefined ? null : readMap(text).map
-    return map && { id, map, picture: takeApart(text!), roads: roadsOf(map) }
+    const address = addresses[`../../../../../../content/maps/${id}/map.svg`]
+    if (address === undefined) return null
+    const text = await (await fetch(address)).text()
+    const { map } = readMap(text)
+    return map && { id, map, picture: takeApart(text), roads: roadsOf(map) }
   }
 
   #create(): boolean {

@@ -1,0 +1,92 @@
+import type { Browser, Page } from '@playwright/test'
+import { launchBrowser } from '../e2e/browser.ts'
+import { Learner } from '../e2e/child-learning.ts'
+import { buildWhenNeeded } from '../scripts/prepare/build.mjs'
+import { startServer } from '../scripts/server.ts'
+import { percentile, type Table } from './bench.ts'
+import { freshChild, throttle, throttled, watchFrames } from './slow.ts'
+
+const tries = 10_000
+const ms = (value: number) => `${value.toFixed(1)} ms`
+const MB = (bytes: number) => `${(bytes / 1e6).toFixed(1)} MB`
+
+/** Bytes in use after everything that nobody needs has been collected. */
+async function heapOf(page: Page): Promise<number> {
+  const session = await page.context().newCDPSession(page)
+  for (let time = 0; time < 3; time += 1) await session.send('HeapProfiler.collectGarbage')
+  const { usedSize } = await session.send('Runtime.getHeapUsage')
+  await session.detach()
+  return usedSize
+}
+
+/** Types another number into a field of a block. */
+async function types(page: Page, block: string, field: number, number: number) {
+  await page
+    .locator(`.blocklySvg .blocklyBlockCanvas [data-id="${block}"] .blocklyNumberField`)
+    .nth(field)
+    .click()
+  await page.keyboard.press('ControlOrMeta+a')
+  await page.keyboard.type(String(number))
+  await page.keyboard.press('Enter')
+}
+
+/** A finger goes to and fro over all of the learning. */
+async function scrubbing(page: Page, learner: Learner) {
+  const box = (await learner.timeline.boundingBox())!
+  const middle = box.y + box.height / 2
+  await page.mouse.move(box.x + box.width / 2, middle)
+  await page.mouse.down()
+  const watching = watchFrames(page, 5)
+  for (let step = 0; step < 250; step += 1) {
+    await page.mouse.move(box.x + box.width * (0.5 + 0.48 * Math.sin(step / 20)), middle)
+    await page.waitForTimeout(16)
+  }
+  const frames = await watching
+  await page.mouse.up()
+  return frames
+}
+
+async function city(browser: Browser, url: string) {
+  const child = await freshChild(browser, url)
+  const { page } = child
+  const learner = new Learner(child)
+  await learner.opens('city')
+  await types(page, 'experience', 0, tries)
+  await types(page, 'experience', 1, 1_000_000)
+  const before = await heapOf(page)
+  await learner.hurries()
+  const watching = watchFrames(page, 12)
+  await child.presses('q.play')
+  await child.button('q.playNew').waitFor({ timeout: 60_000 })
+  const turbo = await watching
+  await child.button('lab.stop').first().click()
+  const after = await heapOf(page)
+  const { made } = await learner.moves()
+  await throttled(page)
+  const scrub = await scrubbing(page, learner)
+  await page.context().close()
+  return { before, after, made, turbo, scrub }
+}
+
+/** The City in turbo: ten thousand tries, and back and forth over all of it. */
+export default async function qTurbo(): Promise<Table> {
+  await buildWhenNeeded()
+  const server = await startServer({ port: 0, host: '127.0.0.1' })
+  const browser = await launchBrowser()
+  const { before, after, made, turbo, scrub } = await city(browser, server.url)
+  await browser.close()
+  await server.close()
+  return {
+    title: 'Learning by trying in the browser',
+    how: `Chromium. The card City, ${tries} tries in turbo from the first move to the drawn way; then, at ${throttle} × CPU throttle, a hand goes to and fro on the timeline over all of it for five seconds.`,
+    columns: ['what', 'measured', 'goal'],
+    rows: [
+      ['moves', made, ''],
+      ['turbo: longest task of the main thread', ms(turbo.longest), '≤ 50 ms'],
+      ['timeline: distance between frames, 95th percentile', ms(percentile(scrub.gaps, 0.95)), '≤ 18 ms'],
+      ['… longest task of the main thread', ms(scrub.longest), ''],
+      ['heap after collection, before', MB(before), ''],
+      ['… with all of it learned', MB(after), ''],
+    ],
+  }
+}
