@@ -88,5 +88,8 @@ export default async function qTurbo(): Promise<Table> {
       ['heap after collection, before', MB(before), ''],
       ['… with all of it learned', MB(after), ''],
     ],
+    notes: [
+      'A move takes 1000 ms at ×1 (500, 333 at ×2, ×3). Its phases begin at: where Bo is 0 ms, the decision and its dice 150 ms, the ride 400 ms, the reward 750 ms, the number that changes 850 ms. What a phase shows stays a whole move, until the next move reaches the same phase.',
+    ],
   }
 }

@@ -9,7 +9,7 @@ export interface Picture {
   show(look: PictureLook): void
 }
 
-export interface PictureLook {
+interface PictureLook {
   readonly visited: readonly boolean[]
   readonly active: number | null
   /** 0..1 by road `a-b`, the better of both directions: how good it is beside the best. */
