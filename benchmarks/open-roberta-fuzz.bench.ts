@@ -1,9 +1,13 @@
 import { readFileSync } from 'node:fs'
+import { addBlocks } from '@botgarten/blocks'
+import { expert } from '@botgarten/blocks/later'
 import { createLab } from '@botgarten/lab'
 import { ProjectError, type Program } from '@botgarten/programs'
 import { paintFloor, type World } from '@botgarten/simulation'
 import { givenFiles, mutated, opened } from '../packages/programs/testing/mutations.ts'
 import { percentile, type Table } from './bench.ts'
+
+addBlocks(expert)
 
 const copies = 10_000
 const ticks = 60

@@ -1,7 +1,11 @@
 import { readFileSync } from 'node:fs'
+import { addBlocks } from '@botgarten/blocks'
+import { expert } from '@botgarten/blocks/later'
 import { expect, it } from 'vitest'
 import { ProjectError } from '../index.ts'
 import { givenFiles, mutated, opened } from '../testing/mutations.ts'
+
+addBlocks(expert)
 
 const words = ['en', 'de'].map(
   (language) =>
