@@ -89,6 +89,8 @@ describe('botgarten cards', () => {
       'railway',
       'forest',
       'city',
+      'tidy-up',
+      'new-colours',
     ])
   })
 

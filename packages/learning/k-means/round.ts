@@ -3,7 +3,7 @@ import { moveAll } from './move.ts'
 import type { Distance, Points } from './types.ts'
 
 /** What a round has done. */
-export interface Round {
+interface Round {
   /** Of the centres that it began with. */
   readonly inertia: number
   /** Has any point changed its group? */

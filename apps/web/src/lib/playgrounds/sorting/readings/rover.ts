@@ -13,7 +13,6 @@ import { atan2 } from '@botgarten/numbers'
 export type Reading = readonly [red: number, green: number, blue: number]
 export type Way = 'forward' | 'left' | 'right' | 'back'
 
-export const MOST_READINGS = 300
 /** Ticks between two readings. */
 const EVERY = 18
 
