@@ -36,3 +36,17 @@ export function finger(page: Page): Hand {
     up: () => send('touchEnd', []),
   }
 }
+
+/** Two fingers on a line through a spot, at first so many px apart and in the end so many. */
+export async function pinch(page: Page, { x, y }: Spot, from: number, to: number): Promise<void> {
+  const session = await page.context().newCDPSession(page)
+  const fingers = (apart: number) => [
+    { x: x - apart / 2, y, id: 0 },
+    { x: x + apart / 2, y, id: 1 },
+  ]
+  const send = (type: 'touchStart' | 'touchMove' | 'touchEnd', touchPoints: Spot[]) =>
+    session.send('Input.dispatchTouchEvent', { type, touchPoints })
+  await send('touchStart', fingers(from))
+  for (const share of [0.25, 0.5, 0.75, 1]) await send('touchMove', fingers(from + (to - from) * share))
+  await send('touchEnd', [])
+}

@@ -150,7 +150,7 @@ for (const language of languages) {
       await child.seesWeight(leftEye, leftWheel, 0)
       await child.seesWeight(rightEye, rightWheel, 0.7)
       await shelf.opens()
-      await shelf.seesNames(card, 'Friendship')
+      await shelf.seesNames(card, card)
     })
 
     test('among many one searches, and puts them in order', async ({ child, page }) => {
@@ -242,7 +242,7 @@ for (const language of languages) {
       await there.opens()
       await there.opensFile('home.botgarten.json', file)
       await there.isTold('projects.mergedTitle', 'projects.merged', { added: 3, same: 0 })
-      const copy = home.word('session.copy', { name: 'Friendship' })
+      const copy = home.word('session.copy', { name: home.word('home.friendship') })
       expect((await there.names()).toSorted()).toEqual(
         [copy, home.word('home.friendship'), 'Uno', 'Due'].toSorted(),
       )

@@ -1,6 +1,7 @@
 import type { Facts } from '@botgarten/blocks'
 import { parseProject, ProjectError, type Project } from '@botgarten/programs'
 import { placeOf } from '#lib/content/cards.ts'
+import { shownName } from '#lib/content/names.ts'
 import * as m from '#lib/words/generated/messages.js'
 import { nameOfCopy } from './copy-name.ts'
 import { isOpenRoberta } from './endings.ts'
@@ -66,7 +67,7 @@ async function takeHomeFile(data: unknown): Promise<OpenedFile> {
   const { projects, broken } = readHome(data)
   const { added, copies, same } = mergeHome(await list(), projects, {
     fresh: freshId,
-    copy: (name) => nameOfCopy(name, []),
+    copy: (project) => nameOfCopy(shownName({ project }), []),
     place: placeOf,
   })
   const trouble = await add(added)

@@ -22,7 +22,7 @@ const kept = (id: string, project: Project, changed = 1): Kept => ({ id, project
 let fresh = 0
 const names = {
   fresh: (place: string) => `${place}-fresh${fresh++}`,
-  copy: (name: string) => `${name} (copy)`,
+  copy: ({ name }: Project) => `${name} (copy)`,
   place: (project: Project) => project.card ?? 'free',
 }
 const merge = (here: readonly Kept[], file: string) =>

@@ -22,7 +22,7 @@ const fingerprint = ({ name: _name, ...project }: Project) => writeProject({ nam
 export function mergeHome(
   here: readonly Kept[],
   file: ReadHome['projects'],
-  name: { fresh(place: string): string; copy(name: string): string; place(project: Project): string },
+  name: { fresh(place: string): string; copy(project: Project): string; place(project: Project): string },
 ): Merge {
   const known = new Set(here.map(({ project }) => fingerprint(project)))
   const taken = new Set(here.map(({ id }) => id))
@@ -41,7 +41,7 @@ export function mergeHome(
     added.push({
       ...one,
       id,
-      project: clash ? renamed(one.project, name.copy(one.project.name)) : one.project,
+      project: clash ? renamed(one.project, name.copy(one.project)) : one.project,
     })
   }
   return { added, copies, same: file.length - added.length }

@@ -1,11 +1,9 @@
 import { resolve } from '$app/paths'
 import { allCards, pictureOf, placeOf } from '#lib/content/cards.ts'
-import type { Card } from '@botgarten/materials'
+import { nameOf, shownName } from '#lib/content/names.ts'
 import type { Kept } from '#lib/storage/database.ts'
-import { isSaid, say } from '#lib/words/say.ts'
+import type { Card } from '@botgarten/materials'
 import type { BedCard, Level, RecentProject } from './home.ts'
-
-const nameOf = (place: string): string | null => (isSaid(`home.${place}`) ? say(`home.${place}`) : null)
 
 /** The name of the card a project belongs to, in the language of now; null in the free lab. */
 export function cardName({ project }: Pick<Kept, 'project'>): string | null {
@@ -19,13 +17,6 @@ export function addressOf({ id, project }: Pick<Kept, 'id' | 'project'>): string
   return id === card
     ? resolve('/lab/[card]', { card })
     : resolve(`/lab/[card]?p=${encodeURIComponent(id)}`, { card })
-}
-
-/** A project that nobody has named is called like its card, in the language of now. */
-export function shownName({ id, project }: Pick<Kept, 'id' | 'project'>): string {
-  const place = placeOf(project)
-  const unnamed = project.name === 'free' || (id === place && project.name === place)
-  return (unnamed && nameOf(place)) || project.name
 }
 
 /** What lies on this device, as tiles that lead back to it. */

@@ -8,7 +8,7 @@ import { freshId, list, rename, save } from '#lib/storage/projects.ts'
 import { wordsOfRefusal } from '#lib/storage/refusal.ts'
 import * as m from '#lib/words/generated/messages.js'
 import type { Project } from '@botgarten/programs'
-import { shownName } from '../parts/kept.ts'
+import { shownName } from '#lib/content/names.ts'
 
 /** What is said after a deed, and how it is taken back. */
 interface Said {

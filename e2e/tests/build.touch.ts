@@ -1,0 +1,45 @@
+import { Builder } from '../child-build.ts'
+import { pinch } from '../hand.ts'
+import { expect, test } from '../house.ts'
+import { languages } from '../words.ts'
+
+for (const language of languages) {
+  test.describe(`a child that reads ${language}, with a finger`, () => {
+    test.use({ language })
+
+    test('builds: the world fills the lab, a thing is put down, moved and pulled bigger, and the lab comes back', async ({
+      child,
+    }) => {
+      const builder = new Builder(child)
+      await child.opensLab('free')
+      const before = (await builder.world.boundingBox())!.height
+      await builder.begins()
+      expect((await builder.world.boundingBox())!.height).toBeGreaterThan(before * 1.5)
+
+      await builder.addsThing('rectangle')
+      const box = builder.all('world.thing.rectangle')
+      const [at, spot] = [await builder.placeOf(box), await child.middleOf(box)]
+      await child.drags(spot, { x: spot.x - 90, y: spot.y })
+      await expect.poll(async () => (await builder.placeOf(box)).x).toBeLessThan(at.x - 20)
+      const handle = await child.middleOf(
+        child.button('build.size', { thing: child.word('world.thing.rectangle') }),
+      )
+      const width = (await box.boundingBox())!.width
+      await child.drags(handle, { x: handle.x + 40, y: handle.y + 40 })
+      await expect.poll(async () => (await box.boundingBox())!.width).toBeGreaterThan(width + 20)
+      await builder.ends()
+      expect((await builder.world.boundingBox())!.height).toBeCloseTo(before, 0)
+    })
+
+    test('brings the floor nearer with two fingers', async ({ child, page }) => {
+      await child.opensLab('free')
+      const { world } = new Builder(child)
+      const width = async () => (await world.locator('.camera > svg').first().boundingBox())!.width
+      const before = await width()
+      await pinch(page, await child.middleOf(world), 80, 200)
+      await expect.poll(width).toBeGreaterThan(before * 1.5)
+      await pinch(page, await child.middleOf(world), 200, 80)
+      await expect.poll(width).toBeLessThan(before * 1.2)
+    })
+  })
+}
