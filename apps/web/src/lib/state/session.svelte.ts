@@ -28,7 +28,7 @@ export class Session {
   /** Paints the floor of a scene that is taken back; who builds sets it. */
   paint: (scene: Scene) => Floor | null = () => null
   /** Start was pressed: learns first what the program wants learned. The playground sets it; true where it has begun. */
-  learnFirst: () => boolean = () => false
+  learnFirst: () => boolean = () => this.learns
   /** Pictures of floors, those of steps that can be taken back too. */
   #pictures = $state.raw<Project['assets']>({})
   #name = $state('')

@@ -157,7 +157,7 @@ export class Learning {
       document.removeEventListener('visibilitychange', away)
       window.removeEventListener('keydown', escape)
       this.pause()
-      this.session.learnFirst = () => false
+      this.session.learnFirst = () => this.session.learns
     }
   }
 

@@ -1,0 +1,60 @@
+import { blockFrom, toolbox, type Template } from '@botgarten/blocks'
+import { expect, test } from 'vitest'
+import { learningIn } from './index.ts'
+import type { Program } from './types.ts'
+
+const shelf = toolbox.find(({ category }) => category === 'q-learning')!.blocks
+const from = (part: string) => shelf.find(({ type }) => type.includes(part))!
+const start: Template = { type: 'robControls_start' }
+
+function programOf(...stacks: readonly (readonly Template[])[]): Program {
+  let next = 0
+  const blocks = (rows: readonly Template[]) => rows.map((row) => blockFrom(row, () => `b${next++}`))
+  return { stacks: stacks.map((rows) => ({ x: 0, y: 0, blocks: blocks(rows) })), config: { stacks: [] } }
+}
+
+const changed = (template: Template, fields: Template['fields']): Template => ({
+  ...template,
+  fields: { ...template.fields, ...fields },
+})
+
+test('a program without a map learns nothing', () => {
+  expect(learningIn(programOf([start, from('config')]))).toBeNull()
+})
+
+test('what is to be learned is read from the blocks, wherever they stand under start', () => {
+  const config = changed(from('config'), {
+    ALPHA: '0.35',
+    ALPHA_DECAY: 'visits',
+    RHO_DECAY: '0.99',
+    RULES: 'study',
+  })
+  const repeat: Template = { type: 'controls_repeat_ext', statements: { DO: [config, from('rule')] } }
+  const learning = learningIn(programOf([start, from('states'), repeat]))!
+  expect(learning).toMatchObject({
+    map: 'railway',
+    start: 3,
+    goal: 1,
+    closed: [],
+    episodes: 100,
+    moves: 10_000,
+  })
+  expect(learning.settings).toMatchObject({ rules: 'study', alpha: 0.35, alphaDecay: { kind: 'visits' } })
+  expect(learning.settings.rhoDecay).toEqual({ kind: 'episodes', factor: 0.99 })
+  expect(learning.blocks).not.toHaveProperty('draw')
+})
+
+test('a block under start comes before one that lies about; one that is switched off does not count', () => {
+  const other = changed(from('states'), { START: '5' })
+  expect(learningIn(programOf([other], [start, from('states')]))?.start).toBe(3)
+  expect(learningIn(programOf([start, { ...from('states'), disabled: true }]))).toBeNull()
+})
+
+test('numbers that mean nothing are the presets', () => {
+  const config = changed(from('config'), { ALPHA: '7', GAMMA: 'x', RHO_DECAY: '2' })
+  const rule = changed(from('rule'), { EPISODES: '-4', Q_LEARNER_TIME: 'viel' })
+  const learning = learningIn(programOf([start, from('states'), config, rule]))!
+  expect(learning).toMatchObject({ episodes: 1, moves: 10_000 })
+  expect(learning.settings).toMatchObject({ alpha: 0.5, gamma: 0.8 })
+  expect(learning.settings).not.toHaveProperty('rhoDecay')
+})
