@@ -36,8 +36,12 @@ export class TimeHands {
     await expect(this.#child.button('time.goOn')).toBeVisible()
   }
 
+  get speed(): Locator {
+    return this.#child.page.getByRole('combobox', { name: this.#child.word('time.speed'), exact: true })
+  }
+
   async chooses(speed: string) {
-    await this.#child.page.getByLabel(this.#child.word('time.speed')).selectOption(speed)
+    await this.speed.selectOption(speed)
   }
 
   // ---- several robots ----

@@ -32,7 +32,7 @@ for (const language of languages) {
       await child.seesCheck('railway', 'arrives')
     })
 
-    test('by keys alone', async ({ child, page }) => {
+    test('by keys alone', async ({ child }) => {
       const learner = new Learner(child)
       await learner.opens('railway')
       await child.tabsTo(learner.station(0))
@@ -47,8 +47,7 @@ for (const language of languages) {
       await child.tabsAndPresses('lab.start')
       await learner.seesWay(3, 5, 0, 1)
       await child.tabsAndPresses('time.open')
-      const speed = page.getByLabel(child.word('time.speed'), { exact: true })
-      await child.tabsTo(speed)
+      await child.tabsTo(new TimeHands(child).speed)
       await child.types('End')
       await child.seesCheck('railway', 'arrives')
     })

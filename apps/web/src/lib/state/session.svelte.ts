@@ -313,7 +313,12 @@ export class Session {
     }
     if (this.learnFirst()) return null
     const standsAt = this.lab.view.robots[0]?.pose
-    this.#startedFrom = this.opened.card?.card.starts.findIndex((start) => samePose(start, standsAt)) ?? -1
+    const card = this.opened.card?.card
+    // Who learned a way starts where the way does.
+    this.#startedFrom =
+      card?.playground === 'q-learning'
+        ? 0
+        : (card?.starts.findIndex((start) => samePose(start, standsAt)) ?? -1)
     this.lab.start()
     this.undo.begin()
     return null

@@ -52,7 +52,7 @@ function columnsDesigned(free: number): readonly [program: number, world: number
 /** Learning by trying has a map: it gets the larger half. */
 const columnsLearning = (free: number): readonly [program: number, world: number] => [
   Math.min(0.256 * free, designed.programMost),
-  Math.min(0.256 * free, designed.worldMost),
+  Math.min(0.275 * free, designed.worldMost),
 ]
 
 function columns(area: Area, sizes: PaneSizes['columns'], learns: boolean): readonly [Border, Border] {
