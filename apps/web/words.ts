@@ -4,7 +4,7 @@ import type { Plugin } from 'vite'
 type Tree = { readonly [key: string]: string | Tree }
 
 /** Sections of words that only pages beside the lab need, and parts that a click asks for (`later.ts`). */
-const late = ['about', 'build', 'projects', 'q', 'robot', 'share', 'sorting', 'tour']
+const late = ['about', 'build', 'debug', 'projects', 'q', 'robot', 'share', 'sorting', 'tour']
 
 /** `content/words/<language>.json?first` and `?late`: words of one language, flat (`world.lost`). */
 const tables: Plugin = {

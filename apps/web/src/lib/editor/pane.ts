@@ -5,6 +5,7 @@ import type { RobotConfig } from '@botgarten/simulation'
 import { setClosed } from './closed-roads.ts'
 import { listen, type Reports } from './events.ts'
 import { showFindings } from './finding-icon.ts'
+import type { Marks } from './debug/marks.ts'
 import { keepEscape } from './escape.ts'
 import { grouped } from './list.ts'
 import { addNeuron } from './network.ts'
@@ -84,6 +85,7 @@ export class Pane {
   #findings: readonly Finding[] = []
   #lit: string | null = null
   #glow: readonly string[] = []
+  #marks: Marks | null = null
 
   constructor(
     host: HTMLElement,
@@ -175,6 +177,13 @@ export class Pane {
     for (const id of this.#glow) this.#classOf(id, 'editor-glow', false)
     for (const id of ids) this.#classOf(id, 'editor-glow', true)
     this.#glow = ids
+  }
+
+  /** Stop points, and values at their blocks. What draws them comes when there are any. */
+  setMarks(marks: Marks): void {
+    if (!this.#marks && marks.stops.length === 0 && marks.values.size === 0) return
+    this.#marks = marks
+    void import('./debug/later.ts').then(({ showMarks }) => showMarks(this.#workspace, marks))
   }
 
   /** The type of the block that an element of the pane belongs to, on the paper or on the open shelf. */
@@ -282,6 +291,7 @@ export class Pane {
     this.setLit(this.#lit)
     this.setGlow(this.#glow)
     this.setFindings(this.#findings)
+    if (this.#marks) this.setMarks(this.#marks)
     if (selected !== undefined) this.focusBlock(selected)
   }
 

@@ -109,6 +109,8 @@ export class RunningLab {
   step = (kind: StepKind) => this.#then(() => this.#lab.step(kind, this.#chosen))
   press = (key: DriveKey, down: boolean) => this.#lab.press(key, down, this.#chosen)
   pressButton = (key: RobotKey, down: boolean, robot: string) => this.#lab.pressButton(key, down, robot)
+  setStops = (blocks: readonly string[]) => this.#lab.setStops(blocks)
+  variables = (robot: string) => this.#lab.variables(robot)
   senses = (robot: string) => this.#lab.senses(robot)
   place = (id: string, pose: Pose) => this.#then(() => this.#lab.place(id, pose))
   setWeight = (brain: string, from: string, to: string, weight: number, set = '') =>
