@@ -1,6 +1,6 @@
 import type { Block, Mutation } from '@botgarten/blocks'
 import { isReserved } from '../project/limits.ts'
-import { flag, wrapsByItself } from './repetitions.ts'
+import { flag, inBranches, wrapsByItself } from './repetitions.ts'
 import { notOpenRoberta, type Element } from './tree.ts'
 
 /**
@@ -64,24 +64,46 @@ function freshId(type: string, id: string, ids: Ids): string {
 
 function readParts(element: Element, type: string, ids: Ids): Parts {
   const parts: Parts = { fields: {}, values: {}, statements: {}, flags: {}, hide: [] }
+  refuseText(element)
   for (const child of element.children) {
+    if (isInput(child) || child.name === 'repetitions') continue
     const read = Object.hasOwn(readers, child.name) ? readers[child.name] : undefined
     if (!read) throw notOpenRoberta(`"${child.name}" does not belong into a block.`)
-    read(child, parts, ids)
+    read(child, parts)
   }
-  refuseText(element)
   const wrapped = element.children.some(({ name }) => name === 'repetitions')
-  const alone = Object.keys(parts.values).length + Object.keys(parts.statements).length === 0
-  if (wrapped !== wrapsByItself({ type, mutation: parts.mutation }) && (wrapped || !alone))
+  const inputs = inputsIn(element, wrapped)
+  for (const input of inputs) readInput(input, parts, ids)
+  if (wrapped !== wrapsByItself({ type, mutation: parts.mutation }) && (wrapped || inputs.length > 0))
     parts.flags[flag] = String(wrapped)
   return parts
+}
+
+const isInput = ({ name }: Element) => name === 'value' || name === 'statement'
+
+/** In the order in which they are written again, so that of two blocks with one id the same one keeps it. */
+function inputsIn({ children }: Element, wrapped: boolean): readonly Element[] {
+  const all = children.flatMap((child) => {
+    if (child.name !== 'repetitions') return isInput(child) ? [child] : []
+    refuseText(child)
+    const other = child.children.find((one) => !isInput(one))
+    if (other) throw notOpenRoberta(`"${other.name}" does not belong into repetitions.`)
+    return child.children
+  })
+  const named = all.map((element) => ({
+    element,
+    kind: element.name === 'value' ? ('value' as const) : ('statement' as const),
+    name: element.attributes['name'] ?? '',
+  }))
+  const values = named.toSorted((a, b) => Number(a.kind === 'statement') - Number(b.kind === 'statement'))
+  return (wrapped ? inBranches(values) : values).map(({ element }) => element)
 }
 
 export function refuseText({ name, text }: Element): void {
   if (text.trim() !== '') throw notOpenRoberta(`There is text in "${name}".`)
 }
 
-type Reader = (element: Element, parts: Parts, ids: Ids) => void
+type Reader = (element: Element, parts: Parts) => void
 
 /** What is said at a block: its text, and where it is shown among the flags. */
 function noteIn({ name, attributes, text, children }: Element, { flags }: Parts): string {
@@ -102,13 +124,6 @@ const readers: { readonly [name: string]: Reader } = {
     refuseChildren(name, children)
     put(fields, attributes['name'], text)
   },
-  repetitions(element, parts, ids) {
-    refuseText(element)
-    for (const child of element.children) {
-      if (child.name === 'value' || child.name === 'statement') readers[child.name]!(child, parts, ids)
-      else throw notOpenRoberta(`"${child.name}" does not belong into repetitions.`)
-    }
-  },
   comment(element, parts) {
     if (parts.comment !== undefined) throw notOpenRoberta('A block has two comments.')
     parts.comment = noteIn(element, parts)
@@ -124,21 +139,24 @@ const readers: { readonly [name: string]: Reader } = {
     hide.push(nameOf(name, 'What is hidden'))
     if (value !== undefined) flags[`hide.${name}`] = value
   },
-  value(element, { values, flags }, ids) {
-    refuseText(element)
-    const { name } = element.attributes
-    const blocks = element.children.map((child) => readBlock(child, ids))
-    const [first, second] = blocks
-    const above = second ?? first
-    if (!above) return
-    const two = blocks.length === 2 && first?.shadow === true && second?.shadow !== true
-    if (second && !two) throw notOpenRoberta(`Two blocks are plugged into "${name}".`)
-    put(values, name, above)
-    if (two) flags[`under.${name}`] = JSON.stringify(first)
-  },
-  statement(element, { statements }, ids) {
-    put(statements, element.attributes['name'], readRow(element, ids))
-  },
+}
+
+function readInput(element: Element, parts: Parts, ids: Ids): void {
+  const { name } = element.attributes
+  if (element.name === 'statement') put(parts.statements, name, readRow(element, ids))
+  else readValue(element, parts, ids)
+}
+
+function readValue(element: Element, { values, flags }: Parts, ids: Ids): void {
+  refuseText(element)
+  const { name } = element.attributes
+  const [first, second, ...more] = element.children.map((child) => readBlock(child, ids))
+  const above = second ?? first
+  if (!above) return
+  const under = second && more.length === 0 && first?.shadow === true && second.shadow !== true
+  if (second && !under) throw notOpenRoberta(`Two blocks are plugged into "${name}".`)
+  put(values, name, above)
+  if (under) flags[`under.${name}`] = JSON.stringify(first)
 }
 
 /** Blocks that stand one after the other. */
