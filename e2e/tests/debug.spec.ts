@@ -41,7 +41,7 @@ for (const language of languages) {
       await child.opensProject('Steps', steps)
       await child.button('lab.closely').focus()
       await page.keyboard.press('Enter')
-      const next = child.button('debug.next')
+      const next = child.button('lab.stepBlock').first()
       await next.focus()
       for (const key of ['Enter', 'Enter', 'Enter']) await page.keyboard.press(key)
       await expect(page.locator('.editor-lit')).toHaveCount(1)
