@@ -190,14 +190,14 @@ export class Desk {
     if (!work.state || this.done) return
     const { state, trace } = stepOne(pointsIn(work.table), work.state)
     this.touched = trace?.kind === 'assign' ? trace.point : null
-    this.#do({ ...work, state, trace })
+    this.#do({ ...work, state })
   }
 
   /** All points join, or all flags move. */
   stepAll(): void {
     const { work } = this
     if (!work.state || this.done) return
-    this.#do({ ...work, state: stepPhase(pointsIn(work.table), work.state), trace: null })
+    this.#do({ ...work, state: stepPhase(pointsIn(work.table), work.state) })
   }
 
   /** To the beginning of this sorting: the flags where they were placed. */
@@ -206,7 +206,7 @@ export class Desk {
     const first = this.#line.slice(0, this.#at + 1).findLast((one) => isFresh(one.state))
     const centres = first?.state?.centres
     if (!work.state || centres?.length !== work.flags) return
-    this.#do({ ...work, state: startAt(pointsIn(work.table), centres, work.distance), trace: null })
+    this.#do({ ...work, state: startAt(pointsIn(work.table), centres, work.distance) })
   }
 
   play(): void {

@@ -52,7 +52,7 @@ const nothing: Work = {
     table: handTable([]),
     axes: [-1, -1],
   },
-  ...{ flags: 3, distance: 'euclidean', state: null, trace: null, throws: 1 },
+  ...{ flags: 3, distance: 'euclidean', state: null, throws: 1 },
 }
 
 const first = () => ({

@@ -6,7 +6,6 @@ import {
   startAt,
   type Distance,
   type KState,
-  type KTrace,
   type Points,
 } from '@botgarten/learning/k-means'
 import { columnsOf, onPlane, rawOf, type Column, type ThingSet } from '@botgarten/materials/things'
@@ -36,7 +35,6 @@ export interface Work {
   readonly distance: Distance
   /** Null where there is nothing to sort yet. */
   readonly state: KState | null
-  readonly trace: KTrace | null
   /** Grows with every throw of the flags, so that each is another one. */
   readonly throws: number
 }
@@ -97,7 +95,7 @@ export function withTable(work: Work, table: Table): Work {
 
 /** All flags at new places, nothing sorted yet. */
 export function thrown(work: Work, start: Start = 'random'): Work {
-  if (!sortable(work.table)) return { ...work, state: null, trace: null }
+  if (!sortable(work.table)) return { ...work, state: null }
   const { table, flags, distance, throws } = work
   const points = pointsIn(table)
   const chance = stream(throws, 'learn/sorting/flags')
@@ -112,7 +110,7 @@ export function thrown(work: Work, start: Start = 'random'): Work {
 
 /** Flags where a hand has put them: sorting begins anew from there. */
 export function placed(work: Work, centres: KState['centres']): Work {
-  return { ...work, state: startAt(pointsIn(work.table), centres, work.distance), trace: null }
+  return { ...work, state: startAt(pointsIn(work.table), centres, work.distance) }
 }
 
 /** One flag more, or fewer; the others stay. */
