@@ -59,3 +59,15 @@ test('of the tables of words only those of the language that is spoken count', (
   )
   expect(files.map(({ name }) => name).sort()).toEqual([tables[3], tables[1], 'page'])
 })
+
+test('what another playground asks for late does not count', () => {
+  const later = ['q-learning', 'sorting'].map((name) => `src/lib/playgrounds/${name}/later.ts`)
+  const parts = Object.fromEntries(later.map((name) => [name, chunk(name)]))
+  const files = scriptsOf(
+    '_app/immutable/page.js',
+    { page: chunk('page', [], later), ...parts },
+    (file) => file.length,
+    { withLater: true, playground: 'sorting' },
+  )
+  expect(files.map(({ name }) => name).sort()).toEqual(['page', later[1]])
+})

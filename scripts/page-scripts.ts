@@ -24,11 +24,16 @@ const isContent = (name: string | undefined) => name?.startsWith('content-') ?? 
 // Tables of words: the page loads those of the language that it speaks.
 const languageOf = (key: string) => /content\/words\/(?:\w+\/)?(\w+)\.json/.exec(key)?.[1]
 
+// Of what comes late a page never asks for another playground.
+const playgroundOf = (key: string) => /playgrounds\/([\w-]+)\/later\.ts$/.exec(key)?.[1]
+
 export interface Counted {
   /** Also the parts that only a click asks for. */
   readonly withLater?: boolean
   /** The card or world that the page shows, as its folder is called without the number. */
   readonly content?: string
+  /** The playground whose late parts it may ask for; not given: all of them. */
+  readonly playground?: string
   /** The language that it speaks; not given: all of them. */
   readonly language?: string
 }
@@ -42,7 +47,7 @@ export function scriptsOf(
   html: string,
   manifest: Manifest,
   sizeOf: (file: string) => number,
-  { withLater = false, content, language }: Counted = {},
+  { withLater = false, content, language, playground }: Counted = {},
 ): Script[] {
   const keys = new Map(Object.entries(manifest).map(([key, { file }]) => [file, key]))
   const waiting = [...html.matchAll(/_app\/immutable\/[\w./-]+\.js/g)].map(([file]) => keys.get(file))
@@ -55,6 +60,7 @@ export function scriptsOf(
     const comes = (one: string) => {
       const { name } = manifest[one] ?? {}
       if (language && (languageOf(one) ?? language) !== language) return false
+      if (playground && (playgroundOf(one) ?? playground) !== playground) return false
       return isContent(name) ? name === `content-${content}` : withLater || !isForLater(one)
     }
     waiting.push(...(chunk.imports ?? []), ...lazy.filter(comes))

@@ -24,6 +24,7 @@ const budgets = [
     file: 'lab/friendship.html',
     budget: 420 * kB,
     content: 'friendship',
+    playground: 'neural-network',
     withLater: true,
   },
 ]
