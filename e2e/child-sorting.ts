@@ -76,6 +76,14 @@ export class SortingHands {
     await expect(this.#child.page.getByText(this.word('say.done'))).toBeVisible()
   }
 
+  /** How far the touched thing is from every flag is said. */
+  async hearsDistances(flags: number) {
+    for (let flag = 1; flag <= flags; flag += 1) {
+      const words = new RegExp(this.word('awayFrom', { flag, away: '[\\d.,]+' }))
+      await expect(this.#child.page.getByText(words)).toHaveCount(1)
+    }
+  }
+
   async opensTable(text: string) {
     const file = { name: 'table.csv', mimeType: 'text/csv', buffer: Buffer.from(text) }
     await this.#child.page.locator('input[type=file]').setInputFiles(file)
