@@ -43,7 +43,7 @@ for (const language of languages) {
       await page.keyboard.press('Enter')
       const next = child.button('lab.stepBlock').first()
       await next.focus()
-      for (const key of ['Enter', 'Enter', 'Enter']) await page.keyboard.press(key)
+      for (const key of ['Enter', 'Enter']) await page.keyboard.press(key)
       await expect(page.locator('.editor-lit')).toHaveCount(1)
       await child.button('debug.over').focus()
       await page.keyboard.press('Enter')
