@@ -118,7 +118,7 @@ for (const language of languages) {
         expect(await axeFindings(page)).toEqual([])
       }
       await learner.turnsTo('curves')
-      await expect(page.getByRole('figure')).toHaveCount(3)
+      await expect(page.locator('.drawer figure')).toHaveCount(3)
       expect(await axeFindings(page)).toEqual([])
       await learner.turnsTo('trials')
       await expect(page.locator('.drawer tbody tr')).toHaveCount(1)
