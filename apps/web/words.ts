@@ -6,18 +6,20 @@ type Tree = { readonly [key: string]: string | Tree }
 /** Sections of words that only pages beside the lab need, and parts that a click asks for (`later.ts`). */
 const late = ['about', 'build', 'debug', 'projects', 'q', 'robot', 'share', 'sorting', 'tour']
 
-/** `content/words/<language>.json?first` and `?late`: words of one language, flat (`world.lost`). */
+/** `content/words/<language>.json?first` and `?late`, `expert/<language>.json?expert`: words of one language, flat (`world.lost`). */
 const tables: Plugin = {
   name: 'tables-of-words',
   enforce: 'pre',
   load: {
-    filter: { id: /\.json\?(first|late)$/ },
+    filter: { id: /\.json\?(first|late|expert)$/ },
     async handler(id) {
       const [file, part] = id.split('?') as [string, string]
       this.addWatchFile(file)
       const all = Object.entries(JSON.parse(await readFile(file, 'utf8')) as Tree)
       const words = flat(
-        Object.fromEntries(all.filter(([name]) => late.includes(name) === (part === 'late'))),
+        Object.fromEntries(
+          all.filter(([name]) => part === 'expert' || late.includes(name) === (part === 'late')),
+        ),
       )
       // A string is read faster than an object of code.
       const code = `export default JSON.parse(${JSON.stringify(JSON.stringify(words))})`

@@ -1,5 +1,7 @@
 export { learningIn } from './learning.ts'
-export { check } from './check/check.ts'
+export { check, fits } from './check/check.ts'
+export { holesOf, outputOf, statementNames } from './check/places.ts'
+export { shapeOf } from './run/shape-of.ts'
 export { networks } from './networks.ts'
 export { parseProject, writeProject } from './project/project.ts'
 export { most } from './project/limits.ts'

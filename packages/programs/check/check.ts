@@ -91,7 +91,7 @@ function valueFindings(child: Block, accepts: Hole['accepts'], around: Around): 
 }
 
 /** May this be plugged in there, as far as that can be told before the run? */
-const fits = (output: Output, accepts: Hole['accepts']): boolean =>
+export const fits = (output: Output, accepts: Hole['accepts']): boolean =>
   output === 'any' || accepts === 'any' || accepts.includes(output)
 
 /** What is written as text is said at the block it is written in. */

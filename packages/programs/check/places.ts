@@ -14,7 +14,12 @@ import { holds } from '../run/shape-of.ts'
 export const definitionOf = ({ type }: Block): Definition | null =>
   isBlockType(type) ? definitions[type] : null
 
-function faceOf(block: Block, { faces, fields }: Look): Face | undefined {
+/** The first face where a file names another. */
+function faceOf(block: Block, look: Look): Face | undefined {
+  return look.faces && (namedFace(block, look) ?? Object.values(look.faces.of)[0])
+}
+
+function namedFace(block: Block, { faces, fields }: Look): Face | undefined {
   if (!faces) return undefined
   const { by } = faces
   if ('attribute' in by) return own(faces.of, block.mutation?.attrs[by.attribute])
@@ -128,7 +133,8 @@ export function holesOf(block: Block, { look }: Definition): readonly Hole[] {
   return places.map((hole) => ({ ...hole, child: plugged(block, hole.input) }))
 }
 
-function statementNames(block: Block, look: Look): string[] {
+/** Names of the inputs for rows of blocks that a block has now. */
+export function statementNames(block: Block, look: Look): string[] {
   const named = look.inputs.filter((input) => input.kind === 'statements' && isThere(block, look, input))
   const more = Array.from({ length: waysOf(block, look) }, (_, k) => `DO${k + 1}`)
   return [...named.map(({ name }) => name), ...(look.branches ? more : [])]

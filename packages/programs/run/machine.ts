@@ -8,7 +8,7 @@ import type { Running } from './memory.ts'
 export const blocksPerTick = 1000
 
 /** So many functions may be on their way at once. */
-export const mostCalls = 500
+const mostCalls = 500
 
 /** A thread at work. `nodes` stands beside the thread's frames; everything that lasts is in the thread. */
 export interface Machine {

@@ -14,7 +14,12 @@ export interface Rest {
   readonly shadow?: boolean
   readonly args?: NonNullable<Block['mutation']>['args']
   /** What the file wrote of that which the look writes always; a block from the toolbox has none of this. */
-  readonly told?: { readonly fields: readonly string[]; readonly attributes: readonly string[] | null }
+  readonly told?: {
+    readonly fields: readonly string[]
+    readonly attributes: readonly string[] | null
+    /** Fields that the mutation repeats, as the file had them: while they stay, so does the mutation. */
+    readonly repeated?: Block['fields']
+  }
 }
 
 /** The state of a block besides its fields and its neighbours: plain data, Blockly's extra state. */
@@ -62,18 +67,24 @@ export function faceOf(block: BotBlock): Face | undefined {
 
 /** Colours of the frame round a list; every family that has lists has one. */
 const layerStyle = ({ category }: Look) => (category === 'q-learning' ? 'roads' : 'layer')
+let typedOutput: (block: BotBlock) => string | null = () => null
+/** From now on this says what a block of a chosen type gives (expert pack). */
+export const knowTypes = (know: typeof typedOutput): void => void (typedOutput = know)
 
 /** Gives the block the plug and the frame of its face. */
 export function applyFace(block: BotBlock): void {
   const { look } = block.definition
-  if (look.shape !== 'value') return
+  if (look.shape !== 'value' || block.previousConnection) return
   const face = faceOf(block)
   block.frame = face?.items ? { plug: face.plug ?? 'round', tint: face.tint ?? 'sensor' } : null
   block.setStyle(block.frame ? layerStyle(look) : look.category)
-  block.setOutput(true, face?.output ?? look.output ?? null)
+  const output = typedOutput(block) ?? face?.output ?? look.output ?? 'any'
+  block.setOutput(true, output === 'any' ? null : output)
 }
 
 export function faceField(look: Look): string | undefined {
   const by = look.faces?.by
-  return by && 'field' in by ? by.field : undefined
+  if (by && 'field' in by) return by.field
+  const when = look.also?.when
+  return when && 'field' in when ? when.field : undefined
 }

@@ -1,19 +1,24 @@
-import { definitions, isBlockType, toolbox, type Face, type Look, type Template } from '@botgarten/blocks'
+import {
+  definitions,
+  isBlockType,
+  toolbox,
+  type Block,
+  type Template,
+  type ValueType,
+} from '@botgarten/blocks'
+import { fits as fitsIn, outputOf, shapeOf } from '@botgarten/programs'
 
-/** The face a block of a file shows; undefined where its look has only one. */
-export function faceOfSource(block: Template, look: Look): Face | undefined {
-  const by = look.faces?.by
-  if (!by) return undefined
-  const key = 'field' in by ? block.fields?.[by.field] : block.mutation?.attrs[by.attribute]
-  return look.faces?.of[key ?? ''] ?? Object.values(look.faces?.of ?? {})[0]
-}
+let anyType = false
+/** From now on what a file plugs together stays together, whatever its types: the check says what does not fit. */
+export const keepWhatFilesJoin = (): void => void (anyType = true)
 
 /** May the block be plugged into an input that accepts these types? Unknown blocks may go anywhere. */
-export function fits(child: Template, accepts: readonly string[]): boolean {
+export function fits(child: Template, accepts: readonly ValueType[] | 'any'): boolean {
   if (!isBlockType(child.type)) return true
-  const { look } = definitions[child.type]
-  if (look.shape !== 'value') return false
-  return accepts.includes(faceOfSource(child, look)?.output ?? look.output ?? '')
+  const definition = definitions[child.type]
+  const block = { id: '', ...child } as Block
+  if (shapeOf(block, definition.look) !== 'value') return false
+  return anyType || fitsIn(outputOf(block, definition) ?? 'any', accepts)
 }
 
 /** Blockly lets a shadow hold shadows only. */

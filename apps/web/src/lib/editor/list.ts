@@ -36,14 +36,20 @@ export function matchLines(block: BotBlock, words: Words): void {
     block.removeInput(name)
   }
   matchFoot(block, words)
-  const accepts = faceOf(block)?.items?.accepts ?? []
+  const accepts = acceptedBy(block)
   for (const line of lines) {
     if (!block.getInput(line)) appendLine(block, line, words)
-    block.getInput(line)?.setCheck([...accepts])
+    block.getInput(line)?.setCheck(accepts)
     block.moveInputBefore(line, foot)
     block.moveInputBefore(tail(line), foot)
   }
   for (const name of [foot, adder]) block.getInput(name)?.setVisible(lines.length < items.max)
+}
+
+/** What a line takes; null: anything. */
+function acceptedBy(block: BotBlock): string[] | null {
+  const accepts = faceOf(block)?.items?.accepts ?? block.definition.look.items?.accepts
+  return accepts ? [...accepts] : null
 }
 
 const isLine = (name: string, prefix: string) => new RegExp(`^${prefix}\\d+$`).test(name)
@@ -61,7 +67,7 @@ function matchFoot(block: BotBlock, words: Words) {
   block.removeInput(adder, true)
   block.removeInput(foot, true)
   // It is no row of its own: readers say the plus beside it instead.
-  block.appendValueInput(foot).setCheck([...(items?.accepts ?? [])]).getLabel = () => ''
+  block.appendValueInput(foot).setCheck(acceptedBy(block)).getLabel = () => ''
   const input = block.appendDummyInput(adder)
   input.appendField(new ButtonField('plus', label, () => addLine(block)), 'PLUS')
   input.appendField(new Blockly.FieldLabel(label), adderLabel)

@@ -10,6 +10,7 @@ import { keepEscape } from './escape.ts'
 import { grouped } from './list.ts'
 import { addNeuron } from './network.ts'
 import { restore, statesOn, toProgram, toWorkspace } from './program.ts'
+import { bringExpert, expertParts } from './packs.ts'
 import { rendererName } from './renderer.ts'
 import { setUp, speak } from './setup.ts'
 import { knowRobot } from './sockets.ts'
@@ -80,6 +81,8 @@ export class Pane {
   /** A pane that is not shown has no size: the view finds its place when it is. */
   #placed: boolean
   #locale: Locale
+  /** Is the shelf with everything shown? */
+  #all = false
   #looks: Looks
   #program: Program
   #findings: readonly Finding[] = []
@@ -129,13 +132,34 @@ export class Pane {
     this.#place()
   }
 
+  /** The shelf with everything, or the plain one. The language is brought first where it is not there yet. */
+  async showAll(all: boolean): Promise<void> {
+    if (all === this.#all) return
+    const known = expertParts() !== null
+    if (all) await bringExpert()
+    this.#all = all
+    if (all && !known) this.#redraw()
+    else this.#fillShelf()
+  }
+
+  #fillShelf() {
+    const words = wordsIn(this.#locale)
+    const parts = this.#all ? expertParts() : null
+    this.#workspace.updateToolbox(parts ? parts.expertShelf(words, this.#workspace) : toolboxInfo(words))
+  }
+
+  /** Every block anew, as it looks now. */
+  #redraw() {
+    const states = statesOn(this.#workspace)
+    speak(this.#locale)
+    this.#fillShelf()
+    this.#refill(() => restore(states, this.#workspace))
+  }
+
   setLocale(locale: Locale): void {
     if (locale === this.#locale) return
     this.#locale = locale
-    const states = statesOn(this.#workspace)
-    speak(locale)
-    this.#workspace.updateToolbox(toolboxInfo(wordsIn(locale)))
-    this.#refill(() => restore(states, this.#workspace))
+    this.#redraw()
   }
 
   /** Draws the blocks anew where their font or their size is another. */

@@ -1,4 +1,12 @@
-import { definitions, toolbox, blockFrom, type Block, type FieldLook, type Look } from '@botgarten/blocks'
+import {
+  definitions,
+  toolbox,
+  blockFrom,
+  type Block,
+  type FieldLook,
+  type Look,
+  type ValueType,
+} from '@botgarten/blocks'
 import type { Program } from '@botgarten/programs'
 import * as Blockly from 'blockly/core'
 import fc from 'fast-check'
@@ -161,7 +169,7 @@ function valueFor(accepts: readonly string[], depth: number): fc.Arbitrary<Draft
   )
   const known = fc
     .oneof(...fitting.map(({ type }) => blockOf(type, depth)))
-    .filter((draft) => fits(draft as Block, accepts))
+    .filter((draft) => fits(draft as Block, accepts as readonly ValueType[]))
   const shadows = accepts.includes('Number') ? [shadowNumber] : []
   return fc.oneof(
     { weight: 6, arbitrary: known },

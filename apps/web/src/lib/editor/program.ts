@@ -3,11 +3,12 @@ import type { Block, Look } from '@botgarten/blocks'
 import type { Program, Stack } from '@botgarten/programs'
 import { isBotBlock, type BotBlock, type Rest } from './bot-block.ts'
 import { isFileField } from './fields.ts'
-import { linesOf } from './list.ts'
+import { foot, linesOf } from './list.ts'
 import { stateOfRow, type Loose, type State } from './state.ts'
 import { isUnknownBlock } from './unknown.ts'
 
 const besides = 60
+const { VALUE, STATEMENT } = Blockly.inputs.inputTypes
 
 /** Shows a program on an empty workspace. Fires no events: what is loaded is not an edit. */
 export function toWorkspace(program: Program, workspace: Blockly.Workspace): void {
@@ -71,7 +72,7 @@ function blockOf(block: Blockly.Block): Block {
     ...filled('fields', { ...rest.fields, ...fieldsOf(block, look, rest) }),
     ...mutationOf(block, look, rest),
     ...filled('values', { ...rest.values, ...valuesOf(block, look) }),
-    ...filled('statements', { ...rest.statements, ...statementsOf(block, look) }),
+    ...filled('statements', { ...rest.statements, ...statementsOf(block) }),
     ...(comment && { comment }),
     ...(block.hasDisabledReason('MANUALLY_DISABLED') && { disabled: true }),
     ...(block.isCollapsed() && { collapsed: true }),
@@ -106,8 +107,7 @@ function mutationOf(block: BotBlock, look: Look, { told, args }: Rest): Pick<Blo
   const attrs: Record<string, string> = { ...block.extra.attributes }
   for (const [name, value] of Object.entries(look.mutation ?? {})) {
     if (written !== undefined && !written?.includes(name)) continue
-    attrs[name] =
-      typeof value === 'string' ? (attrs[name] ?? value) : String(block.getFieldValue(value.field))
+    attrs[name] = saidBy(block, value, attrs[name], told?.repeated)
   }
   const lines = linesOf(block)
   if (look.items && (written === undefined || written?.includes('items') || lines.length > 0)) {
@@ -117,21 +117,34 @@ function mutationOf(block: BotBlock, look: Look, { told, args }: Rest): Pick<Blo
   return { mutation: { attrs, ...(args && { args }) } }
 }
 
+function saidBy(
+  block: BotBlock,
+  said: NonNullable<Look['mutation']>[string],
+  before: string | undefined,
+  repeated: Block['fields'],
+): string {
+  if (typeof said === 'string') return before ?? said
+  const value = String(block.getFieldValue(said.field))
+  if (before !== undefined && repeated?.[said.field] === value) return before
+  return 'is' in said ? String(said.is.includes(value)) : value
+}
+
 function valuesOf(block: BotBlock, look: Look) {
   const values: Record<string, Block> = {}
   const take = (input: string, name: string) => {
     const child = block.getInputTargetBlock(input)
     if (child && !child.isInsertionMarker()) values[name] = blockOf(child)
   }
-  for (const { name, kind } of look.inputs) if (kind === 'value') take(name, name)
+  for (const { name, type } of block.inputList)
+    if (type === VALUE && name !== foot && !linesOf(block).includes(name)) take(name, name)
   linesOf(block).forEach((line, at) => take(line, `${look.items?.prefix ?? ''}${at}`))
   return values
 }
 
-function statementsOf(block: BotBlock, look: Look) {
+function statementsOf(block: BotBlock) {
   const statements: Record<string, Block[]> = {}
-  for (const { name, kind } of look.inputs) {
-    const row = kind === 'statements' ? rowFrom(block.getInputTargetBlock(name)) : []
+  for (const { name, type } of block.inputList) {
+    const row = type === STATEMENT ? rowFrom(block.getInputTargetBlock(name)) : []
     if (row.length > 0) statements[name] = row
   }
   return statements

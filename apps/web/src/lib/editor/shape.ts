@@ -17,6 +17,18 @@ export interface Language {
 
 const dotName = 'BOTGARTEN_DOT'
 
+/** Parts of blocks that come and go with their state. The expert pack brings them. */
+export interface ComingParts {
+  build(block: BotBlock, language: Language): void
+  match(block: BotBlock, language: Language): void
+  nameField(look: FieldLook & { readonly kind: 'name' }, block: BotBlock): Blockly.Field
+}
+let coming: ComingParts | null = null
+export const knowComingParts = (parts: ComingParts): void => void (coming = parts)
+
+/** Where a part comes that is not there yet. */
+export const anchorOf = (name: string): string => `${name}_ANCHOR`
+
 /** Makes a Blockly block of every definition. Called again when the language changes. */
 export function defineBlocks(definitions: Iterable<Definition>, language: Language): void {
   for (const definition of definitions) Blockly.Blocks[definition.type] = behaviour(definition, language)
@@ -49,6 +61,7 @@ function behaviour(definition: Definition, language: Language) {
       if (name !== undefined && face !== undefined) this.getField(name)?.setValue(face, false)
       applyFace(this)
       matchLines(this, language.words)
+      coming?.match(this, language)
     },
   }
 }
@@ -63,13 +76,14 @@ function build(block: BotBlock, language: Language) {
   addHiddenFields(block, look)
   if (look.items) buildList(block, language.words)
   applyFace(block)
+  coming?.build(block, language)
 }
 
 function connect(block: BotBlock, look: Look) {
   if (look.shape === 'value') return
-  if (look.shape === 'hat') block.hat = 'cap'
+  if (look.shape === 'hat' || look.shape === 'function') block.hat = 'cap'
   else block.setPreviousStatement(true)
-  block.setNextStatement(true)
+  if (look.shape !== 'function') block.setNextStatement(true)
 }
 
 function addHiddenFields(block: BotBlock, look: Look) {
@@ -110,18 +124,28 @@ class RowBuilder {
     if (field) this.#waiting.push([makeField(field, this.#block, this.#language), name])
     else if (input) {
       if (!input.when) this.#placeInput(input)
+      else if (coming) this.#anchor(input.name)
     } else if (look.icon) this.#waiting.push([iconField(look.icon)])
   }
 
   #placeInput(input: InputLook) {
     if (input.kind === 'value') {
-      this.#flush(this.#block.appendValueInput(input.name).setCheck([...input.accepts]))
+      this.#flush(
+        this.#block
+          .appendValueInput(input.name)
+          .setCheck(input.accepts.length > 0 ? [...input.accepts] : null),
+      )
       this.#openRow = true
       return
     }
     if (this.#waiting.length > 0) this.#flush(this.#block.appendEndRowInput())
     this.#block.appendStatementInput(input.name)
     this.#openRow = false
+  }
+
+  #anchor(name: string) {
+    this.#flush(this.#block.appendDummyInput(anchorOf(name)))
+    this.#openRow = true
   }
 
   #close(look: Look) {
@@ -140,11 +164,13 @@ class RowBuilder {
   }
 }
 
-function makeField(look: FieldLook, block: BotBlock, { words, locale }: Language): Blockly.Field {
+function makeField(look: FieldLook, block: BotBlock, language: Language): Blockly.Field {
+  const { words, locale } = language
   switch (look.kind) {
     case 'number':
       return new NumberField(look, locale === 'de' ? ',' : '.')
     case 'name':
+      return coming?.nameField(look, block) ?? new TextField(look.preset)
     case 'text':
       return new TextField(look.preset)
     case 'hidden':
@@ -155,15 +181,16 @@ function makeField(look: FieldLook, block: BotBlock, { words, locale }: Language
         label: key === null ? value : words(key),
         ...(dot === undefined ? {} : { dot }),
       }))
-      return new ChoiceField(options, look.preset, () => choiceChanged(block, look.name))
+      return new ChoiceField(options, look.preset, () => choiceChanged(block, look.name, language))
     }
   }
 }
 
 /** A choice may tell the block's face or the colour of its dot. */
-function choiceChanged(block: BotBlock, name: string) {
+function choiceChanged(block: BotBlock, name: string, language: Language) {
   const { look, neuron } = block.definition
   if (faceField(look) === name && block.outputConnection) applyFace(block)
+  coming?.match(block, language)
   if (neuron) block.getField(dotName)?.setValue(neuronColour(neuron, block), false)
 }
 

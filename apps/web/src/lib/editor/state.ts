@@ -8,9 +8,10 @@ import {
   type Definition,
   type Template,
 } from '@botgarten/blocks'
+import { holesOf, shapeOf as shapeNow, statementNames } from '@botgarten/programs'
 import type { Extra, Rest } from './bot-block.ts'
 import { faceField } from './bot-block.ts'
-import { faceOfSource, fits, isWholeShadow, presetShadow } from './fits.ts'
+import { fits, isWholeShadow, presetShadow } from './fits.ts'
 
 export type State = Blockly.serialization.blocks.State
 type ConnectionState = Blockly.serialization.blocks.ConnectionState
@@ -41,7 +42,11 @@ export function stateOfRow(blocks: readonly Source[], loose: Loose, first: boole
   )
 }
 
-const shapeOf = (block: Source) => definitionOf(block.type)?.look.shape ?? 'statement'
+function shapeOf(block: Source): 'hat' | 'statement' | 'value' {
+  const definition = definitionOf(block.type)
+  const shape = definition ? shapeNow(asBlock(block), definition.look) : 'statement'
+  return shape === 'function' ? 'hat' : shape
+}
 
 function hangs(block: Source, loose: Loose): boolean {
   const does = shapeOf(block) !== 'value'
@@ -72,16 +77,15 @@ const shownFields = (block: Source, { look }: Definition) =>
   pick(block.fields, (name) => look.fields.some((field) => field.name === name))
 
 /** Names and accepted types of the value inputs that the block has, lines of a growing list included. */
-function sockets(block: Source, { look }: Definition): ReadonlyMap<string, readonly string[]> {
-  const fixed = look.inputs.flatMap((input) =>
-    input.kind === 'value' ? [[input.name, input.accepts] as const] : [],
-  )
-  const accepts = faceOfSource(block, look)?.items?.accepts ?? []
-  return new Map([...fixed, ...linesIn(block, look).map((line) => [line, accepts] as const)])
+function sockets(block: Source, definition: Definition): ReadonlyMap<string, Accepts> {
+  return new Map(holesOf(asBlock(block), definition).map(({ input, accepts }) => [input, accepts]))
 }
 
+type Accepts = ReturnType<typeof holesOf>[number]['accepts']
+const asBlock = (block: Source): Block => ({ id: '', ...block }) as Block
+
 const linesIn = (block: Source, look: Definition['look']) =>
-  look.items ? Array.from({ length: rowCount({ id: '', ...block } as Block) }, (_, k) => rowName(k)) : []
+  look.items ? Array.from({ length: rowCount(asBlock(block)) }, (_, k) => rowName(k)) : []
 
 function valueStates(block: Source, definition: Definition, loose: Loose) {
   const states: Record<string, ConnectionState> = {}
@@ -102,8 +106,8 @@ function valueStates(block: Source, definition: Definition, loose: Loose) {
 
 function statementStates(block: Source, { look }: Definition, loose: Loose) {
   const states: Record<string, ConnectionState> = {}
-  for (const { name, kind } of look.inputs) {
-    const row = kind === 'statements' && stateOfRow(block.statements?.[name] ?? [], loose, false)
+  for (const name of statementNames(asBlock(block), look)) {
+    const row = stateOfRow(block.statements?.[name] ?? [], loose, false)
     if (row) states[name] = { block: row }
   }
   return states
@@ -129,11 +133,8 @@ function restOf(block: Source, definition: Definition): Rest {
   const inputs = sockets(block, definition)
   const fields = pick(block.fields, (name) => !look.fields.some((field) => field.name === name))
   const values = pick(block.values, (name) => !inputs.has(name))
-  const statements = pick(
-    block.statements,
-    (name) => !look.inputs.some((input) => input.kind === 'statements' && input.name === name),
-  )
-  const attributes = block.mutation ? Object.keys(block.mutation.attrs) : null
+  const rows = statementNames(asBlock(block), look)
+  const statements = pick(block.statements, (name) => !rows.includes(name))
   return {
     ...pick(block as Record<string, unknown>, (name) => ['data', 'hide', 'inline', 'flags'].includes(name)),
     ...(block.mutation?.args && { args: block.mutation.args }),
@@ -141,8 +142,23 @@ function restOf(block: Source, definition: Definition): Rest {
     ...(Object.keys(fields).length > 0 && { fields }),
     ...(Object.keys(values).length > 0 && { values: values as Block['values'] }),
     ...(Object.keys(statements).length > 0 && { statements: statements as Block['statements'] }),
-    ...(block.id !== undefined && { told: { fields: Object.keys(block.fields ?? {}), attributes } }),
+    ...(block.id !== undefined && { told: toldBy(block, look) }),
   }
+}
+
+function toldBy(block: Source, look: Definition['look']): Rest['told'] {
+  const attributes = block.mutation ? Object.keys(block.mutation.attrs) : null
+  const names = Object.values(look.mutation ?? {}).flatMap((said) =>
+    typeof said === 'string' ? [] : [said.field],
+  )
+  const repeated = pick(block.fields, (name) => names.includes(name))
+  const differs = Object.entries(look.mutation ?? {}).some(
+    ([name, said]) =>
+      typeof said === 'object' &&
+      !('is' in said) &&
+      block.mutation?.attrs[name] !== block.fields?.[said.field],
+  )
+  return { fields: Object.keys(block.fields ?? {}), attributes, ...(differs && { repeated }) }
 }
 
 function pick<Value>(

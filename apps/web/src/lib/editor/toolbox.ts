@@ -1,13 +1,16 @@
 import * as Blockly from 'blockly/core'
-import { toolbox } from '@botgarten/blocks'
+import { toolbox, type ToolboxCategory } from '@botgarten/blocks'
 import { stateOfTemplate } from './state.ts'
 import type { Words } from '#lib/words/say.ts'
 
 /** What the shelf holds: a category a row, its blocks with their presets plugged in. */
-export function toolboxInfo(words: Words): Blockly.utils.toolbox.ToolboxInfo {
+export function toolboxInfo(
+  words: Words,
+  shelf: readonly ToolboxCategory[] = toolbox,
+): Blockly.utils.toolbox.ToolboxInfo {
   return {
     kind: 'categoryToolbox',
-    contents: toolbox.map(({ category, blocks }) => ({
+    contents: shelf.map(({ category, blocks }) => ({
       kind: 'category',
       name: words(`category.${category}`),
       categorystyle: category,

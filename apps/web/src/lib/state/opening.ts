@@ -1,5 +1,6 @@
 import type { LoadedCard } from '#lib/content/cards.ts'
 import { floorAddress, loadCard, loadFreeLab } from '#lib/content/cards.ts'
+import { bringFor } from '#lib/editor/packs.ts'
 import { freshId, load } from '#lib/storage/projects.ts'
 import { cardProject } from '@botgarten/materials'
 import { parseProject, type Project } from '@botgarten/programs'
@@ -25,7 +26,7 @@ export async function openLab(name: string, projectId: string | null): Promise<O
   const fresh = card ? cardProject(card.world, card.card, card.start, card.card.id) : await loadFreeLab()
   const kept = await readKept(projectId ?? name)
   const project = kept.project ?? fresh
-  const floor = await floorOf(project)
+  const [floor] = await Promise.all([floorOf(project), bringFor(project.programs)])
   return {
     id: kept.id,
     revision: kept.revision,

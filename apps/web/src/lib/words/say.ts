@@ -12,13 +12,19 @@ const files = {
     import: 'default',
   }),
   late: import.meta.glob<Table>('../../../../../content/words/*.json', { query: '?late', import: 'default' }),
+  expert: import.meta.glob<Table>('../../../../../content/words/expert/*.json', {
+    query: '?expert',
+    import: 'default',
+  }),
 }
 type Part = keyof typeof files
 const tables = new Map<string, Table>()
 
 async function fetchPart(part: Part, locale: Locale): Promise<void> {
   const name = `${part} ${locale}`
-  if (!tables.has(name)) tables.set(name, await files[part][`../../../../../content/words/${locale}.json`]!())
+  const folder = part === 'expert' ? 'expert/' : ''
+  const file = `../../../../../content/words/${folder}${locale}.json`
+  if (!tables.has(name)) tables.set(name, await files[part][file]!())
 }
 
 /** Brings the words of every page, in the language of now and in each that will be spoken: before anything is said. */
@@ -27,6 +33,9 @@ export const fetchWords = (): Promise<void> => fetchAlways('first')
 /** Brings the words of what comes late, as `apps/web/words.ts` names it: before any of it is shown. */
 export const fetchLateWords = (): Promise<void> => fetchAlways('late')
 
+/** Brings the words of the expert pack's blocks: before one of them is shown. */
+export const fetchExpertWords = (): Promise<void> => fetchAlways('expert')
+
 /** A part that comes late (`later.ts`), once its words have come too. */
 export const withWords = async <Part>(part: Promise<Part>): Promise<Part> =>
   (await Promise.all([part, fetchLateWords()]))[0]
@@ -34,6 +43,7 @@ export const withWords = async <Part>(part: Promise<Part>): Promise<Part> =>
 const bringing = {
   first: (locale: Locale) => fetchPart('first', locale),
   late: (locale: Locale) => fetchPart('late', locale),
+  expert: (locale: Locale) => fetchPart('expert', locale),
 }
 
 function fetchAlways(part: Part): Promise<void> {
@@ -42,7 +52,9 @@ function fetchAlways(part: Part): Promise<void> {
 }
 
 const find = (locale: Locale, key: string): string | undefined =>
-  tables.get(`first ${locale}`)?.[key] ?? tables.get(`late ${locale}`)?.[key]
+  tables.get(`first ${locale}`)?.[key] ??
+  tables.get(`late ${locale}`)?.[key] ??
+  tables.get(`expert ${locale}`)?.[key]
 
 /** Is there a message of this key? */
 export const isSaid = (key: string): boolean => find(language.locale, key) !== undefined
