@@ -1,4 +1,6 @@
+import { readFileSync } from 'node:fs'
 import type { Browser, Page } from '@playwright/test'
+import { cardProject, readCard, type CardProgram, type WorldFile } from '@botgarten/materials'
 import { launchBrowser } from '../e2e/browser.ts'
 import { Learner } from '../e2e/child-learning.ts'
 import { buildWhenNeeded } from '../scripts/prepare/build.mjs'
@@ -19,15 +21,17 @@ async function heapOf(page: Page): Promise<number> {
   return usedSize
 }
 
-/** Types another number into a field of a block. */
-async function types(page: Page, block: string, field: number, number: number) {
-  await page
-    .locator(`.blocklySvg .blocklyBlockCanvas [data-id="${block}"] .blocklyNumberField`)
-    .nth(field)
-    .click()
-  await page.keyboard.press('ControlOrMeta+a')
-  await page.keyboard.type(String(number))
-  await page.keyboard.press('Enter')
+/** The card City as a project file, with many tries. */
+function manyTries(): string {
+  const read = (path: string): unknown =>
+    JSON.parse(readFileSync(new URL(`../content/${path}`, import.meta.url), 'utf8'))
+  const folder = 'cards/q-learning/03-city'
+  const text = JSON.stringify(read(`${folder}/start.json`))
+    .replace('"EPISODES":"10"', `"EPISODES":"${tries}"`)
+    .replace('"Q_LEARNER_TIME":"10000"', '"Q_LEARNER_TIME":"1000000"')
+  const world = read('worlds/learning-city/world.json') as WorldFile
+  const card = readCard(read(`${folder}/card.json`))
+  return JSON.stringify(cardProject(world, card, JSON.parse(text) as CardProgram, 'City in turbo'))
 }
 
 /** A finger goes to and fro over all of the learning. */
@@ -51,8 +55,8 @@ async function city(browser: Browser, url: string) {
   const { page } = child
   const learner = new Learner(child)
   await learner.opens('city')
-  await types(page, 'experience', 0, tries)
-  await types(page, 'experience', 1, 1_000_000)
+  await child.opensProject('City in turbo', manyTries())
+  await learner.sees()
   const before = await heapOf(page)
   await learner.hurries()
   const watching = watchFrames(page, 12)
