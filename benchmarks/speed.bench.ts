@@ -1,6 +1,6 @@
 import { readFileSync } from 'node:fs'
 import { createLab, type Document, type Lab } from '@botgarten/lab'
-import { paintFloor, type Floor, type World } from '@botgarten/simulation'
+import { paintFloor, readPng, type Floor, type World } from '@botgarten/simulation'
 import { Blocks } from '../e2e/runs/blocks.ts'
 import { behaviours } from '../e2e/runs/programs.ts'
 import { pushingWorld } from '../e2e/runs/worlds.ts'
@@ -20,7 +20,7 @@ interface Course {
 function friendship(name: string, goal: number | null, change: (document: Document) => Document): Course {
   const world = readJson('worlds/friendship/world.json') as World
   const program = readJson('cards/network/05-friendship/solution.json') as Omit<Document, 'world'>
-  const floor = paintFloor(world, readFileSync(new URL('worlds/friendship/floor.png', content)))
+  const floor = paintFloor(world, readPng(readFileSync(new URL('worlds/friendship/floor.png', content))))
   return { name, goal, floor, document: change({ ...program, world }) }
 }
 

@@ -17,7 +17,7 @@ export interface Script {
 // SvelteKit's app entry names every page of the product; a page loads its own, and says so in its HTML.
 const isTableOfPages = (name: string | undefined) => name === 'entry/app'
 // A part of the page that only a click asks for hangs on a file of this name, and has its words in such a table.
-const isForLater = (key: string) => /(\/later\.ts|\?late)$/.test(key)
+const isForLater = (key: string) => /(\/later\.ts|\?(late|expert))$/.test(key)
 // Chunks of cards and worlds: the page loads the one that it shows.
 const isContent = (name: string | undefined) => name?.startsWith('content-') ?? false
 

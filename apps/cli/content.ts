@@ -8,7 +8,7 @@ import {
   type CardText,
   type WorldFile,
 } from '@botgarten/materials'
-import { paintFloor, type Floor, type World } from '@botgarten/simulation'
+import { paintFloor, readPng, type Floor, type World } from '@botgarten/simulation'
 
 const content = join(import.meta.dirname, '../../content')
 
@@ -53,7 +53,7 @@ export function floorOf(
   const { asset } = world.floor
   // Only names that the product ships: a project file must not read other files of this machine.
   const shipped = /^content:(worlds\/[a-z0-9-]+\/floor\.png)$/.exec(asset)?.[1]
-  if (shipped) return paintFloor(world, readFileSync(join(content, shipped)))
+  if (shipped) return paintFloor(world, readPng(readFileSync(join(content, shipped))))
   const kept = Object.hasOwn(assets, asset) ? assets[asset] : undefined
-  return paintFloor(world, kept && Buffer.from(kept.base64, 'base64'))
+  return paintFloor(world, kept && readPng(Buffer.from(kept.base64, 'base64')))
 }

@@ -3,6 +3,7 @@ import adapter from '@sveltejs/adapter-node'
 import { sveltekit } from '@sveltejs/kit/vite'
 import { defineConfig, type Plugin } from 'vite'
 import { readCardText } from '../../packages/materials/cardText.ts'
+import { pixels } from './pixels.ts'
 import { webSpace } from './web-space.ts'
 import { words } from './words.ts'
 
@@ -39,7 +40,7 @@ const lessPhysics: Plugin = {
 // Few requests: what one card needs comes together, what all pages share, and what the lab's parts share.
 const cardOf = (id: string) => {
   const file =
-    /content[\\/](?:cards[\\/][\w-]+[\\/]\d+-|worlds[\\/])(\w+)[\\/](?:\w+\.md|start\.json|world\.json)$/
+    /content[\\/](?:cards[\\/][\w-]+[\\/]\d+-|worlds[\\/])([\w-]+)[\\/](?:\w+\.md|start\.json|world\.json)$/
   const name = file.exec(id)?.[1]
   return name === undefined ? null : `content-${name}`
 }
@@ -56,14 +57,14 @@ const chunks = [
   // The home page reads project files without bringing the simulation along.
   {
     name: 'programs',
-    test: /packages[\\/](blocks|learning|numbers|programs|simulation[\\/](floor[\\/]colours|\w+\.ts))|node_modules[\\/]valibot[\\/]/,
+    test: /packages[\\/](blocks[\\/](?!q-learning|sorting|learning|expert|later|toolbox-expert|parts[\\/](learning|sorting|expression))|learning[\\/]neural|numbers|programs|simulation[\\/](floor[\\/]colours|\w+\.ts))|node_modules[\\/]valibot[\\/]/,
     minShareCount: 2,
     priority: 1,
   },
   { name: 'drawing', test: /src[\\/]lib[\\/](drawing|world)[\\/]/, minShareCount: 2 },
   {
     name: 'engine',
-    test: /[\\/](packages|node_modules[\\/](planck|fflate)|src[\\/]lib[\\/](?!storage|share))[\\/]/,
+    test: /[\\/](packages[\\/](?!blocks|learning|materials[\\/]things|simulation[\\/]floor[\\/]png)|node_modules[\\/]planck[\\/]|src[\\/]lib[\\/](?!storage|share|floor|editor[\\/](learning|expert)|playgrounds[\\/](sorting|q-learning)))/,
     minShareCount: 2,
   },
 ]
@@ -75,6 +76,7 @@ export default defineConfig({
   define: { __WEB_SPACE__: JSON.stringify(folder !== undefined) },
   plugins: [
     cardTexts,
+    pixels,
     ...words,
     lessPhysics,
     sveltekit({
@@ -101,7 +103,11 @@ export default defineConfig({
     }),
     paraglideVitePlugin({ project: './project.inlang' }),
   ],
-  build: { target: 'es2022' },
+  build: {
+    target: 'es2022',
+    // A picture in a script would be loaded by who never sees it.
+    assetsInlineLimit: (file) => (file.endsWith('.svg') ? false : undefined),
+  },
   environments: {
     client: { build: { rolldownOptions: { output: { codeSplitting: { groups: chunks } } } } },
   },

@@ -6,6 +6,10 @@ type Tree = { readonly [key: string]: string | Tree }
 /** Sections of words that only pages beside the lab need, and parts that a click asks for (`later.ts`). */
 const late = ['about', 'build', 'debug', 'projects', 'q', 'robot', 'share', 'sorting', 'tour']
 
+/** Words of blocks that come in a pack have its names. */
+const isLate = (key: string) =>
+  late.includes(key.split('.')[0]!) || /^block\.(ai_q_|rl_|ai_sorting_)/.test(key)
+
 /** `content/words/<language>.json?first` and `?late`, `expert/<language>.json?expert`: words of one language, flat (`world.lost`). */
 const tables: Plugin = {
   name: 'tables-of-words',
@@ -15,11 +19,9 @@ const tables: Plugin = {
     async handler(id) {
       const [file, part] = id.split('?') as [string, string]
       this.addWatchFile(file)
-      const all = Object.entries(JSON.parse(await readFile(file, 'utf8')) as Tree)
-      const words = flat(
-        Object.fromEntries(
-          all.filter(([name]) => part === 'expert' || late.includes(name) === (part === 'late')),
-        ),
+      const all = Object.entries(flat(JSON.parse(await readFile(file, 'utf8')) as Tree))
+      const words = Object.fromEntries(
+        all.filter(([key]) => part === 'expert' || isLate(key) === (part === 'late')),
       )
       // A string is read faster than an object of code.
       const code = `export default JSON.parse(${JSON.stringify(JSON.stringify(words))})`

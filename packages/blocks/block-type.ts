@@ -1,5 +1,5 @@
 /** Every block's type name, Open Roberta's own, so that programs travel. */
-export type BlockType = CoreType | ExpertType
+export type BlockType = CoreType | LearningType | ExpertType
 
 /** What the cards need at once. */
 export type CoreType =
@@ -49,18 +49,6 @@ export type CoreType =
   | 'ai_nn_output_node_led'
   | 'ai_nn_output_node_text'
   | 'ai_nn_output_node_sound'
-  | 'ai_q_learning_states_and_actions_map'
-  | 'rl_obstacles_easy_list'
-  | 'ai_q_barrier_mountain'
-  | 'ai_q_learner_config'
-  | 'ai_q_apply_learning_rule'
-  | 'ai_q_draw_the_best_way'
-  | 'ai_q_drive_the_best_way'
-  | 'ai_sorting_collect'
-  | 'ai_sorting_find'
-  | 'ai_sorting_group'
-  | 'ai_sorting_near'
-  | 'ai_sorting_name'
 
 /** The rest of Open Roberta's two toolboxes, and what only old files hold: `expert.ts`. */
 export type ExpertType =
@@ -153,3 +141,18 @@ export type ExpertType =
   | 'robActions_outputneuron_wo_var'
   | 'robActions_change_weight'
   | 'robActions_change_bias'
+
+/** What learning by trying and sorting need. */
+export type LearningType =
+  | 'ai_q_apply_learning_rule'
+  | 'ai_q_barrier_mountain'
+  | 'ai_q_draw_the_best_way'
+  | 'ai_q_drive_the_best_way'
+  | 'ai_q_learner_config'
+  | 'ai_q_learning_states_and_actions_map'
+  | 'rl_obstacles_easy_list'
+  | 'ai_sorting_collect'
+  | 'ai_sorting_find'
+  | 'ai_sorting_group'
+  | 'ai_sorting_name'
+  | 'ai_sorting_near'

@@ -29,13 +29,6 @@ import { ai_nn_output_node } from './network/ai_nn_output_node.ts'
 import { ai_nn_output_node_led } from './network/ai_nn_output_node_led.ts'
 import { ai_nn_output_node_sound } from './network/ai_nn_output_node_sound.ts'
 import { ai_nn_output_node_text } from './network/ai_nn_output_node_text.ts'
-import { ai_q_apply_learning_rule } from './q-learning/ai_q_apply_learning_rule.ts'
-import { ai_q_barrier_mountain } from './q-learning/ai_q_barrier_mountain.ts'
-import { ai_q_draw_the_best_way } from './q-learning/ai_q_draw_the_best_way.ts'
-import { ai_q_drive_the_best_way } from './q-learning/ai_q_drive_the_best_way.ts'
-import { ai_q_learner_config } from './q-learning/ai_q_learner_config.ts'
-import { ai_q_learning_states_and_actions_map } from './q-learning/ai_q_learning_states_and_actions_map.ts'
-import { rl_obstacles_easy_list } from './q-learning/rl_obstacles_easy_list.ts'
 import { robColour_picker } from './sensors/robColour_picker.ts'
 import { robSensors_colour_getSample } from './sensors/robSensors_colour_getSample.ts'
 import { robSensors_compass_getSample } from './sensors/robSensors_compass_getSample.ts'
@@ -51,12 +44,8 @@ import { robSensors_timer_getSample } from './sensors/robSensors_timer_getSample
 import { robSensors_timer_reset } from './sensors/robSensors_timer_reset.ts'
 import { robSensors_touch_getSample } from './sensors/robSensors_touch_getSample.ts'
 import { robSensors_ultrasonic_getSample } from './sensors/robSensors_ultrasonic_getSample.ts'
-import { ai_sorting_collect } from './sorting/ai_sorting_collect.ts'
-import { ai_sorting_find } from './sorting/ai_sorting_find.ts'
-import { ai_sorting_group } from './sorting/ai_sorting_group.ts'
-import { ai_sorting_name } from './sorting/ai_sorting_name.ts'
-import { ai_sorting_near } from './sorting/ai_sorting_near.ts'
 import { text } from './text/text.ts'
+import { toolbox, type ToolboxCategory } from './toolbox.ts'
 import type { Definition } from './types.ts'
 
 /** What the cards need; a name of `CoreType` without its definition does not compile. */
@@ -107,30 +96,27 @@ const core: { readonly [T in CoreType]: Definition } = {
   ai_nn_output_node_led,
   ai_nn_output_node_text,
   ai_nn_output_node_sound,
-  ai_q_learning_states_and_actions_map,
-  rl_obstacles_easy_list,
-  ai_q_barrier_mountain,
-  ai_q_learner_config,
-  ai_q_apply_learning_rule,
-  ai_q_draw_the_best_way,
-  ai_q_drive_the_best_way,
-  ai_sorting_collect,
-  ai_sorting_find,
-  ai_sorting_group,
-  ai_sorting_near,
-  ai_sorting_name,
 }
 
 /**
- * The blocks that are loaded, by type: what the cards need at once, the whole language after `addBlocks(expert)`
+ * The blocks that are loaded, by type: what most cards need at once, those for maps and for groups after
+ * `addBlocks(learning, learningToolbox)` (`@botgarten/blocks/learning`), the whole language after `addBlocks(expert)`
  * (`@botgarten/blocks/later`). Ask `isBlockType` before a look-up.
  */
 export const definitions: { readonly [T in BlockType]: Definition } = { ...core } as never
 
-/** Makes more of the language known, in place. */
-export function addBlocks(more: { readonly [type: string]: Definition }): void {
+/** Makes more of the language known, in place; what a child finds of it stands on the shelf from then on. */
+export function addBlocks(
+  more: { readonly [type: string]: Definition },
+  shelf: readonly ToolboxCategory[] = [],
+): void {
   Object.assign(definitions, more)
+  const known = new Set(toolbox.map(({ category }) => category))
+  toolbox.push(...shelf.filter(({ category }) => !known.has(category)))
 }
+
+/** Is it a block of the learning pack (`@botgarten/blocks/learning`), loaded or not? */
+export const isOfLearning = (type: string): boolean => /^(ai_q_|rl_|ai_sorting_)/.test(type)
 
 /** Is it a block that is loaded? Files may hold others; they are kept and cannot run. */
 export const isBlockType = (type: string): type is BlockType => Object.hasOwn(definitions, type)

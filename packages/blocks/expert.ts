@@ -94,6 +94,7 @@ import { math_arithmetic } from './richer/math_arithmetic.ts'
 import { robSensors_colour_getSample } from './richer/robSensors_colour_getSample.ts'
 import { robSensors_infrared_getSample } from './richer/robSensors_infrared_getSample.ts'
 import { robSensors_ultrasonic_getSample } from './richer/robSensors_ultrasonic_getSample.ts'
+import { learning } from './learning.ts'
 import type { Definition } from './types.ts'
 
 /** The rest of the language; a name of `ExpertType` without its definition does not compile. */
@@ -199,4 +200,5 @@ const richer = {
   robSensors_ultrasonic_getSample,
 }
 
-export const expert: { readonly [type: string]: Definition } = { ...more, ...richer }
+/** All that the cards do not need at once, the learning pack included. */
+export const expert: { readonly [type: string]: Definition } = { ...learning, ...more, ...richer }

@@ -1,5 +1,6 @@
 import { number, text } from './parts/examples.ts'
-import { toolbox, type ToolboxCategory } from './toolbox.ts'
+import { learningToolbox } from './learning.ts'
+import { coreToolbox, type ToolboxCategory } from './toolbox.ts'
 import type { ExpertType } from './block-type.ts'
 import type { Block, Category, Template } from './types.ts'
 
@@ -176,6 +177,7 @@ const newOnes: readonly ToolboxCategory[] = [
 ]
 
 /** What the playgrounds bring stands at the end. */
+const plain = [...coreToolbox, ...learningToolbox]
 const last: readonly Category[] = ['network', 'q-learning', 'sorting']
 
 const withMore = ({ category, blocks }: ToolboxCategory): ToolboxCategory => ({
@@ -188,9 +190,9 @@ const withMore = ({ category, blocks }: ToolboxCategory): ToolboxCategory => ({
  * on the program: `variableBlocks`, `callBlocks`.
  */
 export const expertToolbox: readonly ToolboxCategory[] = [
-  ...toolbox.filter(({ category }) => !last.includes(category)).map(withMore),
+  ...plain.filter(({ category }) => !last.includes(category)).map(withMore),
   ...newOnes,
-  ...toolbox.filter(({ category }) => last.includes(category)).map(withMore),
+  ...plain.filter(({ category }) => last.includes(category)).map(withMore),
 ]
 
 /** What a program's variable can be used with: its value, setting it, and what its type allows. */

@@ -1,13 +1,4 @@
 import { distanceNeuron, motorNeuron, network, number, start, text } from './parts/examples.ts'
-import {
-  barrier,
-  drawWay,
-  follower,
-  gainExperience,
-  learner,
-  learningMap,
-} from './parts/learning-examples.ts'
-import { colourReading, find, groupAs } from './parts/sorting-examples.ts'
 import type { BlockType } from './block-type.ts'
 import type { Category, Template } from './types.ts'
 
@@ -99,26 +90,8 @@ const neurons: readonly Template[] = [
   ...Object.values(network([distanceNeuron('2')], [motorNeuron('C')]).values ?? {}),
 ]
 
-const learning: readonly Template[] = [
-  learningMap(),
-  learner,
-  gainExperience,
-  drawWay,
-  follower,
-  barrier(2, 3),
-]
-
-const sorting: readonly Template[] = [
-  colourReading,
-  find(3),
-  groupAs('NUMBER'),
-  groupAs('NAME'),
-  block('ai_sorting_near', { SENSORPORT: '1' }, { GROUP: number(1) }),
-  block('ai_sorting_name', {}, { GROUP: number(1), NAME: text('') }),
-]
-
 /** What a child finds, in order, with what is plugged in: presets of Open Roberta's beginner toolbox, our ports. */
-export const toolbox: readonly ToolboxCategory[] = [
+export const coreToolbox: readonly ToolboxCategory[] = [
   { category: 'control', blocks: control },
   { category: 'action', blocks: action },
   { category: 'sensors', blocks: sensors },
@@ -132,6 +105,7 @@ export const toolbox: readonly ToolboxCategory[] = [
   },
   { category: 'text', blocks: [block('text', { TEXT: '' })] },
   { category: 'network', blocks: neurons },
-  { category: 'q-learning', blocks: learning },
-  { category: 'sorting', blocks: sorting },
 ]
+
+/** What is loaded of it all: `addBlocks` puts more on the shelf. */
+export const toolbox: ToolboxCategory[] = [...coreToolbox]

@@ -2,7 +2,7 @@ import { existsSync, globSync, readdirSync, readFileSync } from 'node:fs'
 import { basename, dirname, join } from 'node:path'
 import { createLab, type CheckResult } from '@botgarten/lab'
 import { check, parseProject } from '@botgarten/programs'
-import { paintFloor, TICKS_PER_SECOND, type World } from '@botgarten/simulation'
+import { paintFloor, readPng, TICKS_PER_SECOND, type World } from '@botgarten/simulation'
 import { readMap, withLearnedWay } from './maps/index.ts'
 import { describe, expect, it } from 'vitest'
 import { cardDocument, cardProject, readCard, readCardText, type CardProgram } from './index.ts'
@@ -35,7 +35,7 @@ function runOf(folder: string, file: string, start: number): readonly CheckResul
 
 function floorOf(world: World) {
   if (!('asset' in world.floor)) return paintFloor(world)
-  return paintFloor(world, readFileSync(join(content, world.floor.asset.replace('content:', ''))))
+  return paintFloor(world, readPng(readFileSync(join(content, world.floor.asset.replace('content:', '')))))
 }
 
 describe.each(folders)('the card in %s', (folder) => {

@@ -1,6 +1,13 @@
 import { readFileSync } from 'node:fs'
 import { join } from 'node:path'
-import { COLOURS, createSimulation, paintFloor, type Colour, type World } from '@botgarten/simulation'
+import {
+  COLOURS,
+  createSimulation,
+  paintFloor,
+  readPng,
+  type Colour,
+  type World,
+} from '@botgarten/simulation'
 import { describe, expect, it } from 'vitest'
 
 const content = join(import.meta.dirname, '../../content')
@@ -8,7 +15,7 @@ const content = join(import.meta.dirname, '../../content')
 function worldOf(id: string) {
   const world = JSON.parse(readFileSync(join(content, 'worlds', id, 'world.json'), 'utf8')) as World
   const picture = 'asset' in world.floor ? readFileSync(join(content, 'worlds', id, 'floor.png')) : undefined
-  return { world, simulation: createSimulation(world, paintFloor(world, picture), 1) }
+  return { world, simulation: createSimulation(world, paintFloor(world, picture && readPng(picture)), 1) }
 }
 
 /** What the sensor names when the robot is put on points 10 cm apart. */

@@ -1,8 +1,10 @@
-import { blockFrom, toolbox, type Template } from '@botgarten/blocks'
+import { addBlocks, blockFrom, toolbox, type Template } from '@botgarten/blocks'
+import { learning, learningToolbox } from '@botgarten/blocks/learning'
 import { expect, test } from 'vitest'
 import { learningIn } from './index.ts'
 import type { Program } from './types.ts'
 
+addBlocks(learning, learningToolbox)
 const shelf = toolbox.find(({ category }) => category === 'q-learning')!.blocks
 const from = (part: string) => shelf.find(({ type }) => type.includes(part))!
 const start: Template = { type: 'robControls_start' }

@@ -10,8 +10,6 @@ const MOST = 400
 const STARTS = 10
 export const MOST_GROUPS = 9
 
-export const emptySorting = (): SortingMemory => ({ readings: [], collected: 0, centres: [], names: [] })
-
 /** What the colour sensor at the block's port reads; null without one. */
 export function readingAt(block: Block, { robot }: Context): Reading | null {
   const port = sensorPortIn(block, 'SENSORPORT')

@@ -1,6 +1,7 @@
 import { readFileSync } from 'node:fs'
 import { createLab } from '@botgarten/lab'
-import { blockFrom, toolbox, type Template } from '@botgarten/blocks'
+import { addBlocks, blockFrom, toolbox, type Template } from '@botgarten/blocks'
+import { learning as blocks, learningToolbox } from '@botgarten/blocks/learning'
 import { cardConfig, paintFloor, TICKS_PER_SECOND, type Pose } from '@botgarten/simulation'
 import { describe, expect, test } from 'vitest'
 import { drawWay, readMap, wayThrough, withLearnedWay, type MapFile } from './index.ts'
@@ -9,6 +10,7 @@ const mapNamed = (id: string): MapFile =>
   readMap(readFileSync(new URL(`../../../content/maps/${id}/map.svg`, import.meta.url), 'utf8')).map!
 
 const start: Template = { type: 'robControls_start', mutation: { attrs: { declare: 'false' } } }
+addBlocks(blocks, learningToolbox)
 const shelf = toolbox.find(({ category }) => category === 'q-learning')!.blocks
 const byType = (type: string) => shelf.find((template) => template.type === type)!
 

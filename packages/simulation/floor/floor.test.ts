@@ -5,7 +5,7 @@ import type { Colour, Floor, World } from '../types.ts'
 import { COLOURS, colourOf } from './colours.ts'
 import { bytesOf } from './fill.ts'
 import { paintFloor } from './paint.ts'
-import { FloorError } from './png.ts'
+import { FloorError, readPng } from './png.ts'
 
 type Painted = Pick<World, 'size' | 'floor' | 'areas' | 'lines'>
 const bare: Painted = { size: { width: 100, height: 50 }, floor: { colour: '#FFFFFF' }, areas: [], lines: [] }
@@ -114,7 +114,7 @@ describe('rule 6: pictures', () => {
     ['grey with transparency', 2, [88, 0], '#FFFFFF'],
     ['half transparent black over white', 4, [0, 0, 0, 127], '#808080'],
   ] as const)('%s is read', (_, channels, pixel, colour) => {
-    const floor = paintFloor({ ...bare, floor: { asset: 'x' } }, picture(200, 100, channels, pixel))
+    const floor = paintFloor({ ...bare, floor: { asset: 'x' } }, readPng(picture(200, 100, channels, pixel)))
     expect([floor.width, floor.height, floor.pixelsPerCm]).toEqual([200, 100, 2])
     expect(areaOf(floor, colour)).toBe(5000)
   })
@@ -122,22 +122,25 @@ describe('rule 6: pictures', () => {
   test('a palette is read', () => {
     // 2 × 1 pixels, red and white, made with Python's zlib after the PNG specification.
     const png = Uint8Array.from(Buffer.from('iVBORw0KGgoAAAANSUhEUgAAAAIAAAABCAMAAADD/I+4AAAABlBMVEWzAAb///8c7KHaAAAAC0lEQVR4nGNgYAQAAAQAAr96P0oAAAAASUVORK5CYII=', 'base64')) // prettier-ignore
-    const floor = paintFloor({ ...bare, size: { width: 2, height: 1 } }, png)
+    const floor = paintFloor({ ...bare, size: { width: 2, height: 1 } }, readPng(png))
     expect([...floor.data]).toEqual([0xb3, 0, 6, 255, 255, 255])
   })
 
   test('a picture of another shape is stretched over the world', () => {
     const data = new Uint8Array([255, 0, 0, 0, 0, 255])
-    const floor = paintFloor(bare, encode({ width: 2, height: 1, channels: 3, depth: 8, data }))
+    const floor = paintFloor(bare, readPng(encode({ width: 2, height: 1, channels: 3, depth: 8, data })))
     expect([at(floor, 10, 5), at(floor, 10, 45), at(floor, 90, 5)]).toEqual(['#FF0000', '#FF0000', '#0000FF'])
-    const high = paintFloor({ ...bare, size: { width: 100, height: 400 } }, picture(1600, 1000, 3, [1, 2, 3]))
+    const high = paintFloor(
+      { ...bare, size: { width: 100, height: 400 } },
+      readPng(picture(1600, 1000, 3, [1, 2, 3])),
+    )
     expect([high.width, high.height]).toEqual([300, 1200])
     expect(areaOf(high, '#010203')).toBeCloseTo(40000, 6)
   })
 
   const problemOf = (png: Uint8Array) => {
     try {
-      paintFloor(bare, png)
+      paintFloor(bare, readPng(png))
       return null
     } catch (error) {
       return error instanceof FloorError ? error.problem : error

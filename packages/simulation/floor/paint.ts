@@ -3,21 +3,18 @@ import { radiansOf } from '../angles.ts'
 import { partOfShape } from '../geometry/parts.ts'
 import type { Area, Floor, Line, World } from '../types.ts'
 import { bytesOf, fillCircle, fillPolygon, type Point } from './fill.ts'
-import { HIGHEST, readPng, WIDEST, type Picture } from './png.ts'
+import { HIGHEST, WIDEST, type Picture } from './picture.ts'
 
 const FINEST = 4
 
 /**
  * The floor as sensors see it: the picture (stretched over the world, nearest pixels) or one colour, then areas, then
  * lines, each over what came before. Without a picture 1 to 4 pixels a cm, at most 1600 × 1200.
- * @param png the picture as a file, or unpacked already
- * @throws FloorError when the picture cannot be used
  */
 export function paintFloor(
   world: Pick<World, 'size' | 'floor' | 'areas' | 'lines'>,
-  png?: Uint8Array | Picture,
+  picture?: Picture,
 ): Floor {
-  const picture = png instanceof Uint8Array ? readPng(png) : png
   const floor = picture ? laidOut(picture, world.size) : plain(world)
   for (const area of world.areas) paintArea(floor, area)
   for (const line of world.lines) paintLine(floor, line)

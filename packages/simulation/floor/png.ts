@@ -1,8 +1,6 @@
 import { convertIndexedToRgb, decode, type DecodedPng } from 'fast-png'
 import { Unzlib } from 'fflate'
-
-export const WIDEST = 1600
-export const HIGHEST = 1200
+import { HIGHEST, WIDEST, type Picture } from './picture.ts'
 
 /** notPng: something else · tooBig: more than 1600 × 1200, or more data than its size says · broken: cannot be read. */
 export type FloorProblem = 'notPng' | 'tooBig' | 'broken'
@@ -13,13 +11,6 @@ export class FloorError extends Error {
     super(`The floor's picture cannot be used: ${problem}`)
     this.problem = problem
   }
-}
-
-/** A picture: rows from the top, three bytes (R, G, B) a pixel. */
-export interface Picture {
-  readonly width: number
-  readonly height: number
-  readonly data: Uint8Array
 }
 
 /**

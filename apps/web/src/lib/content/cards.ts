@@ -32,6 +32,12 @@ const floors = import.meta.glob<string>('../../../../../content/worlds/*/floor.p
   eager: true,
 })
 
+const pixels = import.meta.glob<string>('../../../../../content/worlds/*/floor.png', {
+  import: 'default',
+  query: '?pixels',
+  eager: true,
+})
+
 const pictures = import.meta.glob<string>('../../../../../content/cards/*/*/picture.svg', {
   import: 'default',
   query: '?url',
@@ -81,12 +87,19 @@ export async function loadCard(id: string): Promise<LoadedCard | null> {
   }
 }
 
-/** Address of the picture of a floor, or null for a floor without one. */
-export function floorAddress(world: WorldFile): string | null {
-  if (!('asset' in world.floor)) return null
-  const path = world.floor.asset.replace(/^content:/, '/content/')
-  return Object.entries(floors).find(([file]) => file.endsWith(path))?.[1] ?? null
+type OnFloor = Pick<WorldFile, 'floor'>
+
+function addressIn(files: { readonly [file: string]: string }, { floor }: OnFloor): string | null {
+  if (!('asset' in floor)) return null
+  const path = floor.asset.replace(/^content:/, '/content/')
+  return Object.entries(files).find(([file]) => file.endsWith(path))?.[1] ?? null
 }
+
+/** Address of the picture of a floor, or null for a floor without one. */
+export const floorAddress = (world: OnFloor): string | null => addressIn(floors, world)
+
+/** Address of its pixels, for the robot's sensors. */
+export const pixelsAddress = (world: OnFloor): string | null => addressIn(pixels, world)
 
 /** The free lab: a garden, and a first program that already drives. */
 export async function loadFreeLab(): Promise<Project> {

@@ -27,16 +27,9 @@ export function isWholeShadow(block: Template): boolean {
   return Object.values(block.values ?? {}).every(isWholeShadow)
 }
 
-const presets: ReadonlyMap<string, Template> = new Map(
-  toolbox.flatMap(({ blocks }) =>
-    blocks.flatMap(({ type, values }) =>
-      Object.entries(values ?? {})
-        .filter(([, child]) => child.shadow)
-        .map(([input, child]) => [`${type} ${input}`, child] as const),
-    ),
-  ),
-)
-
 /** What comes back when a block is pulled out of this input. */
 export const presetShadow = (type: string, input: string): Template | undefined =>
-  presets.get(`${type} ${input}`)
+  toolbox
+    .flatMap(({ blocks }) => blocks)
+    .flatMap((block) => (block.type === type ? [block.values?.[input]] : []))
+    .findLast((child) => child?.shadow)

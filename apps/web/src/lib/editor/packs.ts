@@ -1,6 +1,6 @@
-import { definitions, isBlockType, type Block, type FieldLook } from '@botgarten/blocks'
+import { definitions, isBlockType, isOfLearning, type Block, type FieldLook } from '@botgarten/blocks'
 import { holesOf, statementNames, type Program } from '@botgarten/programs'
-import { fetchExpertWords } from '#lib/words/say.ts'
+import { fetchExpertWords, withWords } from '#lib/words/say.ts'
 
 type Expert = Pick<typeof import('./expert/later.ts'), 'expertShelf'>
 
@@ -11,23 +11,34 @@ export const expertParts = (): Expert | null => expert
 
 /** Brings the whole language with its words; programs may hold all of it from then on. */
 export async function bringExpert(): Promise<Expert> {
-  const [{ learn, expertShelf }] = await Promise.all([import('./expert/later.ts'), fetchExpertWords()])
+  const [{ learn, expertShelf }] = await Promise.all([
+    withWords(import('./expert/later.ts')),
+    fetchExpertWords(),
+  ])
   if (!expert) learn()
   return (expert = { expertShelf })
 }
 
-/** Brings the whole language where these programs hold more than the cards need. */
+/** Brings the blocks for maps and groups. */
+export const bringLearning = async (): Promise<void> =>
+  (await withWords(import('./learning/later.ts'))).learn()
+
+/** Brings what these programs hold and is not there yet, up to the whole language. */
 export async function bringFor(programs: { readonly [id: string]: Program }): Promise<void> {
   const rows = Object.values(programs).flatMap(({ stacks }) => stacks.flatMap(({ blocks }) => blocks))
+  if (rows.some(learns)) await bringLearning()
   if (!expert && rows.some(isMore)) await bringExpert()
 }
 
+const inside = ({ values = {}, statements = {} }: Block): readonly Block[] => [
+  ...Object.values(values),
+  ...Object.values(statements).flat(),
+]
+
+const learns = (block: Block): boolean => isOfLearning(block.type) || inside(block).some(learns)
+
 /** Is it, or does it hold, more of the language than is loaded? */
-function isMore(block: Block): boolean {
-  const values = Object.values(block.values ?? {})
-  const statements = Object.values(block.statements ?? {}).flat()
-  return !isKnown(block) || values.some(isMore) || statements.some(isMore)
-}
+const isMore = (block: Block): boolean => !isKnown(block) || inside(block).some(isMore)
 
 function isKnown(block: Block): boolean {
   if (!isBlockType(block.type)) return false

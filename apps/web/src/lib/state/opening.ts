@@ -1,9 +1,10 @@
 import type { LoadedCard } from '#lib/content/cards.ts'
 import { floorAddress, loadCard, loadFreeLab } from '#lib/content/cards.ts'
-import { bringFor } from '#lib/editor/packs.ts'
+import { bringFor, bringLearning } from '#lib/editor/packs.ts'
 import { freshId, load } from '#lib/storage/projects.ts'
 import { cardProject } from '@botgarten/materials'
 import { parseProject, type Project } from '@botgarten/programs'
+import { pictureIn } from '#lib/floor/pictures.ts'
 import { paintFloor, type Floor, type World } from '@botgarten/simulation'
 
 /** A project that is about to be shown. */
@@ -26,7 +27,11 @@ export async function openLab(name: string, projectId: string | null): Promise<O
   const fresh = card ? cardProject(card.world, card.card, card.start, card.card.id) : await loadFreeLab()
   const kept = await readKept(projectId ?? name)
   const project = kept.project ?? fresh
-  const [floor] = await Promise.all([floorOf(project), bringFor(project.programs)])
+  const [floor] = await Promise.all([
+    floorOf(project),
+    bringFor(project.programs),
+    ...(name === 'free' ? [bringLearning()] : []),
+  ])
   return {
     id: kept.id,
     revision: kept.revision,
@@ -68,10 +73,8 @@ async function floorOf(project: Project): Promise<Floor | null> {
   if (!('asset' in world.floor)) return paintFloor(world)
   try {
     const asset = assetOf(project)
-    if (asset) return paintFloor(world, Uint8Array.fromBase64(asset.base64))
-    const address = floorAddress(world)
-    if (!address) return null
-    return paintFloor(world, new Uint8Array(await (await fetch(address)).arrayBuffer()))
+    const picture = await pictureIn(world, asset)
+    return picture && paintFloor(world, picture)
   } catch (cause) {
     console.warn('The picture of the floor cannot be read.', cause)
     return null

@@ -1,6 +1,6 @@
-import { floorPictureOf } from '#lib/state/opening.ts'
+import { pictureIn } from '#lib/floor/pictures.ts'
 import type { Project, Scene } from '@botgarten/programs'
-import { paintFloor, readPng, type Floor, type Picture, type World } from '@botgarten/simulation'
+import { paintFloor, type Floor, type Picture, type World } from '@botgarten/simulation'
 
 /** Pictures of floors, unpacked once, so that a floor is painted within a frame. */
 export class Floors {
@@ -15,13 +15,9 @@ export class Floors {
     const { floor } = scene
     if (!('asset' in floor) || this.#pictures.has(floor.asset)) return true
     try {
-      const address = floorPictureOf(scene as World, assets)
-      const own = assets[floor.asset]
-      const png = own
-        ? Uint8Array.fromBase64(own.base64)
-        : new Uint8Array(await (await fetch(address!)).arrayBuffer())
-      this.#pictures.set(floor.asset, readPng(png))
-      return true
+      const picture = await pictureIn(scene, assets[floor.asset])
+      if (picture) this.#pictures.set(floor.asset, picture)
+      return picture !== null
     } catch (cause) {
       console.warn('The picture of the floor cannot be read.', cause)
       return false
