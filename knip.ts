@@ -10,7 +10,7 @@ const config: KnipConfig = {
   workspaces: {
     '.': { entry: ['scripts/*.{mjs,ts}'], project: ['scripts/**/*.{mjs,ts}'] },
     'apps/web': {
-      entry: ['project.inlang/paraglide.config.js', 'src/lib/words/all-languages.ts'],
+      entry: ['project.inlang/paraglide.config.js'],
       project: ['src/**/*.{ts,svelte,css}'],
       // Named by its path in project.inlang/settings.json.
       ignoreDependencies: ['@inlang/plugin-message-format'],

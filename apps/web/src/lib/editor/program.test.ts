@@ -1,4 +1,5 @@
 import {
+  addBlocks,
   definitions,
   toolbox,
   blockFrom,
@@ -7,6 +8,7 @@ import {
   type Look,
   type ValueType,
 } from '@botgarten/blocks'
+import { learning, learningToolbox } from '@botgarten/blocks/learning'
 import type { Program } from '@botgarten/programs'
 import * as Blockly from 'blockly/core'
 import fc from 'fast-check'
@@ -17,6 +19,7 @@ import { defineBlocks } from './shape.ts'
 import { defineUnknownBlocks } from './unknown.ts'
 import { wordsIn } from '#lib/words/say.ts'
 
+addBlocks(learning, learningToolbox)
 const empty: Program = { stacks: [], config: { stacks: [] } }
 const workspaces: Blockly.Workspace[] = []
 

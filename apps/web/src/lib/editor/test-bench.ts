@@ -1,4 +1,5 @@
-import { definitions, type Block } from '@botgarten/blocks'
+import { addBlocks, definitions, type Block } from '@botgarten/blocks'
+import { learning, learningToolbox } from '@botgarten/blocks/learning'
 import type { Program } from '@botgarten/programs'
 import * as Blockly from 'blockly/core'
 import { vi } from 'vitest'
@@ -7,6 +8,8 @@ import { toProgram, toWorkspace } from './program.ts'
 import { defineBlocks } from './shape.ts'
 import { defineUnknownBlocks } from './unknown.ts'
 import { wordsIn } from '#lib/words/say.ts'
+
+addBlocks(learning, learningToolbox)
 
 /** For tests: a workspace without a screen that shows a program. Blockly's events wait for a fake clock. */
 export class Bench {
