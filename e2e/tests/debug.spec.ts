@@ -18,7 +18,7 @@ for (const language of languages) {
       await child.presses('lab.closely')
       const here = child.button('debug.stopHere')
       await expect(here).toHaveAttribute('aria-disabled', 'true')
-      await child.block('b4').click({ position: { x: 30, y: 12 } })
+      await child.block('b4').click({ position: { x: 28, y: 20 } })
       await here.click()
       await expect(here).toHaveAttribute('aria-pressed', 'true')
       await expect(page.locator('.editor-stop')).toHaveCount(1)
@@ -29,7 +29,7 @@ for (const language of languages) {
       await child.presses('lab.continue')
       await expect(child.button('lab.start').first()).toBeVisible()
 
-      await child.block('b4').click({ position: { x: 30, y: 12 } })
+      await child.block('b4').click({ position: { x: 28, y: 20 } })
       await here.click()
       await expect(page.locator('.editor-stop')).toHaveCount(0)
       await child.pressesStart()

@@ -13,7 +13,7 @@ for (const language of languages) {
       await expect(sorting.thing('cup', 5)).toHaveAttribute('aria-pressed', 'true')
       const before = await sorting.places()
       await child.drags(await child.middleOf(sorting.flag(1)), await sorting.middleOfPlane())
-      expect((await sorting.places())[0]).not.toBe(before[0])
+      await expect.poll(async () => (await sorting.places())[0]).not.toBe(before[0])
       await sorting.presses('play')
       await sorting.seesDone()
     })

@@ -1,11 +1,15 @@
 import { existsSync, globSync, readdirSync, readFileSync } from 'node:fs'
 import { basename, dirname, join } from 'node:path'
+import { addBlocks } from '@botgarten/blocks'
+import { learning } from '@botgarten/blocks/learning'
 import { createLab, type CheckResult } from '@botgarten/lab'
 import { check, parseProject } from '@botgarten/programs'
 import { paintFloor, readPng, TICKS_PER_SECOND, type World } from '@botgarten/simulation'
 import { readMap, withLearnedWay } from './maps/index.ts'
 import { describe, expect, it } from 'vitest'
 import { cardDocument, cardProject, readCard, readCardText, type CardProgram } from './index.ts'
+
+addBlocks(learning)
 
 // Every card and every world is held to the same rules merely because it is there.
 const content = join(import.meta.dirname, '../../content')

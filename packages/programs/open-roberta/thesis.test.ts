@@ -1,11 +1,14 @@
 import { readFileSync, readdirSync } from 'node:fs'
-import { definitions, isBlockType, type Block } from '@botgarten/blocks'
+import { addBlocks, definitions, isBlockType, type Block } from '@botgarten/blocks'
+import { learning } from '@botgarten/blocks/learning'
 import { describe, expect, it } from 'vitest'
 import { check, indexProgram, networks, runThread, startThread } from '../index.ts'
 import { nextTick, recordingRobot } from '../testing/recording-robot.ts'
 import { xmlTree } from '../testing/xml-tree.ts'
 import { robotIn } from './brick.ts'
 import { readOpenRoberta, writeOpenRoberta } from './index.ts'
+
+addBlocks(learning)
 
 const folder = new URL('../testing/open-roberta/thesis/', import.meta.url)
 const textOf = (name: string) => readFileSync(new URL(`${name}.xml`, folder), 'utf8')

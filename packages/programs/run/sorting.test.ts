@@ -1,6 +1,9 @@
-import type { Template } from '@botgarten/blocks'
+import { addBlocks, type Template } from '@botgarten/blocks'
+import { learning } from '@botgarten/blocks/learning'
 import { describe, expect, test } from 'vitest'
 import { run, shown } from '../testing/run.ts'
+
+addBlocks(learning)
 
 const number = (value: number): Template => ({ type: 'math_number', fields: { NUM: String(value) } })
 const collect: Template = { type: 'ai_sorting_collect', fields: { SENSORPORT: '1' } }
