@@ -90,7 +90,7 @@ for (const language of languages) {
         await child.seesWeight(leftEye, leftWheel, 0.45)
         const shelf = new Shelf(child)
         await shelf.opens()
-        expect(await shelf.names()).toHaveLength(2)
+        await expect.poll(() => shelf.names()).toHaveLength(2)
       })
 
     test('a project that is too large for a link offers the file', async ({ child, page }) => {
