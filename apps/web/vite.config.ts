@@ -50,7 +50,7 @@ const chunks = [
   { name: cardOf, priority: 2 },
   {
     name: 'common',
-    test: /(src[\\/]lib[\\/](content|offline|parts|words)|node_modules[\\/]svelte)[\\/]|storage[\\/](bin|channel|database|handout|projects|settings)\.ts|state[\\/]comfort/,
+    test: /(src[\\/]lib[\\/](content|offline|parts|words)|node_modules[\\/]svelte)[\\/]|storage[\\/](bin|channel|database|endings|handout|projects|settings)\.ts|state[\\/]comfort/,
     minShareCount: 2,
     priority: 1,
   },
