@@ -82,6 +82,26 @@ describe('on any points', () => {
     )
   })
 
+  test.each([
+    ['crowds on a grid, where many lie between two flags', fc.integer({ min: 0, max: 6 })],
+    ['hardly apart', fc.integer({ min: 0, max: 9 }).map((few) => few * 1e-160)],
+    ['far out', fc.integer({ min: 0, max: 9 }).map((few) => 1e9 + few * 1e-6)],
+  ])('a plane has a quicker way to the same: %s', (_, place) => {
+    const crowd = fc.array(fc.tuple(place, place), { minLength: 60, maxLength: 200 })
+    fc.assert(
+      fc.property(crowd, fc.integer({ min: 1, max: 7 }), fc.nat(1000), (rows, groups, seed) => {
+        const points = pointsOf(rows)
+        const start = randomStart(points, groups, seeded(seed))
+        const wanted = cluster(points, start)
+        let state = startAt(points, start)
+        while (state.phase !== 'done' && state.round < wanted.iterations) state = stepPhase(points, state)
+        const { labels, centres, inertia, round } = state
+        expect({ labels, centres, inertia, iterations: round }).toEqual(wanted)
+      }),
+      { seed: 8, numRuns: 150 },
+    )
+  })
+
   test('point by point and flag by flag is the same as a phase at once', () => {
     fc.assert(
       fc.property(anySet, fc.nat(1000), fc.nat(30), ({ points, distance, groups }, seed, ahead) => {

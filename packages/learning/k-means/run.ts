@@ -1,6 +1,6 @@
 import type { StreamState } from '@botgarten/numbers'
 import { flat } from './distances.ts'
-import { roundOf } from './round.ts'
+import { roundsOver } from './round.ts'
 import { plusPlusStart, randomStart } from './starts.ts'
 import type { Clustering, Distance, Points } from './types.ts'
 
@@ -17,20 +17,27 @@ export function cluster(
 ): Clustering {
   refuse(points, start)
   let centres = flat(start)
-  const labels = new Int32Array(points.count).fill(-1)
+  const rounds = roundsOver(points, start.length, distance)
   const inertia: number[] = []
   for (let changed = true; changed && inertia.length < MOST_ROUNDS;) {
-    const round = roundOf(points, centres, distance, labels)
-    inertia.push(round.inertia)
-    changed = round.changed
-    if (changed) centres = round.centres
+    const done = rounds.next(centres)
+    inertia.push(done.inertia)
+    changed = done.changed
+    if (changed) centres = done.centres
   }
   return {
     centres: rowsOf(centres, points.features),
-    labels: [...labels],
+    labels: listOf(rounds.labels()),
     inertia,
     iterations: inertia.length,
   }
+}
+
+/** As `[...labels]`, ten times as fast. */
+function listOf(labels: Int32Array): number[] {
+  const list = new Array<number>(labels.length)
+  for (let point = 0; point < list.length; point++) list[point] = labels[point]!
+  return list
 }
 
 /** The best of several starts: the smallest inertia at the end, of equal ones the first. */

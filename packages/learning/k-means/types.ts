@@ -58,3 +58,17 @@ export interface Clustering {
   readonly inertia: readonly number[]
   readonly iterations: number
 }
+
+/** Lloyd's algorithm at full speed: a round is all points finding their centres, and where these would move. */
+export interface Rounds {
+  /**
+   * @returns the inertia of these centres, whether any point has changed its group, and where the centres belong now
+   */
+  next(centres: Float64Array): {
+    readonly inertia: number
+    readonly changed: boolean
+    readonly centres: Float64Array
+  }
+  /** By point: its group, after at least one round. */
+  labels(): Int32Array
+}
