@@ -25,7 +25,7 @@ export default defineConfig({
           name: 'web',
           testTimeout: 60_000,
           include: ['src/**/*.test.ts'],
-          setupFiles: ['src/lib/words/all-languages.ts'],
+          setupFiles: [`${import.meta.dirname}/apps/web/src/lib/words/all-languages.ts`],
         },
       },
     ],
