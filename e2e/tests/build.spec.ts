@@ -1,3 +1,4 @@
+import type { Project } from '@botgarten/programs'
 import { Builder } from '../child-build.ts'
 import type { Child } from '../child.ts'
 import { expect, test } from '../house.ts'
@@ -231,6 +232,47 @@ test('what is built while Bo drives is there at once: Bo waits, and goes on in t
   await builder.addsThing('circle')
   await expect(builder.all('world.thing.circle')).toHaveCount(1)
   await child.seesDriving()
+})
+
+test('taking back a change of a thing that Bo has pushed leaves it where it was pushed to', async ({
+  child,
+}) => {
+  const project = JSON.parse(freeProgram('Push', (make) => [make.drive(60, 70)])) as Project
+  const shape = { kind: 'rectangle', width: 24, height: 24 } as const
+  // Ahead of where the garden's Bo starts.
+  const pose = { x: 149, y: 200, heading: 15 }
+  const box = { id: 'box', shape, pose, fixed: false, colour: '#F7D117' }
+  await child.opensLab('free')
+  const pushing = { ...project, world: { ...project.world, obstacles: [box] } }
+  await child.opensProject('Push', JSON.stringify(pushing))
+  const builder = new Builder(child)
+  await builder.begins()
+  const thing = builder.all('world.thing.rectangle')
+  const started = await builder.placeOf(thing)
+  await child.pressesStart()
+  await expect(child.button('lab.start').first()).toBeVisible({ timeout: 60_000 })
+  const pushed = await builder.placeOf(thing)
+  expect(pushed.x).toBeGreaterThan(started.x + 15)
+  // Bo stands so near that a finger would take Bo.
+  await thing.focus()
+  await child.types('Enter')
+
+  const stays = () => expect.poll(() => builder.placeOf(thing)).toEqual(pushed)
+  await builder.chooses('red')
+  await stays()
+  await child.presses('lab.undo')
+  await stays()
+  await builder.types('build.x', '400')
+  await expect.poll(async () => (await builder.placeOf(thing)).x).toBe(400)
+  await child.presses('lab.undo')
+  await stays()
+  await builder.tool('build.remove').click()
+  await expect(thing).toHaveCount(0)
+  await child.presses('lab.undo')
+  await stays()
+  // A run that begins anew still begins where it began.
+  await child.presses('lab.resetWorld')
+  await expect.poll(() => builder.placeOf(thing)).toEqual(started)
 })
 
 test("on a card a child may build too; the card's checks stay", async ({ child }) => {

@@ -1,5 +1,6 @@
 import type { BrowserContext } from '@playwright/test'
 import { Child, leftEye, leftWheel, rightEye, rightWheel } from '../child.ts'
+import { opensSettings, wish } from '../child-cards.ts'
 import { Shelf } from '../child-projects.ts'
 import { expect, test } from '../house.ts'
 import { freeProgram } from '../projects.ts'
@@ -257,6 +258,56 @@ for (const language of languages) {
       await home.opensFileAtHome('home.botgarten.json', file)
       await there.isTold('projects.mergedTitle', 'projects.merged', { added: 0, same: 3 })
       await context.close()
+    })
+
+    test('the bin and the settings go home too; what is set at home stays', async ({ child, browser }) => {
+      const shelf = await keeps(child, 'Uno', 'Due')
+      await shelf.chooses('Due', 'throw')
+      await shelf.hears('projects.thrown', { name: 'Due' })
+      await child.opensHome()
+      await opensSettings(child, 'home')
+      await wish(child, 'letters').click()
+      await shelf.opens()
+      const file = await shelf.takesHome()
+
+      const context = await browser.newContext({ locale: language, baseURL: child.page.url() })
+      const home = new Child(await context.newPage(), language)
+      const there = new Shelf(home)
+      await there.opens()
+      await there.opensFile('home.botgarten.json', file)
+      const dialog = home.dialog('projects.mergedTitle')
+      await expect(dialog).toContainText(home.word('projects.mergedBin', { binned: 1 }))
+      await expect(dialog).toContainText(home.word('projects.mergedSettings'))
+      // At once, and after a reload.
+      await expect(home.page.locator('html')).toHaveAttribute('data-letters')
+      await home.page.reload()
+      await there.seesNames('Uno')
+      await expect(home.page.locator('html')).toHaveAttribute('data-letters')
+      await there.goesToBin()
+      await expect(there.inBin('Due')).toHaveCount(1)
+
+      // Another wish is there by now.
+      await home.opensHome()
+      await opensSettings(home, 'home')
+      await wish(home, 'letters').click()
+      await there.opens()
+      await there.opensFile('home.botgarten.json', file)
+      await expect(dialog).toContainText(home.word('projects.keptSettings'))
+      await expect(dialog).not.toContainText(home.word('projects.mergedSettings'))
+      await expect(home.page.locator('html')).not.toHaveAttribute('data-letters')
+      await there.goesToBin()
+      await expect(there.inBin('Due')).toHaveCount(1)
+      await context.close()
+    })
+
+    test('a home file with settings that are none sets nothing', async ({ child }) => {
+      const shelf = await keeps(child, 'Uno')
+      const file = JSON.parse(await shelf.takesHome()) as object
+      const settings = { sizes: { columns: [9, 'x'] }, language: 'xx', comfort: { quiet: 'yes' }, sorting: 7 }
+      await shelf.opensFile('x.json', JSON.stringify({ ...file, settings, bin: [{ was: 'x' }, null] }))
+      await shelf.isTold('projects.mergedTitle', 'projects.mergedBroken', { broken: 2 })
+      await child.opensLab('friendship')
+      expect(await child.page.evaluate(() => Object.keys(localStorage))).toEqual(['botgarten.tour'])
     })
 
     test('a home file that is broken is refused with a reason; a broken project in it is left out', async ({

@@ -1,3 +1,4 @@
+import type { Project } from '@botgarten/programs'
 import type { Child } from '../child.ts'
 import { RobotHands } from '../child-robot.ts'
 import { expect, test } from '../house.ts'
@@ -54,6 +55,44 @@ for (const language of languages) {
       await expect(said(child, 'noDistanceSensorEmpty', facts)).toBeHidden()
       await child.pressesStart()
       await child.pressesStop()
+    })
+
+    test('an infrared sensor shows its cone and what it reads, 0 to 100, like the distance sensors theirs', async ({
+      child,
+      page,
+    }) => {
+      const bo = new RobotHands(child)
+      const infrared = page.locator('.world svg g.infrared')
+      await child.opensLab('friendship')
+      await expect(infrared).toHaveCount(0)
+      await bo.opens('build')
+      await bo.dragsFromShelf('infrared', bo.port('4'))
+      await bo.seesAtPort('4', 'infrared')
+      await bo.closes()
+      await expect(infrared.locator('path.cone')).toHaveCount(1)
+      // Nothing is within its 70 cm.
+      await expect(infrared.locator('path.line.clear')).toHaveCount(1)
+      await expect(infrared.locator('text')).toHaveText('100')
+      await bo.opens('senses')
+      await expect(bo.sense('mode.infrared', '4')).toHaveText('100')
+
+      // The square is put half a metre ahead of it.
+      const project = JSON.parse(await child.savesFile()) as Project
+      const { x, y, heading } = project.world.robots[0]!.pose
+      const ahead = (cm: number) => ({
+        x: x + cm * Math.cos((heading * Math.PI) / 180),
+        y: y + cm * Math.sin((heading * Math.PI) / 180),
+        heading,
+      })
+      const obstacles = project.world.obstacles.map((thing) => ({ ...thing, pose: ahead(60) }))
+      await child.opensProject(
+        'Near',
+        JSON.stringify({ ...project, name: 'Near', world: { ...project.world, obstacles } }),
+      )
+      await expect(infrared.locator('circle')).toHaveCount(1)
+      const reading = Number(await infrared.locator('text').textContent())
+      expect(reading).toBeGreaterThan(10)
+      expect(reading).toBeLessThan(80)
     })
 
     test('is rebuilt by keys alone', async ({ child }) => {

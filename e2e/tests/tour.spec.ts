@@ -1,3 +1,4 @@
+import type { Locator } from '@playwright/test'
 import { axeFindings, node } from '../child-cards.ts'
 import { leftWheel, type Child } from '../child.ts'
 import { expect, test } from '../house.ts'
@@ -9,6 +10,31 @@ const tourOf = (child: Child) => tour({ page: child.page, word: (key) => child.w
 const motor = (child: Child) => child.word('neuron.motor', { OUTPUTNODE: leftWheel.motor })
 const glowing = (child: Child) => child.page.locator('.blocklyBlockCanvas .editor-glow')
 const halo = (child: Child) => child.page.locator('.world .halo')
+
+const phone = { width: 390, height: 844 }
+/** A school laptop's 1366 × 768 at 200 %. */
+const twice = { width: 683, height: 384 }
+
+/** All of it is on the screen, and its middle is not covered by anything else. */
+async function seesWhole(child: Child, thing: Locator) {
+  await expect(thing).toBeInViewport({ ratio: 1 })
+  await expect
+    .poll(async () => {
+      const { x, y } = await child.middleOf(thing)
+      return thing.evaluate(
+        (own, at) => {
+          const top = document.elementFromPoint(at.x, at.y)
+          // A drawing lies under the grip that takes it.
+          return (
+            top !== null &&
+            (own.contains(top) || (own.closest('.grip, .blocklyDraggable')?.contains(top) ?? false))
+          )
+        },
+        { x, y },
+      )
+    })
+    .toBe(true)
+}
 
 /** Block, node and part of Bo that light up now. */
 async function lights(child: Child, block: string | null) {
@@ -103,7 +129,7 @@ for (const language of languages) {
         await expect(tourOf(child)).toHaveCount(0)
       })
 
-      test('it never covers Bo, and waits where only one part of the lab is seen', async ({
+      test('it never covers Bo, and goes on where it was when the window becomes small', async ({
         child,
         page,
       }) => {
@@ -111,10 +137,61 @@ for (const language of languages) {
         const panel = (await tourOf(child).boundingBox())!
         const bo = await child.middleOf(child.bo)
         expect(bo.x > panel.x + panel.width || bo.y < panel.y).toBe(true)
-        await page.setViewportSize({ width: 390, height: 844 })
+        await child.presses('tour.yes')
+        await child.presses('tour.show')
+        await child.presses('tour.next')
+        await page.setViewportSize(phone)
+        await expect(tourOf(child)).toContainText(child.word('tour.step', { number: 2, of: 3 }))
+        await seesWhole(child, node(child, 'showSum', motor(child)))
+      })
+
+      for (const [name, size] of Object.entries({ 'a phone': phone, 'a laptop at 200 %': twice }))
+        test(`on ${name} it turns the pages: what is to be tapped is in sight, nothing is covered`, async ({
+          child,
+          page,
+        }) => {
+          await page.setViewportSize(size)
+          await page.emulateMedia({ reducedMotion: 'reduce' })
+          await page.goto('/lab/friendship')
+          await expect(tourOf(child)).toContainText(child.word('tour.offer'))
+          await seesWhole(child, child.button('tour.yes'))
+          await child.presses('tour.yes')
+          const block = child.block('wheelLeft').locator('.blocklyPath').first()
+          await seesWhole(child, block)
+          expect(await axeFindings(page)).toEqual([])
+          await block.click({ position: { x: 8, y: 14 } })
+          await expect(tourOf(child)).toContainText(child.word('tour.litBlockAlone'))
+          await expect(glowing(child)).toHaveAttribute('data-id', 'wheelLeft')
+          await child.presses('tour.next')
+          // The light has come along: node and wheel are seen lit side by side.
+          await expect(tourOf(child)).toContainText(child.word('tour.nodeAlone', { name: motor(child) }))
+          await expect(page.locator('.stage .glows')).toBeVisible()
+          await seesWhole(child, halo(child))
+          await node(child, 'showSum', motor(child)).click()
+          await expect(tourOf(child)).toContainText(child.word('tour.litNodeAlone'))
+          expect(await axeFindings(page)).toEqual([])
+          await child.presses('tour.next')
+          await expect(halo(child)).toHaveCount(0)
+          await seesWhole(child, page.locator('.world [data-part="motor C"]'))
+          const wheel = await child.middleOf(page.locator('.world [data-part="motor C"]'))
+          await page.mouse.click(wheel.x, wheel.y)
+          await expect(tourOf(child)).toContainText(child.word('tour.litWheel'))
+          await child.presses('tour.done')
+          await expect(tourOf(child)).toHaveCount(0)
+          await expect(child.button('lab.start')).toBeVisible()
+        })
+
+      test('on a phone it is done by keys alone', async ({ child, page }) => {
+        await page.setViewportSize(phone)
+        await child.opensLab('fear')
+        await child.tabsAndPresses('tour.yes')
+        for (const said of ['litBlockAlone', 'litNodeAlone', 'litWheel']) {
+          await expect(tourOf(child)).toBeFocused()
+          await child.tabsAndPresses('tour.show')
+          await expect(tourOf(child)).toContainText(child.word(`tour.${said}`))
+          await child.tabsAndPresses(said === 'litWheel' ? 'tour.done' : 'tour.next')
+        }
         await expect(tourOf(child)).toHaveCount(0)
-        await page.setViewportSize({ width: 1366, height: 768 })
-        await expect(tourOf(child)).toBeVisible()
       })
     })
   })

@@ -5,8 +5,13 @@ interface Placed {
   readonly pose: Pose
 }
 
-/** What is in both worlds with the same start pose stays where it stands; the rest is put down at its start pose. Returns where. */
-export function carryOver(from: Simulation, to: Simulation): { readonly [id: string]: Pose } {
+type Poses = { readonly [id: string]: Pose }
+
+/**
+ * What is in both worlds with the same start pose stays where it stands; the rest is put down where it `stood` once, else
+ * at its start pose. Returns where that is, for what came to its start.
+ */
+export function carryOver(from: Simulation, to: Simulation, stood: Poses = {}): Poses {
   const [was, next] = [from.keyframe(), to.keyframe()]
   const before = new Map(everything(from).map(({ id, pose }) => [id, pose]))
   const isNew = everything(to).filter(({ id, pose }) => !samePose(before.get(id), pose))
@@ -22,10 +27,9 @@ export function carryOver(from: Simulation, to: Simulation): { readonly [id: str
   })
   const obstacles = next.obstacles.map((thing) => (news.has(thing.id) ? thing : things.get(thing.id)!))
   to.restore({ ...next, tick: was.tick, noise: was.noise, robots, obstacles })
-  const came = isNew.map(({ id, pose }) => [id, to.place(id, pose)])
+  const came = isNew.map(({ id, pose }) => [id, to.place(id, stood[id] ?? pose)] as const)
   to.settle()
-  return Object.fromEntries(came) as { readonly [id: string]: Pose }
-  to.settle()
+  return Object.fromEntries(came.filter(([id]) => !stood[id]))
 }
 
 const everything = ({ world }: Simulation): readonly Placed[] => [...world.obstacles, ...world.robots]

@@ -80,13 +80,13 @@ class OneLab implements Lab {
     if (!moved) this.#begin()
   }
 
-  rebuild(document: Document, floor: Floor = this.#floor): void {
+  rebuild(document: Document, floor: Floor = this.#floor, stood?: { readonly [id: string]: Pose }): void {
     this.#run.toNow()
     this.#document = { ...document, brains: brainsFor(document.programs, document.brains) }
     this.#floor = floor
     const before = this.#simulation
     this.#simulation = this.#atStart()
-    const came = carryOver(before, this.#simulation)
+    const came = carryOver(before, this.#simulation, stood)
     this.#document = { ...this.#document, world: withPoses(this.#document.world, came, true) }
     this.#begin(this.#run)
   }
@@ -189,12 +189,12 @@ class OneLab implements Lab {
     this.#document = { ...this.#document, brains: { ...this.#document.brains, [brain]: value } }
   }
 
-  place(id: string, pose: Pose): Pose {
+  place(id: string, pose: Pose, start?: Pose): Pose {
     this.branch()
     this.#give({ kind: 'place', id, pose })
     const came = this.#run.poseOf(id) ?? pose
     const { world } = this.#document
-    this.#document = { ...this.#document, world: withPoses(world, { [id]: came }, !this.#isOn) }
+    this.#document = { ...this.#document, world: withPoses(world, { [id]: start ?? came }, !this.#isOn) }
     return came
   }
 

@@ -69,6 +69,7 @@ export interface RobotView {
   readonly display: readonly string[]
   readonly frequency: number | null
   readonly touching: readonly string[]
+  /** Of the distance sensors, ultrasonic and infrared; empty for others. */
   readonly rays: { readonly [port in SensorPort]?: readonly Ray[] }
   readonly trail: readonly TrailPoint[]
   readonly tones: readonly Tone[]
@@ -129,8 +130,9 @@ export interface Lab {
   /**
    * Takes another document up without beginning anew: what is in both goes on from where it stands, what is new or has
    * another start pose stands there (or at the nearest free place). The way back in time ends here.
+   * `stood`: where things stood when a step was done that is taken back: there they stand again, their start is as before.
    */
-  rebuild(document: Document, floor?: Floor): void
+  rebuild(document: Document, floor?: Floor, stood?: { readonly [id: string]: Pose }): void
   start(): void
   /** Ends the run, in the present. */
   stop(): void
@@ -154,8 +156,11 @@ export interface Lab {
   setWeight(brain: string, from: string, to: string, weight: number, set?: string): void
   /** Puts another brain in a network's place: reset, undo, weights of duplicated neurons. */
   setBrain(brain: string, value: Brain): void
-  /** Moves a robot or an obstacle by hand; while no run is on, that is where it starts from. Returns where it came to stand. */
-  place(id: string, pose: Pose): Pose
+  /**
+   * Moves a robot or an obstacle by hand; an obstacle, and while no run is on a robot too, starts from there, or from
+   * `start` where a move is taken back. Returns where it came to stand.
+   */
+  place(id: string, pose: Pose, start?: Pose): Pose
   press(key: DriveKey, down: boolean, robot?: string): void
   /** Presses a key on a robot's own panel, or lets it go. */
   pressButton(key: RobotKey, down: boolean, robot?: string): void

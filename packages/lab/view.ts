@@ -34,7 +34,6 @@ function robotView(run: Run, robot: RobotRun, index: number, phase: Phase): Robo
   const state = run.simulation.state.robots[index]!
   const placement = run.simulation.world.robots[index]!
   const ports = Object.keys(placement.config.sensors) as SensorPort[]
-  const isDistance = (port: SensorPort) => placement.config.sensors[port]?.kind === 'ultrasonic'
   return {
     id: placement.id,
     pose: poseOf(state),
@@ -43,9 +42,7 @@ function robotView(run: Run, robot: RobotRun, index: number, phase: Phase): Robo
     display: state.display,
     frequency: state.tone?.frequency ?? null,
     touching: state.touching,
-    rays: Object.fromEntries(
-      ports.filter(isDistance).map((port) => [port, run.simulation.rays(index, port)]),
-    ),
+    rays: Object.fromEntries(ports.map((port) => [port, run.simulation.rays(index, port)])),
     trail: run.tracks[index]!.trail,
     tones: run.tracks[index]!.tones,
     lit: phase === 'running' || phase === 'paused' ? robot.thread.lit : null,

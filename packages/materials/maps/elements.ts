@@ -29,7 +29,7 @@ export type Elements =
 
 /** All elements of a document in order; `unsafe` names the first that is more than a drawing. A line where it is no XML. */
 export function elementsOf(text: string): Elements {
-  const parser = sax.parser(true)
+  const parser = sax.parser(true, { strictEntities: true })
   const elements: Element[] = []
   let line: number | null = null
   let unsafe: string | null = null

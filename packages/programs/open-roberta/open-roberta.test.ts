@@ -192,6 +192,7 @@ describe('a file that is not opened', () => {
       {},
     ],
     ['an entity that nobody knows', file('&hello;'), 'notXml', { line: 1 }],
+    ['an entity of HTML', file('&nbsp;'), 'notXml', { line: 1 }],
     [
       'blocks in blocks without end',
       file('<block type="a" id="1"><statement name="S">'.repeat(5000)),

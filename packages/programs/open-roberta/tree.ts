@@ -36,7 +36,7 @@ export function treeOf(text: string): Element {
 }
 
 class Builder {
-  readonly parser = sax.parser(true, { xmlns: true })
+  readonly parser = sax.parser(true, { xmlns: true, strictEntities: true })
   root: Element | null = null
   readonly #open: Element[] = []
   #blocks = 0

@@ -1,6 +1,6 @@
 import fc from 'fast-check'
 import { describe, expect, test } from 'vitest'
-import { conePolygon, labelPlaces, nearestBeam, type Beam } from './rays.ts'
+import { conePolygon, labelPlaces, nearestBeam, readingOf, type Beam } from './rays.ts'
 
 const from = { x: 0, y: 0 }
 const beam = (x: number, y: number): Beam => ({ from, to: { x, y }, distance: Math.hypot(x, y) })
@@ -61,4 +61,12 @@ describe('distance labels', () => {
       }),
     )
   })
+})
+
+test('an ultrasonic sensor tells centimetres up to 255, an infrared one 0 to 100 over 70 cm', () => {
+  const away = (distance: number) => beam(distance, 0)
+  expect(readingOf(false, away(120.6))).toEqual({ hit: true, reading: 121 })
+  expect(readingOf(false, away(255))).toEqual({ hit: false, reading: 255 })
+  expect(readingOf(true, away(35))).toEqual({ hit: true, reading: 50 })
+  expect(readingOf(true, away(70))).toEqual({ hit: false, reading: 100 })
 })

@@ -8,8 +8,14 @@ export interface Beam {
   readonly distance: number
 }
 
-/** A distance sensor reaches this far (cm); further means that nothing was hit. */
-export const reach = 255
+/** Distance sensors reach this far (cm); further means that nothing was hit. */
+const reach = { ultrasonic: 255, infrared: 70 }
+
+/** What a distance sensor says of its nearest ray: ultrasonic cm, infrared 0 to 100. `hit`: is there anything as near as it reaches? */
+export function readingOf(infrared: boolean, { distance }: Beam): { hit: boolean; reading: number } {
+  const most = infrared ? reach.infrared : reach.ultrasonic
+  return { hit: distance < most, reading: Math.round(infrared ? (distance / most) * 100 : distance) }
+}
 
 /** The cone as a polygon: the sensor, then the ends of its rays from one side to the other. */
 export function conePolygon(beams: readonly Beam[]): readonly Point[] {

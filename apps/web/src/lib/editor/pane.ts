@@ -258,7 +258,14 @@ export class Pane {
     if (selected instanceof Blockly.BlockSvg && selected.isDeletable()) selected.checkAndDelete()
   }
 
-  focusBlock(id: string): void {
+  /** Brings a block into sight. */
+  reveal(id: string): void {
+    this.resize()
+    const block = this.#workspace.getBlockById(id)
+    if (block) this.#workspace.scrollBoundsIntoView(block.getBoundingRectangle())
+  }
+
+  #focus(id: string) {
     const block = this.#workspace.getBlockById(id)
     if (block) Blockly.getFocusManager().focusNode(block)
   }
@@ -316,7 +323,7 @@ export class Pane {
     this.setGlow(this.#glow)
     this.setFindings(this.#findings)
     if (this.#marks) this.setMarks(this.#marks)
-    if (selected !== undefined) this.focusBlock(selected)
+    if (selected !== undefined) this.#focus(selected)
   }
 
   #mark(id: string | null, lit: boolean) {

@@ -10,7 +10,7 @@ import {
 } from '@botgarten/lab'
 import type { Brain } from '@botgarten/learning/neural-network'
 import type { Program } from '@botgarten/programs'
-import type { Floor, Pose, RobotKey } from '@botgarten/simulation'
+import type { Floor, RobotKey } from '@botgarten/simulation'
 
 /** Milliseconds of a frame that ticks may take: the rest is for drawing. */
 const BUDGET = 10
@@ -104,7 +104,7 @@ export class RunningLab {
   stop = () => this.#then(() => this.#lab.stop())
   pause = () => this.#then(() => this.#lab.pause())
   resume = () => this.#then(() => this.#lab.resume())
-  rebuild = (document: Document, floor?: Floor) => this.#then(() => this.#lab.rebuild(document, floor))
+  rebuild = (...what: Parameters<Lab['rebuild']>) => this.#then(() => this.#lab.rebuild(...what))
   reset = () => this.#then(() => this.#lab.reset())
   step = (kind: StepKind) => this.#then(() => this.#lab.step(kind, this.#chosen))
   press = (key: DriveKey, down: boolean) => this.#lab.press(key, down, this.#chosen)
@@ -112,7 +112,7 @@ export class RunningLab {
   setStops = (blocks: readonly string[]) => this.#lab.setStops(blocks)
   variables = (robot: string) => this.#lab.variables(robot)
   senses = (robot: string) => this.#lab.senses(robot)
-  place = (id: string, pose: Pose) => this.#then(() => this.#lab.place(id, pose))
+  place = (...what: Parameters<Lab['place']>) => this.#then(() => this.#lab.place(...what))
   setWeight = (brain: string, from: string, to: string, weight: number, set = '') =>
     this.#then(() => this.#lab.setWeight(brain, from, to, weight, set))
   setBrain = (id: string, brain: Brain) => this.#then(() => this.#lab.setBrain(id, brain))

@@ -13,7 +13,7 @@ import type { Floor, Pose, RobotConfig } from '@botgarten/simulation'
 import { Keeper } from './keeper.svelte.ts'
 import { floorPictureOf, type Opened } from './opening.ts'
 import { RunningLab } from './running.svelte.ts'
-import { UndoStack } from './undo.svelte.ts'
+import { UndoStack, type Poses } from './undo.svelte.ts'
 
 type Phase = 'start' | 'move' | 'end'
 
@@ -36,7 +36,7 @@ export class Session {
   #learned: NonNullable<Project['q']>
   /** By the id of the robot. */
   #findings = $state.raw<{ readonly [robot: string]: readonly Finding[] }>({})
-  #before: { readonly pose?: Pose; readonly brain?: Brain } = {}
+  #before: { readonly pose?: Pose; readonly start?: Pose; readonly brain?: Brain } = {}
   /** Start pose that the present run began from; null once a hand has helped. */
   #startedFrom: number | null = null
 
@@ -51,14 +51,14 @@ export class Session {
     this.keeper.whenRenamed = (name) => (this.#name = name)
     this.undo = new UndoStack({
       blocks: (direction, program) => this.#goBack(direction, program),
-      robots: (document) => this.#crew(document),
-      place: (id, pose) => this.#changed(() => this.lab.place(id, pose)),
+      robots: (document, stood) => this.#crew(document, stood),
+      place: (id, pose, start) => this.#changed(() => this.lab.place(id, pose, start)),
       brain: (id, brain) => this.#changed(() => this.lab.setBrain(id, brain)),
       future: () => this.#changed(() => this.lab.swap()),
       hasFuture: () => this.lab.other,
       now: () => this.lab.view.time.now,
       config: (id, config) => this.#equip(id, config),
-      scene: (scene) => this.#build(scene),
+      scene: (scene, stood) => this.#build(scene, stood),
     })
     this.#pictures = project.assets
     this.#look()
@@ -173,10 +173,11 @@ export class Session {
     return this.moveBlocks(direction, program)
   }
 
-  #crew(document: Document): void {
+  #crew(document: Document, stood?: Poses): void {
     const { world } = this.lab.document
+    const next = { ...document, world: { ...world, robots: document.world.robots } }
     this.#startedFrom = null
-    this.#changed(() => this.lab.rebuild({ ...document, world: { ...world, robots: document.world.robots } }))
+    this.#changed(() => this.lab.rebuild(next, undefined, stood))
     this.#look()
   }
 
@@ -184,8 +185,9 @@ export class Session {
   changeCrew(after: Document): void {
     this.lab.goTo(Infinity)
     const before = this.lab.document
+    const stood = this.#poses
     this.#crew(after)
-    this.undo.note({ kind: 'robots', before, after: this.lab.document })
+    this.undo.note({ kind: 'robots', before, after: this.lab.document, stood })
   }
 
   editProgram(program: Program, id: string = this.robot.program): void {
@@ -233,18 +235,24 @@ export class Session {
     this.undo.note({ kind: 'brain', id: network, before, after })
   }
 
-  #poseOf(id: string): Pose | undefined {
-    const { robots, obstacles } = this.lab.view
+  #startOf(id: string): Pose | undefined {
+    const { robots, obstacles } = this.lab.document.world
     return [...robots, ...obstacles].find((thing) => thing.id === id)?.pose
+  }
+
+  /** Where everything stands now. */
+  get #poses(): Poses {
+    const { robots, obstacles } = this.lab.view
+    return Object.fromEntries([...robots, ...obstacles].map(({ id, pose }) => [id, pose]))
   }
 
   place(id: string, pose: Pose, phase: Phase): void {
     this.goOn()
-    if (phase === 'start') this.#before = { pose: this.#poseOf(id) }
+    if (phase === 'start') this.#before = { pose: this.#poses[id], start: this.#startOf(id) }
     this.#startedFrom = null
     const after = this.#changed(() => this.lab.place(id, pose))
-    const before = this.#before.pose
-    if (phase === 'end' && before) this.undo.note({ kind: 'place', id, before, after })
+    const { pose: before, start } = this.#before
+    if (phase === 'end' && before) this.undo.note({ kind: 'place', id, before, after, start })
   }
 
   press(key: DriveKey, down: boolean): void {
@@ -268,13 +276,14 @@ export class Session {
     this.undo.note({ kind: 'config', id, before, after: config, joined })
   }
 
-  #build(scene: Scene): void {
+  #build(scene: Scene, stood?: Poses): void {
     const { document } = this.lab
     this.#startedFrom = null
     this.#changed(() =>
       this.lab.rebuild(
         { ...document, world: inScene(document.world, scene) },
         this.paint(scene) ?? undefined,
+        stood,
       ),
     )
   }
@@ -282,9 +291,10 @@ export class Session {
   /** A child has built: another scene takes the place of this one. `pictures`: new ones that lie in it. */
   build(scene: Scene, pictures: Project['assets'] = {}): void {
     const before = sceneOf(this.lab.document.world)
+    const stood = this.#poses
     this.#pictures = { ...this.#pictures, ...pictures }
     this.#build(scene)
-    this.undo.note({ kind: 'scene', before, after: sceneOf(this.lab.document.world) })
+    this.undo.note({ kind: 'scene', before, after: sceneOf(this.lab.document.world), stood })
   }
 
   /** Puts the robot on one of the card's start poses. */

@@ -7,12 +7,22 @@ import type { Pose, RobotConfig } from '@botgarten/simulation'
 export type Step =
   | { readonly kind: 'future' }
   | { readonly kind: 'blocks'; readonly program: string }
-  /** Robots that came or went, with their programs and brains. */
-  | { readonly kind: 'robots'; readonly before: Document; readonly after: Document }
-  | { readonly kind: 'place'; readonly id: string; readonly before: Pose; readonly after: Pose }
+  /** Robots that came or went, with their programs and brains. `stood`: where everything stood before. */
+  | { readonly kind: 'robots'; readonly before: Document; readonly after: Document; readonly stood: Poses }
+  /** `start`: where a run that begins put it before. */
+  | {
+      readonly kind: 'place'
+      readonly id: string
+      readonly before: Pose
+      readonly after: Pose
+      readonly start?: Pose
+    }
   | { readonly kind: 'brain'; readonly id: string; readonly before: Brain; readonly after: Brain }
   | ConfigStep
-  | { readonly kind: 'scene'; readonly before: Scene; readonly after: Scene }
+  | { readonly kind: 'scene'; readonly before: Scene; readonly after: Scene; readonly stood: Poses }
+
+/** By the ids of robots and things. */
+export type Poses = { readonly [id: string]: Pose }
 
 /** Another configuration of a robot. `joined`: goes together with the step before it. */
 interface ConfigStep {
@@ -27,8 +37,8 @@ interface ConfigStep {
 export interface Hands {
   /** @returns whether it happened: not while a hand holds a block */
   blocks(direction: 'undo' | 'redo', program: string): boolean
-  robots(document: Document): void
-  place(id: string, pose: Pose): void
+  robots(document: Document, stood: Poses | undefined): void
+  place(id: string, pose: Pose, start: Pose | undefined): void
   brain(id: string, brain: Brain): void
   /** Changes places with the other future (running.md 9). */
   future(): void
@@ -37,7 +47,7 @@ export interface Hands {
   /** Tick of the present run. */
   now(): number
   config(id: string, config: RobotConfig): void
-  scene(scene: Scene): void
+  scene(scene: Scene, stood: Poses | undefined): void
 }
 
 const LONGEST = 500
@@ -128,10 +138,11 @@ export class UndoStack {
       this.#hands.future()
       return true
     }
-    const value = direction === 'undo' ? step.before : step.after
-    if (step.kind === 'place') this.#hands.place(step.id, value as Pose)
-    else if (step.kind === 'robots') this.#hands.robots(value as Document)
-    else if (step.kind === 'scene') this.#hands.scene(value as Scene)
+    const back = direction === 'undo'
+    const value = back ? step.before : step.after
+    if (step.kind === 'place') this.#hands.place(step.id, value as Pose, back ? step.start : undefined)
+    else if (step.kind === 'robots') this.#hands.robots(value as Document, back ? step.stood : undefined)
+    else if (step.kind === 'scene') this.#hands.scene(value as Scene, back ? step.stood : undefined)
     else if (step.kind === 'config') this.#hands.config(step.id, value as RobotConfig)
     else this.#hands.brain(step.id, value as Brain)
     return true

@@ -9,6 +9,10 @@ const DAY = 86_400_000
 export const daysLeft = (thrown: number, now: number): number =>
   Math.min(DAYS_KEPT, Math.max(1, Math.ceil((thrown + DAYS_KEPT * DAY - now) / DAY)))
 
+/** How long something has lain in the bin: at most as long as it is kept there. */
+export const ageInBin = (thrown: number, now: number): number =>
+  Math.min(DAYS_KEPT * DAY, Math.max(0, now - thrown))
+
 export const isOver = (thrown: number, now: number): boolean => now - thrown >= DAYS_KEPT * DAY
 
 /** `gone`: another tab has moved it already. */
@@ -69,6 +73,19 @@ export async function listBin(): Promise<readonly Thrown[]> {
   } catch (cause) {
     console.warn('The bin cannot be read on this device.', cause)
     return []
+  }
+}
+
+/** Puts projects into the bin that come from elsewhere. All of them, or none. */
+export async function addToBin(all: readonly Omit<Thrown, 'id' | 'revision'>[]): Promise<Trouble | null> {
+  try {
+    const transaction = (await database()).transaction('bin', 'readwrite', { durability: 'strict' })
+    const revision = firstRevision()
+    await Promise.all(all.map((one) => transaction.store.add({ ...one, id: freshId('bin'), revision })))
+    await transaction.done
+    return null
+  } catch (cause) {
+    return troubleOf(cause)
   }
 }
 

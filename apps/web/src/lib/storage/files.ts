@@ -4,10 +4,13 @@ import { placeOf } from '#lib/content/cards.ts'
 import { shownName } from '#lib/content/names.ts'
 import * as m from '#lib/words/generated/messages.js'
 import { nameOfCopy } from './copy-name.ts'
+import { troubleOf } from './database.ts'
 import { isOpenRoberta } from './endings.ts'
 import { handOut } from './handout.ts'
+import { addToBin, listBin } from './bin.ts'
 import { isHome, mostHomeBytes, readHome, writeHome } from './home-file.ts'
-import { mergeHome } from './merge.ts'
+import { deviceDrawer, follow, mergeSettings, settingsIn, type HomeSettings } from './home-settings.ts'
+import { mergeBin, mergeHome } from './merge.ts'
 import { add, freshId, list, save } from './projects.ts'
 
 /** Why a file was not taken up, as the words `problem.<problem>.title` and `.text` with their facts. */
@@ -16,12 +19,15 @@ interface Refusal {
   readonly facts: Facts
 }
 
-/** How many projects of a home file are new here, stand here as a copy, were here already, or are broken. */
+/** How many projects of a home file are new here, stand here as a copy, were here already, came into the bin, or are broken. */
 export interface Merged {
   readonly added: number
   readonly copies: number
   readonly same: number
+  readonly binned: number
   readonly broken: number
+  /** Have settings come along? Are there others here, which stay? Has something else been sorted here? */
+  readonly settings: { readonly taken: boolean; readonly kept: boolean; readonly sorted: boolean }
 }
 
 /** A file of one project is a new project of this device; a home file lays its projects beside those that are here. */
@@ -64,15 +70,35 @@ function homeIn(text: string): unknown {
 }
 
 async function takeHomeFile(data: unknown): Promise<OpenedFile> {
-  const { projects, broken } = readHome(data)
+  const { projects, bin, settings, broken } = readHome(data)
   const { added, copies, same } = mergeHome(await list(), projects, {
     fresh: freshId,
     copy: (project) => nameOfCopy(shownName({ project }), []),
     place: placeOf,
   })
-  const trouble = await add(added)
+  const thrown = mergeBin(await listBin(), bin, Date.now())
+  const trouble = (await add(added)) ?? (await addToBin(thrown))
   if (trouble) return { problem: 'notKept', facts: {} }
-  return { merged: { added: added.length, copies, same, broken } }
+  const come = takeSettings(settings)
+  if (!come) return { problem: 'notKept', facts: {} }
+  return { merged: { added: added.length, copies, same, binned: thrown.length, broken, settings: come } }
+}
+
+/** Takes over what is not set here yet; null where the device has no room for it. */
+function takeSettings(settings: HomeSettings): Merged['settings'] | null {
+  try {
+    const merged = mergeSettings(deviceDrawer, settings)
+    follow(merged, settings)
+    const kept = merged.kept.filter((name) => name !== 'sorting')
+    return {
+      taken: merged.taken.length > 0,
+      kept: kept.length > 0,
+      sorted: kept.length < merged.kept.length,
+    }
+  } catch (cause) {
+    troubleOf(cause)
+    return null
+  }
 }
 
 /** Puts a foreign project beside those that are here. */
@@ -84,8 +110,9 @@ export async function keepProject(project: Project): Promise<OpenedFile> {
 
 /** Hands everything that lies on this device out as one file. Returns whether there was anything. */
 export async function saveHomeFile(day = new Date()): Promise<boolean> {
-  const all = await list()
-  if (all.length === 0) return false
-  handOut(`${m['projects.homeFile']()} ${day.toISOString().slice(0, 10)}`, writeHome(all))
+  const [all, bin, settings] = [await list(), await listBin(), settingsIn(deviceDrawer)]
+  if (all.length + bin.length === 0 && !settings.sorting) return false
+  const text = writeHome(all, bin, settings, day.getTime())
+  handOut(`${m['projects.homeFile']()} ${day.toISOString().slice(0, 10)}`, text)
   return true
 }

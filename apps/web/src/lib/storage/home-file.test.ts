@@ -1,10 +1,10 @@
 import { parseProject, ProjectError, type Project } from '@botgarten/programs'
 import fc from 'fast-check'
 import { readFileSync } from 'node:fs'
-import { expect, test } from 'vitest'
-import type { Kept } from './database.ts'
-import { readHome, writeHome } from './home-file.ts'
-import { mergeHome } from './merge.ts'
+import { describe, expect, test } from 'vitest'
+import type { Kept, Thrown } from './database.ts'
+import { readHome, writeHome as write } from './home-file.ts'
+import { mergeBin, mergeHome } from './merge.ts'
 
 const read = (path: string) =>
   JSON.parse(readFileSync(new URL(`../../../../../content/${path}`, import.meta.url), 'utf8')) as object
@@ -18,6 +18,15 @@ const friendship = card('friendship', '05-friendship')
 const fear = card('fear', '06-fear')
 const moved = (project: Project, hints: number): Project => ({ ...project, progress: { starts: [], hints } })
 const kept = (id: string, project: Project, changed = 1): Kept => ({ id, project, changed, revision: 7 })
+
+const day = 86_400_000
+const now = Date.UTC(2026, 10, 21)
+const writeHome = (all: readonly Kept[], bin: readonly Thrown[] = []) =>
+  write(all, bin, { sound: false }, now)
+const thrown = (was: string, project: Project, days: number): Thrown => ({
+  ...{ id: `bin-${was}`, was, project, changed: 1, revision: 7 },
+  thrown: now - days * day,
+})
 
 let fresh = 0
 const names = {
@@ -92,11 +101,18 @@ test('whatever a home file holds, the answer is what could be read or a reason',
   const data = fc.oneof(
     fc.jsonValue(),
     fc.record({ botgartenHome: fc.constant(1), projects: fc.array(fc.jsonValue()) }),
+    fc.record({
+      botgartenHome: fc.constant(2),
+      projects: fc.array(fc.jsonValue()),
+      bin: fc.array(fc.jsonValue()),
+      settings: fc.jsonValue(),
+    }),
   )
   fc.assert(
     fc.property(data, (foreign) => {
       try {
-        expect(readHome(foreign).projects).toEqual([])
+        const { projects, bin } = readHome(foreign)
+        expect([projects, bin]).toEqual([[], []])
       } catch (cause) {
         if (!(cause instanceof ProjectError)) throw cause
       }
@@ -105,7 +121,54 @@ test('whatever a home file holds, the answer is what could be read or a reason',
 })
 
 test('a home file of a later version says so', () => {
-  expect(() => readHome({ botgartenHome: 2, projects: [] })).toThrow(
+  expect(() => readHome({ botgartenHome: 3, projects: [] })).toThrow(
     expect.objectContaining({ reason: 'newerVersion' }),
   )
+})
+
+test('a file of the first version had projects only, and is still read', () => {
+  const { projects } = JSON.parse(writeHome([kept('friendship', friendship)])) as { projects: unknown }
+  const read = readHome({ botgartenHome: 1, projects })
+  expect(read.projects.map(({ id }) => id)).toEqual(['friendship'])
+  expect([read.bin, read.settings, read.broken]).toEqual([[], {}, 0])
+})
+
+describe('the bin', () => {
+  const file = writeHome([], [thrown('friendship', friendship, 12), thrown('fear', fear, 0)])
+  const { bin, settings } = readHome(JSON.parse(file))
+
+  test('goes home too, with the settings, and its 30 days go on where they stopped', () => {
+    const muchLater = now + 400 * day
+    expect(mergeBin([], bin, muchLater)).toEqual([
+      { was: 'friendship', project: friendship, changed: 1, thrown: muchLater - 12 * day },
+      { was: 'fear', project: fear, changed: 1, thrown: muchLater },
+    ])
+    expect(settings).toEqual({ sound: false })
+  })
+
+  test('what lies in the bin here is not doubled, and the same file adds nothing twice', () => {
+    const here = mergeBin([], bin, now).map((one, i): Thrown => ({ ...one, id: `here-${i}`, revision: 1 }))
+    expect(mergeBin(here, bin, now)).toEqual([])
+    expect(mergeBin([], [...bin, ...bin], now)).toHaveLength(2)
+    // Two versions of one project are two.
+    expect(mergeBin([thrown('friendship', moved(friendship, 3), 1)], bin, now)).toHaveLength(2)
+  })
+
+  test.each([
+    ['an age that is no number', { age: 'x' }],
+    ['an age below nothing', { age: -1 }],
+    ['no key', { was: '' }],
+    ['a key as long as a book', { was: 'x'.repeat(301) }],
+    ['a broken project', { project: { botgarten: 1 } }],
+  ])('%s is left out and counted, the rest stays', (_, wrong) => {
+    const data = JSON.parse(file) as { bin: object[] }
+    data.bin[0] = { ...data.bin[0], ...wrong }
+    const read = readHome(data)
+    expect([read.bin.map(({ was }) => was), read.broken]).toEqual([['fear'], 1])
+  })
+
+  test('an age beyond all bounds is that of the last day', () => {
+    const old = { ...bin[0]!, age: 8e15 }
+    expect(mergeBin([], [old], now)[0]!.thrown).toBe(now - 30 * day)
+  })
 })

@@ -1,6 +1,7 @@
 import { writeProject, type Project } from '@botgarten/programs'
-import type { Kept } from './database.ts'
-import type { ReadHome } from './home-file.ts'
+import { ageInBin } from './bin.ts'
+import type { Kept, Thrown } from './database.ts'
+import type { Binned, ReadHome } from './home-file.ts'
 
 /** What becomes of the projects of a home file on a device that has some already. */
 export interface Merge {
@@ -45,6 +46,26 @@ export function mergeHome(
     })
   }
   return { added, copies, same: file.length - added.length }
+}
+
+/**
+ * What of a file's bin is not in the bin of this device. What was there for 30 days when the file was written is not kept
+ * any longer here than there.
+ */
+export function mergeBin(
+  here: readonly Thrown[],
+  file: readonly Binned[],
+  now: number,
+): readonly Omit<Thrown, 'id' | 'revision'>[] {
+  const print = ({ was, project }: Pick<Thrown, 'was' | 'project'>) =>
+    JSON.stringify([was, project.name, fingerprint(project)])
+  const known = new Set(here.map(print))
+  return file.flatMap(({ was, changed, project, age }) => {
+    const one = print({ was, project })
+    if (known.has(one)) return []
+    known.add(one)
+    return [{ was, changed, project, thrown: now - ageInBin(now - age, now) }]
+  })
 }
 
 const renamed = (project: Project, name: string): Project => ({ ...project, name })

@@ -118,10 +118,14 @@ export class Shelf {
   /** Says what became of a home file. */
   tellMerged(merged: Merged | undefined): void {
     if (!merged) return
-    const { added, copies, same, broken } = merged
+    const { added, copies, same, binned, broken, settings } = merged
     const text = [
       m['projects.merged']({ added, same }),
       ...(copies > 0 ? [m['projects.mergedCopies']({ copies })] : []),
+      ...(binned > 0 ? [m['projects.mergedBin']({ binned })] : []),
+      ...(settings.taken ? [m['projects.mergedSettings']()] : []),
+      ...(settings.kept ? [m['projects.keptSettings']()] : []),
+      ...(settings.sorted ? [m['projects.keptSorting']()] : []),
       ...(broken > 0 ? [m['projects.mergedBroken']({ broken })] : []),
     ].join(' ')
     this.#told = { title: m['projects.mergedTitle'](), text, good: broken === 0 }

@@ -12,7 +12,7 @@ import {
   type Shape,
   type World,
 } from '@botgarten/simulation'
-import { freshId, itemOf, moved, poseOf, put, wallBetween, withItem, without } from './edits.ts'
+import { freshId, itemOf, moved, poseOf, put, samePose, wallBetween, withItem, without } from './edits.ts'
 import type { Item, Kind } from './edits.ts'
 import { Floors } from './floors.ts'
 import Over from './Over.svelte'
@@ -71,9 +71,13 @@ export class Builder implements Workshop {
   get item(): Item | null {
     const item = itemOf(this.world, this.mode.hand.selected)
     if (item?.kind !== 'obstacles') return item
-    const now = this.mode.session.lab.view.obstacles.find(({ id }) => id === item.thing.id)
-    return now ? put(item, now.pose) : item
+    const now = this.#standing(item.thing.id)
+    return now ? put(item, now) : item
   }
+
+  /** Where an obstacle stands now, wherever its start is. */
+  #standing = (obstacle: string): Pose | undefined =>
+    this.mode.session.lab.view.obstacles.find(({ id }) => id === obstacle)?.pose
 
   /** One step: the world is another one from here on. */
   commit(world: World, pictures?: Project['assets']): void {
@@ -88,10 +92,8 @@ export class Builder implements Workshop {
 
   /** Shows an item as the hand has it, and keeps it at the end of the move. */
   show(item: Item, phase: Phase): void {
-    if (phase === 'start') return
-    const world = withItem(this.#document, item)
-    if (phase === 'end') this.commit(world)
-    else this.#draft = world
+    if (phase === 'end') this.commitItem(item)
+    else if (phase === 'move') this.#draft = withItem(this.#document, item)
   }
 
   /** Changes what is selected, at once. */
@@ -101,7 +103,11 @@ export class Builder implements Workshop {
   }
 
   commitItem(item: Item): void {
-    this.commit(withItem(this.#document, item))
+    const was = itemOf(this.#document, item.thing.id)
+    const now = this.#standing(item.thing.id)
+    // What a run has pushed away keeps its start, unless a hand puts it elsewhere.
+    const stays = was && now && samePose(now, poseOf(item))
+    this.commit(withItem(this.#document, stays ? put(item, poseOf(was)) : item))
   }
 
   place(id: string, pose: Pose, phase: Phase): void {

@@ -114,8 +114,8 @@ export interface LabFrameProps {
   /** Further tools in a pane's head, before the fill button. */
   worldTools?: Snippet
   networkTools?: Snippet
-  /** Lies over the foot of the program, where more than one part of the lab is seen. */
-  tour?: Snippet | undefined
+  /** Lies over the foot of the program, or above the one part of the lab that is seen (`alone`), which it can turn to another. */
+  tour?: Snippet<[turn: (pane: PaneName) => void, alone: boolean]>
 
   // ---- top bar ----
   /** Name of the card or the project. */

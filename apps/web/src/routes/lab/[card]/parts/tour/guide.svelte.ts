@@ -1,25 +1,19 @@
 import { readSetting, writeSetting } from '#lib/storage/settings.ts'
 
-/** Is the tour on the screen? It is offered once on a device, and comes again when it is asked for. */
+/** Where the tour is: null it is not on the screen, −1 it is offered, else which move is next. It is offered once on a device. */
 export class Guide {
-  #open = $state(readSetting<unknown>('tour', null) !== 'seen')
-  #asked = $state(false)
+  #move = $state(readSetting<unknown>('tour', null) === 'seen' ? null : -1)
 
-  get open() {
-    return this.#open
-  }
-  get asked() {
-    return this.#asked
+  get move() {
+    return this.#move
   }
 
-  again(): void {
-    this.#open = true
-    this.#asked = true
+  go(move: number): void {
+    this.#move = move
   }
 
   close(): void {
-    this.#open = false
-    this.#asked = false
+    this.#move = null
     writeSetting('tour', 'seen')
   }
 }

@@ -1,1 +1,0 @@
-export { default as Tour } from './Tour.svelte'
