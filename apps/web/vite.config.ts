@@ -123,8 +123,7 @@ export default defineConfig({
   build: {
     target: 'es2022',
     // A picture in a script would be loaded by who never sees it. Things are many, small, and never come alone.
-    assetsInlineLimit: (file) =>
-      file.endsWith('.svg') ? /content[\\/]things[\\/]/.test(file) : undefined,
+    assetsInlineLimit: (file) => (file.endsWith('.svg') ? /content[\\/]things[\\/]/.test(file) : undefined),
   },
   environments: {
     client: { build: { rolldownOptions: { output: { codeSplitting: { groups: chunks } } } } },

@@ -27,9 +27,12 @@ const runs = /^on|href$|^style$|^filter$/i
 export type Elements =
   { readonly elements: readonly Element[]; readonly unsafe: string | null } | { readonly line: number }
 
+/** No entities but those of XML itself, of which the types of the parser do not know. */
+const options: sax.SAXOptions & { readonly strictEntities: true } = { strictEntities: true }
+
 /** All elements of a document in order; `unsafe` names the first that is more than a drawing. A line where it is no XML. */
 export function elementsOf(text: string): Elements {
-  const parser = sax.parser(true, { strictEntities: true })
+  const parser = sax.parser(true, options)
   const elements: Element[] = []
   let line: number | null = null
   let unsafe: string | null = null

@@ -35,8 +35,11 @@ export function treeOf(text: string): Element {
   return builder.root
 }
 
+/** No entities but those of XML itself, of which the types of the parser do not know. */
+const options: sax.SAXOptions & { readonly strictEntities: true } = { xmlns: true, strictEntities: true }
+
 class Builder {
-  readonly parser = sax.parser(true, { xmlns: true, strictEntities: true })
+  readonly parser = sax.parser(true, options)
   root: Element | null = null
   readonly #open: Element[] = []
   #blocks = 0
