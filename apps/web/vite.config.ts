@@ -3,6 +3,7 @@ import adapter from '@sveltejs/adapter-node'
 import { sveltekit } from '@sveltejs/kit/vite'
 import { defineConfig, type Plugin } from 'vite'
 import { readCardText } from '../../packages/materials/cardText.ts'
+import { noExamples } from './examples.ts'
 import { pixels } from './pixels.ts'
 import { webSpace } from './web-space.ts'
 import { words } from './words.ts'
@@ -92,6 +93,7 @@ export default defineConfig({
   define: { __WEB_SPACE__: JSON.stringify(folder !== undefined) },
   plugins: [
     cardTexts,
+    noExamples,
     pixels,
     ...words,
     lessPhysics,

@@ -1,10 +1,11 @@
 import { readFile } from 'node:fs/promises'
+import { createRequire } from 'node:module'
 import type { Plugin } from 'vite'
 
 type Tree = { readonly [key: string]: string | Tree }
 
 /** Sections of words that only pages beside the lab need, and parts that a click asks for (`later.ts`). */
-const late = ['about', 'build', 'debug', 'projects', 'q', 'robot', 'share', 'sorting', 'tour']
+const late = ['about', 'build', 'debug', 'projects', 'q', 'robot', 'share', 'shelf', 'sorting', 'tour']
 
 /** Words of blocks that come in a pack have its names. */
 const isLate = (key: string) =>
@@ -30,6 +31,32 @@ const tables: Plugin = {
   },
 }
 
+const blocklyCore = createRequire(import.meta.url).resolve('blockly/core')
+let asked: Promise<ReadonlySet<string>> | undefined
+
+/** Keys that Blockly's core asks for; the others belong to its own blocks and to plugins. */
+const askedByCore = () =>
+  (asked ??= readFile(blocklyCore.replace(/core[\w-]*\.js$/, 'blockly_compressed.js'), 'utf8').then(
+    (code) => new Set(code.match(/\b[A-Z][A-Z0-9_]+\b/g)),
+  ))
+
+/** `content/words/blockly/<language>.json?core`: Blockly's own words, as far as its core says them. */
+const blocklyWords: Plugin = {
+  name: 'words-of-blockly',
+  enforce: 'pre',
+  load: {
+    filter: { id: /\.json\?core$/ },
+    async handler(id) {
+      const file = id.split('?')[0]!
+      this.addWatchFile(file)
+      const all = Object.entries(JSON.parse(await readFile(file, 'utf8')) as { [key: string]: string })
+      const keys = await askedByCore()
+      const words = Object.fromEntries(all.filter(([key]) => keys.has(key)))
+      return { code: `export default ${JSON.stringify(words)}`, map: null, moduleType: 'js' }
+    },
+  },
+}
+
 /**
  * A message as Paraglide compiles it is a module with its words in every language; a page speaks one. Paraglide keeps the types;
  * in what is built a message is its key, and its words come from the table of the language.
@@ -49,7 +76,7 @@ const messagesByKey: Plugin = {
   },
 }
 
-export const words: readonly Plugin[] = [tables, messagesByKey]
+export const words: readonly Plugin[] = [tables, blocklyWords, messagesByKey]
 
 const flat = (tree: Tree, before = ''): { readonly [key: string]: string } =>
   Object.fromEntries(

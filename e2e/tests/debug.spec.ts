@@ -36,6 +36,26 @@ for (const language of languages) {
       await expect(child.button('lab.start').first()).toBeVisible()
     })
 
+    test('a run does not stop where nobody looks closely any more', async ({ child, page }) => {
+      await child.opensLab('free')
+      await child.opensProject('Steps', steps)
+      await child.presses('lab.closely')
+      await child.block('b4').click({ position: { x: 28, y: 20 } })
+      await child.presses('debug.stopHere')
+      await expect(page.locator('.editor-stop')).toHaveCount(1)
+      await child.presses('lab.closely')
+      await expect(page.locator('.editor-stop')).toHaveCount(0)
+      await child.pressesStart()
+      await expect(child.button('lab.start').first()).toBeVisible()
+
+      await child.presses('lab.closely')
+      await expect(page.locator('.editor-stop')).toHaveCount(1)
+      await child.presses('lab.start')
+      await expect(page.getByText(child.word('debug.waits'))).toBeVisible()
+      await child.presses('lab.continue')
+      await expect(child.button('lab.start').first()).toBeVisible()
+    })
+
     test('step by step, by the keyboard', async ({ child, page }) => {
       await child.opensLab('free')
       await child.opensProject('Steps', steps)

@@ -171,6 +171,8 @@ export interface Project {
   readonly q?: { readonly [program: string]: Learned }
   readonly assets: { readonly [sha256: string]: { readonly type: 'image/png'; readonly base64: string } }
   readonly progress?: Progress
+  /** The shelf of blocks that its child has chosen. */
+  readonly shelf?: 'plain' | 'all'
 }
 
 export type { Value }

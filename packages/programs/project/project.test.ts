@@ -100,6 +100,7 @@ const project: Project = {
   },
   assets: { [sha256]: { type: 'image/png', base64: 'iVBORw0KGgo=' } },
   progress: { starts: [0, 2], hints: 1 },
+  shelf: 'all',
 }
 
 function reasonOf(source: unknown): ProjectReason | 'accepted' {

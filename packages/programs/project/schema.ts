@@ -53,6 +53,7 @@ export const projectSchema: v.GenericSchema<unknown, Project> = v.pipe(
     q: v.exactOptional(recordOf(learned)),
     assets: assetsSchema,
     progress: v.exactOptional(progress),
+    shelf: v.exactOptional(v.picklist(['plain', 'all'])),
   }),
   v.check((project) => programsExist(project), 'A robot has a program that is not there.'),
 )

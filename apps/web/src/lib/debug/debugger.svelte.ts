@@ -11,10 +11,23 @@ export class Debugger {
   readonly #session: Session
   #stops = $state.raw<readonly string[]>([])
   #variables = $state.raw<readonly Variable[]>([])
-  open = $state(true)
+  #open = $state(true)
 
   constructor(session: Session) {
     this.#session = session
+  }
+
+  get open() {
+    return this.#open
+  }
+  /** A run stops only while the stops are seen. */
+  set open(open: boolean) {
+    this.#open = open
+    this.#session.lab.setStops(this.#seen)
+  }
+
+  get #seen(): readonly string[] {
+    return this.#open ? this.#stops : []
   }
 
   /** Looks at the variables from now on, while the component lives that calls this. */
@@ -42,9 +55,9 @@ export class Debugger {
   /** What is drawn at blocks; values only while a run is on. */
   readonly marks = $derived.by(() => {
     const { phase } = this.#session.lab.view
-    const on = this.open && (phase === 'running' || phase === 'paused')
+    const on = this.#open && (phase === 'running' || phase === 'paused')
     const values = on ? valuesAtBlocks(this.#session.program, this.#variables, this.words) : noValues
-    return { stops: this.#stops, values }
+    return { stops: this.#seen, values }
   })
 
   /** Does the run wait at a stop? */
@@ -56,6 +69,6 @@ export class Debugger {
   toggleStop(block: string): void {
     const without = this.#stops.filter((id) => id !== block)
     this.#stops = without.length < this.#stops.length ? without : [...this.#stops, block]
-    this.#session.lab.setStops(this.#stops)
+    this.#session.lab.setStops(this.#seen)
   }
 }

@@ -2,7 +2,10 @@ import { language, type Locale } from '#lib/words/language.svelte.ts'
 
 type Table = { readonly [key: string]: string }
 
-const files = import.meta.glob<Table>('../../../../../content/words/blockly/*.json', { import: 'default' })
+const files = import.meta.glob<Table>('../../../../../content/words/blockly/*.json', {
+  query: '?core',
+  import: 'default',
+})
 const tables = new Map<Locale, Table>()
 
 /** Brings Blockly's own words: before an editor is made. */

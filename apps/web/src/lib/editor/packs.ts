@@ -1,33 +1,37 @@
-import { definitions, isBlockType, isOfLearning, type Block, type FieldLook } from '@botgarten/blocks'
+import { definitions, isOfLearning, type Block, type Definition, type FieldLook } from '@botgarten/blocks'
 import { holesOf, statementNames, type Program } from '@botgarten/programs'
 import { fetchExpertWords, withWords } from '#lib/words/say.ts'
 
-type Expert = Pick<typeof import('./expert/later.ts'), 'expertShelf'>
+type Expert = Pick<typeof import('./expert/later.ts'), 'expertShelf' | 'everything'>
 
 let expert: Expert | null = null
+/** As it is before more is brought. */
+const plain: { readonly [type: string]: Definition | undefined } = { ...definitions }
 
 /** What the editor knows of the whole language; null before it was brought. */
 export const expertParts = (): Expert | null => expert
 
 /** Brings the whole language with its words; programs may hold all of it from then on. */
 export async function bringExpert(): Promise<Expert> {
-  const [{ learn, expertShelf }] = await Promise.all([
+  const [{ learn, expertShelf, everything }] = await Promise.all([
     withWords(import('./expert/later.ts')),
     fetchExpertWords(),
   ])
   if (!expert) learn()
-  return (expert = { expertShelf })
+  return (expert = { expertShelf, everything })
 }
 
 /** Brings the blocks for maps and groups. */
 export const bringLearning = async (): Promise<void> =>
   (await withWords(import('./learning/later.ts'))).learn()
 
-/** Brings what these programs hold and is not there yet, up to the whole language. */
-export async function bringFor(programs: { readonly [id: string]: Program }): Promise<void> {
+/** Brings what these programs hold and is not there yet. Returns whether they hold more than the plain language. */
+export async function bringFor(programs: { readonly [id: string]: Program }): Promise<boolean> {
   const rows = Object.values(programs).flatMap(({ stacks }) => stacks.flatMap(({ blocks }) => blocks))
   if (rows.some(learns)) await bringLearning()
-  if (!expert && rows.some(isMore)) await bringExpert()
+  const more = rows.some(isMore)
+  if (more && !expert) await bringExpert()
+  return more
 }
 
 const inside = ({ values = {}, statements = {} }: Block): readonly Block[] => [
@@ -37,12 +41,13 @@ const inside = ({ values = {}, statements = {} }: Block): readonly Block[] => [
 
 const learns = (block: Block): boolean => isOfLearning(block.type) || inside(block).some(learns)
 
-/** Is it, or does it hold, more of the language than is loaded? */
-const isMore = (block: Block): boolean => !isKnown(block) || inside(block).some(isMore)
+/** Is it, or does it hold, more than the plain language? */
+const isMore = (block: Block): boolean =>
+  !(isOfLearning(block.type) || isKnown(block)) || inside(block).some(isMore)
 
 function isKnown(block: Block): boolean {
-  if (!isBlockType(block.type)) return false
-  const definition = definitions[block.type]
+  const definition = plain[block.type]
+  if (!definition) return false
   const { look } = definition
   const holes = holesOf(block, definition).map(({ input }) => input)
   const rows = statementNames(block, look)

@@ -8,6 +8,7 @@ import { showFindings } from './finding-icon.ts'
 import type { Marks } from './debug/marks.ts'
 import { keepEscape } from './escape.ts'
 import { grouped } from './list.ts'
+import { letPaste } from './menus.ts'
 import { addNeuron } from './network.ts'
 import { restore, statesOn, toProgram, toWorkspace } from './program.ts'
 import { bringExpert, expertParts } from './packs.ts'
@@ -48,9 +49,6 @@ function options(locale: Locale, media: string, { letters, large }: Looks): Bloc
     plugins: shelfPlugins,
     sounds: false,
     trashcan: false,
-    comments: false,
-    collapse: false,
-    disable: false,
     grid: { spacing: 29, length: 3, colour: '#E6D6BA', snap: false },
     move: { scrollbars: true, drag: true, wheel: true },
     zoom: {
@@ -83,6 +81,8 @@ export class Pane {
   #locale: Locale
   /** Is the shelf with everything shown? */
   #all = false
+  /** Are its blocks drawn as the whole language draws them? */
+  #knowsAll = expertParts() !== null
   #looks: Looks
   #program: Program
   #findings: readonly Finding[] = []
@@ -113,6 +113,7 @@ export class Pane {
     // Blockly measures words on a canvas at the end of the body; it shows nothing.
     document.querySelector('.blocklyComputeCanvas')?.setAttribute('aria-hidden', 'true')
     this.#nameParts()
+    letPaste(this.#workspace, () => this.#learn())
     this.#stops = [listen(this.#workspace, reports, () => this.#emit()), keepEscape(host, this.#workspace)]
   }
 
@@ -132,14 +133,25 @@ export class Pane {
     this.#place()
   }
 
+  /** The paper with the blocks, for what comes late. */
+  get paper(): Blockly.WorkspaceSvg {
+    return this.#workspace
+  }
+
   /** The shelf with everything, or the plain one. The language is brought first where it is not there yet. */
   async showAll(all: boolean): Promise<void> {
     if (all === this.#all) return
-    const known = expertParts() !== null
-    if (all) await bringExpert()
     this.#all = all
-    if (all && !known) this.#redraw()
-    else this.#fillShelf()
+    if (all) await this.#learn()
+    this.#fillShelf()
+  }
+
+  /** The whole language, on this paper too. */
+  async #learn(): Promise<void> {
+    if (this.#knowsAll) return
+    await bringExpert()
+    this.#knowsAll = true
+    this.#redraw()
   }
 
   #fillShelf() {

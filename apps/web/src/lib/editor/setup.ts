@@ -2,19 +2,12 @@ import * as Blockly from 'blockly/core'
 import { definitions } from '@botgarten/blocks'
 import { blocklyWordsIn } from './blockly-words.ts'
 import { usePlainIds } from './ids.ts'
+import { setUpMenus } from './menus.ts'
 import { defineBlocks } from './shape.ts'
 import { registerShelf } from './toolbox.ts'
 import { defineUnknownBlocks } from './unknown.ts'
 import type { Locale } from '#lib/words/language.svelte.ts'
 import { wordsIn } from '#lib/words/say.ts'
-
-/** What a child needs of Blockly's menus: a copy, away with it, tidy up. */
-const keptInMenus = ['blockDuplicate', 'blockDelete', 'cleanWorkspace']
-const offeredInMenus = [
-  ...['undoWorkspace', 'redoWorkspace', 'collapseWorkspace', 'expandWorkspace', 'workspaceDelete'],
-  ...['blockComment', 'blockInline', 'blockCollapseExpand', 'blockDisable', 'blockHelp'],
-  ...keptInMenus,
-]
 
 let ready = false
 
@@ -26,7 +19,7 @@ export function setUp(): void {
   Blockly.Scrollbar.scrollbarThickness = 8
   registerShelf()
   defineUnknownBlocks()
-  shortenMenus()
+  setUpMenus()
   leaveUndoToThePage()
   nameKeys()
 }
@@ -45,12 +38,6 @@ function nameKeys() {
     text.replace(/\b(Control|Shift)(?= \+ )/g, (key) => Msg[`${key.toUpperCase()}_KEY`] ?? key)
   Blockly.Toast.show = (workspace, options) =>
     show(workspace, { ...options, message: named(options.message) })
-}
-
-function shortenMenus() {
-  const { registry } = Blockly.ContextMenuRegistry
-  for (const id of offeredInMenus)
-    if (!keptInMenus.includes(id) && registry.getItem(id)) registry.unregister(id)
 }
 
 /** One stack of undo holds blocks, world and weights: the page decides what Ctrl+Z takes back. */

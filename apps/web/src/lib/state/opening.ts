@@ -16,6 +16,8 @@ export interface Opened {
   readonly card: LoadedCard | null
   readonly floor: Floor
   readonly floorAddress: string | null
+  /** Does its program hold more than the plain shelf? */
+  readonly expert: boolean
   /** Message keys of what went wrong on the way; the lab stands all the same. */
   readonly trouble: 'brokenHere' | 'floorMissing' | null
 }
@@ -27,7 +29,7 @@ export async function openLab(name: string, projectId: string | null): Promise<O
   const fresh = card ? cardProject(card.world, card.card, card.start, card.card.id) : await loadFreeLab()
   const kept = await readKept(projectId ?? name)
   const project = kept.project ?? fresh
-  const [floor] = await Promise.all([
+  const [floor, expert] = await Promise.all([
     floorOf(project),
     bringFor(project.programs),
     ...(name === 'free' ? [bringLearning()] : []),
@@ -39,6 +41,7 @@ export async function openLab(name: string, projectId: string | null): Promise<O
     card,
     floor: floor ?? paintFloor({ ...project.world, floor: { colour: '#FFFFFF' } }),
     floorAddress: pictureOf(project),
+    expert,
     trouble: kept.broken ? 'brokenHere' : floor ? null : 'floorMissing',
   }
 }

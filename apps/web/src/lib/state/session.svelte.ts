@@ -34,6 +34,7 @@ export class Session {
   #name = $state('')
   #progress = $state.raw<Progress>({ starts: [], hints: 0 })
   #learned: NonNullable<Project['q']>
+  #shelf = $state.raw<Project['shelf']>()
   /** By the id of the robot. */
   #findings = $state.raw<{ readonly [robot: string]: readonly Finding[] }>({})
   #before: { readonly pose?: Pose; readonly start?: Pose; readonly brain?: Brain } = {}
@@ -45,6 +46,7 @@ export class Session {
     const { project, card } = opened
     this.#name = project.name
     this.#learned = project.q ?? {}
+    this.#shelf = project.shelf
     this.#progress = project.progress ?? { starts: [], hints: 0 }
     this.lab = new RunningLab(project, opened.floor, card?.card.checks ?? [])
     this.keeper = new Keeper(opened.id, opened.revision)
@@ -102,7 +104,18 @@ export class Session {
     const { programs, world, brains } = this.lab.document
     const parts = { programs, world, brains, progress: this.#progress, assets: this.#pictureIn(world.floor) }
     const learned = Object.keys(this.#learned).length > 0 && { q: this.#learned }
-    return { ...this.opened.project, name: this.#name, ...parts, ...learned }
+    const shelf = this.#shelf && { shelf: this.#shelf }
+    return { ...this.opened.project, name: this.#name, ...parts, ...learned, ...shelf }
+  }
+
+  /** Is the shelf with every block shown? Where nobody has said so, a program that holds more comes with it. */
+  get showsAll(): boolean {
+    return this.#shelf ? this.#shelf === 'all' : this.opened.expert
+  }
+
+  showAll(all: boolean): void {
+    this.#shelf = all ? 'all' : 'plain'
+    this.keeper.changed(() => this.project)
   }
 
   /** Does the program learn by trying? Its playground is shown then. */

@@ -1,5 +1,5 @@
 import * as Blockly from 'blockly/core'
-import { addBlocks, type Block } from '@botgarten/blocks'
+import { addBlocks, type Block, type Template, type ToolboxCategory } from '@botgarten/blocks'
 import { callBlock, expert, expertToolbox, variableBlocks } from '@botgarten/blocks/later'
 import { knowTypes } from '../bot-block.ts'
 import { keepWhatFilesJoin } from '../fits.ts'
@@ -40,11 +40,9 @@ const parameter = {
   fields: { VAR: 'n', TYPE: 'Number' },
 }
 
-const variables = 'BOTGARTEN_VARIABLES'
-const functions = 'BOTGARTEN_FUNCTIONS'
 const empty = { stacks: [], config: { stacks: [] } }
 
-const inShelf = (template: Parameters<typeof stateOfTemplate>[0]) =>
+const inShelf = (template: Template) =>
   ({ kind: 'block', ...stateOfTemplate(template) }) as Blockly.utils.toolbox.FlyoutItemInfo
 
 /** A new name for every variable that is taken from the shelf. */
@@ -53,41 +51,46 @@ function freeName(workspace: Blockly.Workspace, names: string): string {
   return [...names].find((name) => !taken.includes(name)) ?? `x${taken.length}`
 }
 
-function variableShelf(workspace: Blockly.Workspace): Blockly.utils.toolbox.FlyoutItemInfoArray {
+function variableBlocksOn(workspace: Blockly.Workspace): readonly Template[] {
   const name = freeName(workspace, 'xyzabcdefg')
   const fresh = { ...declaration, fields: { ...declaration.fields, VAR: name } }
   const uses = variablesOn(workspace).flatMap(({ name, type }) => variableBlocks(name, type))
-  return [fresh, ...uses].map(inShelf)
+  return [fresh, ...uses]
 }
 
-function functionShelf(workspace: Blockly.Workspace): Blockly.utils.toolbox.FlyoutItemInfoArray {
+function functionBlocksOn(workspace: Blockly.Workspace): readonly Template[] {
   const plain = expertToolbox.find(({ category }) => category === 'functions')?.blocks ?? []
   const made: readonly Block[] = toProgram(workspace, empty).stacks.flatMap(({ blocks }) =>
     blocks.slice(0, 1),
   )
   const calls = made.map(callBlock).filter((call) => call !== null)
-  return [...plain, parameter, ...calls].map(inShelf)
+  return [...plain, parameter, ...calls]
 }
 
-/** The shelf with everything; variables and functions follow the program. */
+/** All that the shelf with everything offers for the program on a workspace. */
+export const everything = (workspace: Blockly.Workspace): readonly ToolboxCategory[] =>
+  expertToolbox.flatMap((row) => {
+    if (row.category === 'functions') return [{ ...row, blocks: functionBlocksOn(workspace) }]
+    const variables = { category: 'variables', blocks: variableBlocksOn(workspace) } as const
+    return row.category === 'lists' ? [row, variables] : [row]
+  })
+
+/** Rows of the shelf that follow the program. */
+const following = ['variables', 'functions']
+
+/** The shelf with everything. */
 export function expertShelf(
   words: Words,
   workspace: Blockly.WorkspaceSvg,
 ): Blockly.utils.toolbox.ToolboxInfo {
-  workspace.registerToolboxCategoryCallback(variables, variableShelf)
-  workspace.registerToolboxCategoryCallback(functions, functionShelf)
-  const info = toolboxInfo(words, expertToolbox)
-  const row = (category: 'variables' | 'functions', custom: string) => ({
-    kind: 'category',
-    name: words(`category.${category}`),
-    categorystyle: category,
-    toolboxitemid: `shelf-${category}`,
-    custom,
-  })
-  const contents = info.contents.flatMap((item) => {
-    const id = 'toolboxitemid' in item ? item.toolboxitemid : ''
-    if (id === 'shelf-lists') return [item, row('variables', variables)]
-    return id === 'shelf-functions' ? [row('functions', functions)] : [item]
-  })
-  return { ...info, contents }
+  const rows = everything(workspace)
+  for (const name of following)
+    workspace.registerToolboxCategoryCallback(name, (on) =>
+      everything(on as Blockly.Workspace).flatMap(({ category, blocks }) =>
+        category === name ? blocks.map(inShelf) : [],
+      ),
+    )
+  const { kind, contents } = toolboxInfo(words, rows)
+  const custom = (k: number) => following.find((name) => rows[k]?.category === name)
+  return { kind, contents: contents.map((item, k) => (custom(k) ? { ...item, custom: custom(k)! } : item)) }
 }

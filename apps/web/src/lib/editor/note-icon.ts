@@ -1,0 +1,38 @@
+import * as Blockly from 'blockly/core'
+import { ink } from './colours.ts'
+
+const { CommentIcon, registry } = Blockly.icons
+const side = 26
+
+/** The sheet at a block that has a note. */
+class NoteIcon extends CommentIcon {
+  override initView(onpointerdown: (event: PointerEvent) => void) {
+    if (this.svgRoot) return
+    super.initView(onpointerdown)
+    const root = this.getFocusableElement()
+    root.replaceChildren()
+    const draw = (attributes: Record<string, string | number>) =>
+      Blockly.utils.dom.createSvgElement('path', attributes, root as SVGElement)
+    draw({ d: 'M3 2H17L23 8V24H3Z', fill: '#fff6dd', stroke: ink, 'stroke-width': 2 })
+    draw({ d: 'M8 12H18M8 17H15', stroke: ink, 'stroke-width': 2.4, 'stroke-linecap': 'round' })
+    draw({ d: 'M-8 -14H34V40H-8Z', fill: 'transparent' })
+  }
+
+  override getSize() {
+    return new Blockly.utils.Size(side, side)
+  }
+}
+
+export function registerNotes(): void {
+  registry.unregister(CommentIcon.TYPE.toString())
+  registry.register(CommentIcon.TYPE, NoteIcon)
+}
+
+/** Gives the block a note and lets the child write, or takes its note away. */
+export async function toggleNote(block: Blockly.BlockSvg): Promise<void> {
+  block.setCommentText(block.getIcon(CommentIcon.TYPE) ? null : '')
+  const note = block.getIcon(CommentIcon.TYPE)
+  await note?.setBubbleVisible(true)
+  const editor = (note as NoteIcon | undefined)?.getBubble()?.getEditor()
+  if (editor) Blockly.getFocusManager().focusNode(editor)
+}
