@@ -11,6 +11,9 @@ const late = ['about', 'build', 'debug', 'projects', 'q', 'robot', 'share', 'she
 const isLate = (key: string) =>
   late.includes(key.split('.')[0]!) || /^block\.(ai_q_|rl_|ai_sorting_)/.test(key)
 
+/** No page says what a block is called: its words stand on it. */
+const isSaid = ([key]: readonly [string, string]) => !/^block\.\w+\.name$/.test(key)
+
 /** `content/words/<language>.json?first` and `?late`, `expert/<language>.json?expert`: words of one language, flat (`world.lost`). */
 const tables: Plugin = {
   name: 'tables-of-words',
@@ -20,7 +23,7 @@ const tables: Plugin = {
     async handler(id) {
       const [file, part] = id.split('?') as [string, string]
       this.addWatchFile(file)
-      const all = Object.entries(flat(JSON.parse(await readFile(file, 'utf8')) as Tree))
+      const all = Object.entries(flat(JSON.parse(await readFile(file, 'utf8')) as Tree)).filter(isSaid)
       const words = Object.fromEntries(
         all.filter(([key]) => part === 'expert' || isLate(key) === (part === 'late')),
       )

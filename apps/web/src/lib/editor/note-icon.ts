@@ -12,10 +12,21 @@ class NoteIcon extends CommentIcon {
     const root = this.getFocusableElement()
     root.replaceChildren()
     const draw = (attributes: Record<string, string | number>) =>
-      Blockly.utils.dom.createSvgElement('path', attributes, root as SVGElement)
+      Blockly.utils.dom.createSvgElement('path', attributes, root)
     draw({ d: 'M3 2H17L23 8V24H3Z', fill: '#fff6dd', stroke: ink, 'stroke-width': 2 })
     draw({ d: 'M8 12H18M8 17H15', stroke: ink, 'stroke-width': 2.4, 'stroke-linecap': 'round' })
     draw({ d: 'M-8 -14H34V40H-8Z', fill: 'transparent' })
+  }
+
+  /** A note that nobody writes in closes: it lies over other blocks. */
+  override async setBubbleVisible(visible: boolean) {
+    await super.setBubbleVisible(visible)
+    const bubble = this.getBubble()
+    const outside = (to: EventTarget | null) =>
+      !(to instanceof Node && bubble?.getFocusableElement().contains(to))
+    const leave = ({ relatedTarget }: FocusEvent) =>
+      outside(relatedTarget) && void this.setBubbleVisible(false)
+    bubble?.getFocusableElement().addEventListener('focusout', leave as EventListener)
   }
 
   override getSize() {

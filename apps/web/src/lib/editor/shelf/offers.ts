@@ -35,14 +35,14 @@ export function offersOn(workspace: Blockly.WorkspaceSvg, all: boolean, words: W
 function offerOf(template: Template, category: Category, words: Words): readonly Offer[] {
   if (!isBlockType(template.type)) return []
   const definition = definitions[template.type]
-  const name = words(definition.words.name)
+  const help = words(definition.words.help)
   const written = labelOf(template, words)
-  const label = /[^…\s]/.test(written) ? written : name
+  const label = /[^…\s]/.test(written) ? written : help
   const options = definition.look.fields.flatMap((look) =>
     look.kind === 'choice' ? look.options.map((option) => (option.words ? words(option.words) : '')) : [],
   )
   const family = words(`category.${category}`)
-  const found = [`${label} ${name}`, [...options, family].join(' '), words(definition.words.help)]
+  const found = [label, [...options, family].join(' '), help]
   return [{ template, category, label, found: found.map(plain) }]
 }
 

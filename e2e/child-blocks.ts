@@ -1,0 +1,103 @@
+import { expect, type Locator } from '@playwright/test'
+import { readFileSync } from 'node:fs'
+import type { Block } from '@botgarten/blocks'
+import type { Project } from '@botgarten/programs'
+import type { Child } from './child.ts'
+
+const read = <Words>(folder: string) =>
+  Object.fromEntries(
+    ['en', 'de'].map((language) => {
+      const file = new URL(`../content/words/${folder}/${language}.json`, import.meta.url)
+      return [language, JSON.parse(readFileSync(file, 'utf8')) as Words]
+    }),
+  )
+
+/** Blockly's own words, as the menus say them, and those of the whole block language. */
+const blockly = read<Record<string, string>>('blockly')
+const expert = read<{ category: Record<string, string> }>('expert')
+
+type Item = 'COPY_SHORTCUT' | 'PASTE_SHORTCUT' | 'DUPLICATE_BLOCK' | 'ADD_COMMENT' | 'REMOVE_COMMENT'
+type Switch = 'COLLAPSE_BLOCK' | 'EXPAND_BLOCK' | 'DISABLE_BLOCK' | 'ENABLE_BLOCK'
+
+/** Hands for the whole block language: the shelf, the search and the menus. */
+export class BlockHands {
+  readonly #child: Child
+
+  constructor(child: Child) {
+    this.#child = child
+  }
+
+  get #page() {
+    return this.#child.page
+  }
+
+  get all(): Locator {
+    return this.#page.getByRole('switch', { name: this.#child.word('editor.all') })
+  }
+  get field(): Locator {
+    return this.#page.getByRole('combobox', { name: this.#child.word('shelf.field') })
+  }
+  get hits(): Locator {
+    return this.#page.getByRole('listbox', { name: this.#child.word('shelf.list') }).getByRole('option')
+  }
+  row(category: string): Locator {
+    const name = expert[this.#child.language]!.category[category] ?? this.#child.word(`category.${category}`)
+    return this.#page.getByRole('treeitem', { name, exact: true })
+  }
+
+  async searches(words: string) {
+    await this.#child.presses('editor.search')
+    await this.field.fill(words)
+  }
+
+  /** What Blockly calls an item of its menus, in the child's language. */
+  item(name: Item | Switch): Locator {
+    const words = blockly[this.#child.language]![name]!
+    return this.#page.getByRole('menuitem', { name: words })
+  }
+
+  /** A corner of a block where none of its fields is. */
+  readonly corner = { position: { x: 12, y: 12 } }
+
+  async chooses(block: string, name: Item | Switch) {
+    await this.#child.block(block).click({ ...this.corner, button: 'right' })
+    await this.item(name).click()
+    await expect(this.#page.locator('.blocklyContextMenu')).toHaveCount(0)
+  }
+
+  /** The same by the keyboard alone: the block has the focus. */
+  async choosesByKeys(name: Item | Switch) {
+    await this.#page.keyboard.press('Control+Enter')
+    const words = blockly[this.#child.language]![name]!
+    const items = await this.#page.getByRole('menuitem').allTextContents()
+    const at = items.findIndex((item) => item.startsWith(words))
+    expect(at, `${words} in ${items.join(', ')}`).toBeGreaterThanOrEqual(0)
+    for (let presses = 0; presses < at; presses += 1) await this.#page.keyboard.press('ArrowDown')
+    await this.#page.keyboard.press('Enter')
+    await expect(this.#page.getByRole('menuitem')).toHaveCount(0)
+  }
+
+  /** Goes to a block by the keyboard alone. */
+  async goesTo(block: string) {
+    const at = () =>
+      this.#page.evaluate(() => {
+        const here = document.activeElement
+        const isPaper = here?.closest('.blocklySvg') != null
+        return { isPaper, block: here?.closest('[data-id]')?.getAttribute('data-id') ?? null }
+      })
+    for (let presses = 0; presses < 60 && !(await at()).isPaper; presses += 1)
+      await this.#page.keyboard.press('Tab')
+    await this.#page.keyboard.press('Control+Home')
+    for (let presses = 0; presses < 30 && (await at()).block !== block; presses += 1)
+      await this.#page.keyboard.press('ArrowDown')
+    expect((await at()).block).toBe(block)
+  }
+
+  /** Blocks of a type in the file that the child saves. */
+  async inFile(type: string): Promise<readonly Block[]> {
+    const project = JSON.parse(await this.#child.savesFile()) as Project
+    return Object.values(project.programs).flatMap(({ stacks }) =>
+      stacks.flatMap(({ blocks }) => blocks.filter((block) => block.type === type)),
+    )
+  }
+}

@@ -1,0 +1,215 @@
+import AxeBuilder from '@axe-core/playwright'
+import type { Locator, Page } from '@playwright/test'
+import { BlockHands } from '../child-blocks.ts'
+import { Comer } from '../child-open-roberta.ts'
+import { expect, test } from '../house.ts'
+import { freeProgram } from '../projects.ts'
+import { languages } from '../words.ts'
+
+/** Waits of 0.1 s, a minute and 0.3 s: `b2`, `b4`, `b6`. */
+const waits = freeProgram('Waits', (make) => [make.wait(100), make.wait(60_000), make.wait(300)])
+const wait = 'robControls_wait_time'
+
+const words = {
+  en: { if: 'if', list: 'length', unknown: 'xyzzy' },
+  de: { if: 'wenn', list: 'Länge', unknown: 'xyzzy' },
+}
+
+async function findings(page: Page): Promise<string[]> {
+  const { violations } = await new AxeBuilder({ page }).analyze()
+  return violations.flatMap(({ id, nodes }) => nodes.map(({ target }) => `${id}: ${target.join(' ')}`))
+}
+
+const boxOf = async (thing: Locator) => (await thing.boundingBox())!
+
+/** The switch, the rows of the shelf and the search do not lie on one another, and are as large as a finger. */
+async function expectRoom(page: Page, hands: BlockHands, search: Locator) {
+  const [above, below] = [await boxOf(search), await boxOf(hands.all)]
+  const rows = await page.getByRole('treeitem').all()
+  const first = await boxOf(rows[0]!)
+  expect(first.y).toBeGreaterThanOrEqual(above.y + above.height)
+  for (const box of [above, below, first]) expect(Math.min(box.width, box.height)).toBeGreaterThanOrEqual(44)
+  await rows.at(-1)!.scrollIntoViewIfNeeded()
+  const last = await boxOf(rows.at(-1)!)
+  expect(last.y + last.height).toBeLessThanOrEqual(below.y)
+  expect(below.y + below.height).toBeLessThanOrEqual(page.viewportSize()!.height)
+}
+
+for (const language of languages) {
+  test.describe(`the whole block language, in ${language}`, () => {
+    test.use({ language })
+
+    test('a switch shows every block; the project remembers it, other projects do not mind', async ({
+      child,
+      page,
+    }) => {
+      const hands = new BlockHands(child)
+      await child.opensLab('free')
+      await expect(hands.row('lists')).toHaveCount(0)
+      await expectRoom(page, hands, child.button('editor.search'))
+      await child.tabsTo(hands.all)
+      await page.keyboard.press('Space')
+      await expect(hands.row('lists')).toBeVisible()
+      for (const width of [1024, 1366]) {
+        await page.setViewportSize({ width, height: 768 })
+        await expectRoom(page, hands, child.button('editor.search'))
+      }
+      await child.seesSaved()
+      await child.reloads()
+      await expect(hands.row('lists')).toBeVisible()
+      await child.opensLab('friendship')
+      await expect(hands.all).not.toBeChecked()
+      await expect(hands.row('lists')).toHaveCount(0)
+      await child.opensLab('free')
+      await hands.all.click()
+      await expect(hands.row('lists')).toHaveCount(0)
+    })
+
+    test('a block is found by its words and put in by the keyboard alone', async ({ child, page }) => {
+      const hands = new BlockHands(child)
+      await child.opensLab('free')
+      await child.opensProject('Waits', waits)
+      await hands.goesTo('b2')
+      const before = await child.canvas.locator('.blocklyDraggable').count()
+      await child.tabsAndPresses('editor.search')
+      await expect(hands.field).toBeFocused()
+      await page.keyboard.type(words[language].if)
+      await expect(hands.hits.first()).toContainText(words[language].if)
+      await page.keyboard.press('ArrowDown')
+      await expect(hands.hits.nth(1)).toHaveAttribute('aria-selected', 'true')
+      await page.keyboard.press('ArrowUp')
+      await page.keyboard.press('Enter')
+      await expect(hands.field).toHaveCount(0)
+      await expect(child.canvas.locator('.blocklyDraggable')).toHaveCount(before + 1)
+      const file = JSON.parse(await child.savesFile()) as {
+        programs: { main: { stacks: { blocks: { type: string }[] }[] } }
+      }
+      const types = file.programs.main.stacks[0]!.blocks.map(({ type }) => type)
+      expect(types.slice(1, 3)).toEqual([wait, 'robControls_if'])
+      await page.keyboard.press('Escape')
+      await child.presses('lab.undo')
+      await expect(child.canvas.locator('.blocklyDraggable')).toHaveCount(before)
+    })
+
+    test('what is not found is said, and all blocks can be looked through', async ({ child, page }) => {
+      await page.emulateMedia({ reducedMotion: 'reduce' })
+      const hands = new BlockHands(child)
+      await child.opensLab('free')
+      await hands.searches(words[language].unknown)
+      const nothing = child.words('shelf.nothing', { query: words[language].unknown })
+      await expect(nothing).toBeVisible()
+      await hands.field.fill(words[language].list)
+      await child.presses('shelf.inAll')
+      await expect(hands.all).toBeChecked()
+      await expect(hands.hits.first()).toContainText(words[language].list, { ignoreCase: true })
+      expect(await findings(page)).toEqual([])
+      await page.keyboard.press('Escape')
+      await expect(hands.field).toHaveCount(0)
+      await expect(child.button('editor.search')).toBeFocused()
+      expect(await findings(page)).toEqual([])
+      await hands.searches(words[language].list)
+      await hands.hits.first().click()
+      await expect(child.canvas.getByText(words[language].list).first()).toBeVisible()
+    })
+
+    test('a note, folding, switching off and doubling by the mouse are kept, in our file and in Open Roberta’s', async ({
+      child,
+      page,
+    }) => {
+      const hands = new BlockHands(child)
+      const comer = new Comer(child)
+      await child.opensLab('free')
+      await child.opensProject('Waits', waits)
+      await hands.chooses('b2', 'ADD_COMMENT')
+      await page.keyboard.type('Ha < & >')
+      const note = page.locator('.blocklyTextInputBubble')
+      await expect(note).toBeVisible()
+      await page.mouse.click(330, 660)
+      await expect(note).toHaveCount(0)
+      await hands.chooses('b4', 'DISABLE_BLOCK')
+      await hands.chooses('b6', 'COLLAPSE_BLOCK')
+      await hands.chooses('b2', 'DUPLICATE_BLOCK')
+      const kept = await hands.inFile(wait)
+      expect(
+        kept.map(({ id, comment, disabled, collapsed }) => [
+          id.length < 5 && id,
+          comment,
+          disabled,
+          collapsed,
+        ]),
+      ).toEqual([
+        ['b2', 'Ha < & >', undefined, undefined],
+        ['b4', undefined, true, undefined],
+        ['b6', undefined, undefined, true],
+        [false, 'Ha < & >', undefined, undefined],
+      ])
+      await page.keyboard.press('Escape')
+      const { text } = await comer.saves()
+      expect(text).toMatch(/<block [^>]*id="b4"[^>]*disabled="true"|<block [^>]*disabled="true"[^>]*id="b4"/)
+      expect(text).toMatch(
+        /<block [^>]*id="b6"[^>]*collapsed="true"|<block [^>]*collapsed="true"[^>]*id="b6"/,
+      )
+      await comer.opens('again.xml', text)
+      await comer.seesProgram('again')
+      const again = await hands.inFile(wait)
+      expect(again.map(({ comment, disabled, collapsed }) => [comment, disabled, collapsed])).toEqual(
+        kept.map(({ comment, disabled, collapsed }) => [comment, disabled, collapsed]),
+      )
+    })
+
+    test('the same by the keyboard; what is switched off is skipped', async ({ child, page }) => {
+      const hands = new BlockHands(child)
+      await child.opensLab('free')
+      await child.opensProject('Waits', waits)
+      await hands.goesTo('b4')
+      await hands.choosesByKeys('DISABLE_BLOCK')
+      await hands.choosesByKeys('COLLAPSE_BLOCK')
+      await child.pressesStart()
+      await expect(child.button('lab.start').first()).toBeVisible()
+      await hands.goesTo('b4')
+      await hands.choosesByKeys('EXPAND_BLOCK')
+      await hands.choosesByKeys('ENABLE_BLOCK')
+      await hands.choosesByKeys('ADD_COMMENT')
+      await page.keyboard.type('lang')
+      await page.keyboard.press('Escape')
+      await page.keyboard.press('Escape')
+      await expect(page.locator('.blocklyTextInputBubble')).toHaveCount(0)
+      await hands.goesTo('b4')
+      await page.keyboard.press('d')
+      const kept = await hands.inFile(wait)
+      expect(kept.map(({ comment, disabled, collapsed }) => [comment, disabled, collapsed])).toEqual([
+        [undefined, undefined, undefined],
+        ['lang', undefined, undefined],
+        [undefined, undefined, undefined],
+        ['lang', undefined, undefined],
+      ])
+      await page.keyboard.press('Escape')
+      await hands.chooses('b4', 'REMOVE_COMMENT')
+      await child.pressesStart()
+      await child.pressesStop()
+    })
+
+    test('copies go from project to project, by keys and by menu', async ({ child, page }) => {
+      const hands = new BlockHands(child)
+      await child.opensLab('free')
+      await child.opensProject('Waits', waits)
+      await hands.goesTo('b4')
+      await page.keyboard.press('Control+c')
+      await child.opensLab('friendship')
+      const before = await hands.inFile(wait)
+      expect(before).toEqual([])
+      await page.keyboard.press('Escape')
+      await hands.goesTo('start')
+      await page.keyboard.press('Control+v')
+      await expect.poll(async () => (await child.canvas.getByText('60000').count()) > 0).toBe(true)
+      await page
+        .locator('.blocklySvg')
+        .first()
+        .click({ button: 'right', position: { x: 340, y: 480 } })
+      await hands.item('PASTE_SHORTCUT').click()
+      await expect(child.canvas.getByText('60000')).toHaveCount(2)
+      await child.presses('lab.undo')
+      await expect(child.canvas.getByText('60000')).toHaveCount(1)
+    })
+  })
+}
