@@ -61,9 +61,9 @@ export function log10(x: number): number {
 /** e to the power x, within 1 ulp. */
 export const exp = (x: number): number => (Number.isNaN(x) ? NaN : expOf(single(x)))
 
-/** x to the power y, within 1 ulp where the result is a normal number; what IEEE 754 `pow` says in the corners. */
+/** x to the power y, within 1 ulp where the result is a normal number; what ECMA-262 and Java say in the corners. */
 export function pow(x: number, y: number): number {
-  if (y === 0 || x === 1) return 1
+  if (y === 0) return 1
   if (Number.isNaN(x) || Number.isNaN(y)) return NaN
   if (!Number.isFinite(y)) return atNoEnd(Math.abs(x), y)
   if (x === 0 || !Number.isFinite(x)) return ofNoEnd(x, y)

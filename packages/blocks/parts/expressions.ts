@@ -3,8 +3,8 @@ import { functions } from './expression-functions.ts'
 import { robotFunctions, type RobotArgument } from './expression-robot.ts'
 import { ExpressionError, tokensOf, type Token } from './expression-tokens.ts'
 
-/** Brackets in brackets; a block inside a block is as deep. */
-const deepest = 60
+/** Brackets in brackets, at most 60. Each is two steps down, and so is the whole. */
+const deepest = 2 * 60 + 2
 
 const constants: { readonly [name: string]: string } = {
   pi: 'PI',

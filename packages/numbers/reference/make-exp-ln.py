@@ -1,0 +1,60 @@
+"""Writes exp-ln.json: what exp, ln, log10, pow and the functions of angles should give.
+
+    pip install mpmath==1.4.1
+    python3 packages/numbers/reference/make-exp-ln.py
+
+A row is [name, arguments, hi, lo]: hi is the double nearest to the true value, hi + lo the true value to about 106 bits.
+"""
+
+import json
+import math
+import random
+from pathlib import Path
+
+from mpmath import acos, asin, atan, exp, ln, mp, mpf, power, tan
+
+mp.prec = 1400
+random.seed(20261121)
+LARGEST = 1.7976931348623157e308
+
+
+def row(name, truth, *arguments):
+    value = truth(*map(mpf, arguments))
+    hi = float(value)
+    return [name, list(arguments), hi, float(value - mpf(hi))]
+
+
+def double(low=-1020, high=1023):
+    return math.ldexp(random.uniform(1, 2), random.randint(low, high))
+
+
+def rows():
+    for x in [0.0, 1.0, -1.0, 709.78, -708.39, -744.4, 1e-300, -1e-17, 0.5, 88.0]:
+        yield row("exp", exp, x)
+    for _ in range(150):
+        yield row("exp", exp, random.uniform(-708, 709.7))
+    for _ in range(50):
+        yield row("exp", exp, random.uniform(-2, 2))
+    positive = [1.0, 2.0, 10.0, 100.0, 1e15, math.e, 1 + 2**-52, 1 - 2**-53, 5e-324, 2.5e-310, LARGEST, 0.5]
+    positive += [10.0**n for n in range(-20, 20)] + [double() for _ in range(120)]
+    positive += [random.uniform(0.5, 2) for _ in range(100)]
+    for x in positive:
+        yield row("ln", ln, x)
+        yield row("log10", lambda v: ln(v) / ln(mpf(10)), x)
+    pairs = [(2.0, 10.0), (10.0, 300.0), (10.0, -5.0), (2.0, 0.5), (-3.0, 3.0), (-2.0, 4.0), (1.0000001, 1e7), (0.1, 20.0)]
+    pairs += [(10.0, float(n)) for n in range(-30, 31)]
+    pairs += [(random.uniform(0, 100), random.uniform(-100, 100)) for _ in range(200)]
+    pairs += [(random.uniform(-20, 20), float(random.randint(-40, 40))) for _ in range(100)]
+    pairs += [(double(-300, 300), random.uniform(-1, 1)) for _ in range(100)]
+    for x, y in pairs:
+        yield row("pow", power, x, y)
+    for _ in range(150):
+        x = random.uniform(-1, 1)
+        yield row("asin", asin, x)
+        yield row("acos", acos, x)
+        yield row("atan", atan, math.copysign(double(-60, 60), x))
+        yield row("tan", tan, random.uniform(-1.5, 1.5))
+
+
+text = ",\n".join(json.dumps(one) for one in rows())
+(Path(__file__).parent / "exp-ln.json").write_text(f"[\n{text}\n]\n")

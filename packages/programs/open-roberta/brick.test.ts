@@ -1,0 +1,73 @@
+import { readFileSync } from 'node:fs'
+import type { World } from '@botgarten/simulation'
+import { expect, it } from 'vitest'
+import { xmlTree } from '../testing/xml-tree.ts'
+import { robotIn } from './brick.ts'
+import { fileFrom, projectFrom, readOpenRoberta } from './index.ts'
+
+const garden = JSON.parse(
+  readFileSync(new URL('../../../content/worlds/garden/world.json', import.meta.url), 'utf8'),
+) as World
+
+/** Open Roberta's configuration toolbox (`ev3.configuration.toolbox.xml`), and the sensor each is here. */
+const sensors = [
+  ['ultrasonic', 'ultrasonic'],
+  ['colour', 'colour'],
+  ['infrared', 'infrared'],
+  ['touch', 'touch'],
+  ['gyro', 'gyro'],
+  ['sound', 'sound'],
+  ['compass', 'compass'],
+  ['irseeker', undefined],
+  ['htcolour', 'colour'],
+] as const
+
+const field = (name: string, text: string) => `<field name="${name}">${text}</field>`
+const value = (name: string, block: string) => `<value name="${name}">${block}</value>`
+const block = (type: string, id: string, inside = '') =>
+  `<block type="robBrick_${type}" id="${id}" intask="true">${inside}</block>`
+const motor = (type: string, id: string, side: string, reverse = 'OFF') =>
+  block(
+    type,
+    id,
+    field('MOTOR_REGULATION', 'TRUE') +
+      field('MOTOR_REVERSE', reverse) +
+      (type === 'motor_big' ? field('MOTOR_DRIVE', side) : ''),
+  )
+
+function file(plugged: string): string {
+  const brick = block(
+    'EV3-Brick',
+    'brick',
+    field('WHEEL_DIAMETER', '4.3') +
+      field('TRACK_WIDTH', '12.5') +
+      plugged +
+      value('MA', motor('motor_middle', 'm1', 'NONE', 'ON')) +
+      value('MB', motor('motor_big', 'm2', 'LEFT')) +
+      value('MC', motor('motor_big', 'm3', 'RIGHT')) +
+      value('MD', block('actor', 'm4')),
+  )
+  const ns = 'http://de.fhg.iais.roberta.blockly'
+  const set = (inside: string) =>
+    `<block_set xmlns="${ns}" robottype="ev3" xmlversion="3.1" description="" tags="">${inside}</block_set>`
+  const start = `<block type="robControls_start" id="start" intask="true"><mutation declare="false"></mutation>${field('DEBUG', 'FALSE')}</block>`
+  return `<export xmlns="${ns}"><program>${set(`<instance x="1" y="2">${start}</instance>`)}</program><config>${set(`<instance x="213" y="213">${brick}</instance>`)}</config></export>`
+}
+
+it.each(sensors)(
+  'a configuration with %s opens, is that robot, and is written back by name with its fields',
+  (type, kind) => {
+    const text = file(value('S1', block(type, 's1')) + value('S4', block(type, 's4')))
+    const robot = robotIn(readOpenRoberta(text).config)
+    expect([robot.sensors['1']?.kind, robot.sensors['4']?.kind]).toEqual([kind, kind])
+    expect([robot.wheelDiameter, robot.trackWidth]).toEqual([4.3, 12.5])
+    expect(robot.drive).toEqual({ left: 'B', right: 'C' })
+    expect(xmlTree(fileFrom(projectFrom(text, 'x', garden), 'bo'))).toEqual(xmlTree(text))
+  },
+)
+
+it('a block of a configuration that nobody knows stays in it', () => {
+  const text = file(value('S2', block('nose', 's2', field('SMELL', 'a &amp; b'))))
+  expect(robotIn(readOpenRoberta(text).config).sensors).toEqual({})
+  expect(xmlTree(fileFrom(projectFrom(text, 'x', garden), 'bo'))).toEqual(xmlTree(text))
+})
