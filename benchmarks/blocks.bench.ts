@@ -1,19 +1,11 @@
-import { createRequire } from 'node:module'
 import { addBlocks, blockFrom, type Template } from '@botgarten/blocks'
 import { expert } from '@botgarten/blocks/later'
 import { indexProgram, runThread, startThread } from '@botgarten/programs'
+import JSInterpreter from 'js-interpreter'
 import { recordingRobot } from '../packages/programs/testing/recording-robot.ts'
 import { median, type Table } from './bench.ts'
 
 addBlocks(expert)
-
-/** What we use of the peer's class. */
-interface Peer {
-  readonly value: unknown
-  /** Runs to the end; true where the program waits. */
-  run(): boolean
-}
-const JSInterpreter = createRequire(import.meta.url)('js-interpreter') as new (code: string) => Peer
 
 const passes = 200_000
 const rounds = 7

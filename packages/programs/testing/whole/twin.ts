@@ -1,8 +1,6 @@
 import { draw, stream } from '@botgarten/numbers'
 import type { Block, Host, HostBrain, Letter, Value } from '@botgarten/blocks'
 import type { Program } from '../../types.ts'
-import { carryOut } from './statements.ts'
-import { valueOf } from './values.ts'
 
 /** What a block does, as plainly as can be: a generator that pauses where time or budget may end. */
 export type Steps<T> = Generator<'block' | 'over' | 'tick', T, void>
@@ -32,6 +30,12 @@ export class Returning extends Error {
     super('return')
     this.value = value
   }
+}
+
+/** What blocks mean: one that stands in a row, one that gives a value. */
+export interface Meanings {
+  carryOut(twin: WholeTwin, block: Block): Steps<void>
+  valueOf(twin: WholeTwin, block: Block): Steps<Value>
 }
 
 interface Scope {
@@ -72,10 +76,12 @@ export class WholeTwin {
   compared: readonly [Value, Value] | null = null
   readonly #random
   readonly #scopes: Scope[] = [{ variables: new Map(), loops: 0 }]
+  readonly #meanings: Meanings
   readonly #steps: Steps<void>
   #spent = 1
 
-  constructor(program: Program, host: Host, seed = 0) {
+  constructor(program: Program, host: Host, meanings: Meanings, seed = 0) {
+    this.#meanings = meanings
     this.program = program
     this.host = host
     this.#random = stream(seed, 'program')
@@ -130,7 +136,7 @@ export class WholeTwin {
       if (acting.test(block.type)) this.acts += 1
       this.lit = block.id
       yield 'block'
-      yield* carryOut(this, block)
+      yield* this.#meanings.carryOut(this, block)
     }
   }
 
@@ -165,7 +171,7 @@ export class WholeTwin {
   *value(block: Block): Steps<Value> {
     if (acting.test(block.type)) this.acts += 1
     yield 'block'
-    const value = yield* valueOf(this, block)
+    const value = yield* this.#meanings.valueOf(this, block)
     if (this.#spent > budget) yield 'over'
     return value
   }

@@ -21,7 +21,7 @@ export function textOf(value: Value): string {
 }
 
 /** Rule 11. */
-export function same(a: Value, b: Value): boolean {
+function same(a: Value, b: Value): boolean {
   if (Array.isArray(a) && Array.isArray(b))
     return a.length === b.length && a.every((entry: Value, k) => same(entry, (b as Value[])[k]!))
   return a === b
