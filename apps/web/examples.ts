@@ -1,7 +1,7 @@
 import type { Plugin } from 'vite'
 
-/** A block's example stands last in its definition. */
-const example = /\n {2}example: (?:[^\n]*|\[\n[^]*?\n {2}\]),(?=\n\})/g
+/** A block's example stands last in its definition, or in what makes some. */
+const example = /\n {2}example: (?:[^\n]*|\[\n[^]*?\n {2}\]),(?=\n\}\)?)/g
 
 /** Only tests ask a block for its example: what is built goes without them. */
 export const noExamples: Plugin = {

@@ -1,7 +1,8 @@
 import { number, start } from '../parts/examples.ts'
 import { field } from '../parts/fields.ts'
-import { choice, rows, value, worded, words } from '../parts/looks.ts'
+import { rows, value, words } from '../parts/looks.ts'
 import { ask, done } from '../parts/next.ts'
+import { pictureField } from '../parts/pictures.ts'
 import { afterAsking } from '../parts/steps.ts'
 import type { Definition } from '../types.ts'
 
@@ -13,15 +14,7 @@ export const robActions_display_picture: Definition = {
   look: {
     category: 'action',
     shape: 'statement',
-    fields: [
-      choice('PICTURE', [
-        worded('EYESOPEN', 'eyesOpen'),
-        worded('EYESCLOSED', 'eyesClosed'),
-        worded('FLOWERS', 'flowers'),
-        worded('OLDGLASSES', 'glasses'),
-        worded('TACHO', 'tacho'),
-      ]),
-    ],
+    fields: [pictureField],
     inputs: [value('X', 'Number'), value('Y', 'Number')],
     rows: rows(type, 1),
   },

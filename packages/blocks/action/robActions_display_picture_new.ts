@@ -1,7 +1,8 @@
 import { start } from '../parts/examples.ts'
 import { field } from '../parts/fields.ts'
-import { choice, rows, worded, words } from '../parts/looks.ts'
+import { rows, words } from '../parts/looks.ts'
 import { done } from '../parts/next.ts'
+import { pictureField } from '../parts/pictures.ts'
 import type { Definition } from '../types.ts'
 
 const type = 'robActions_display_picture_new'
@@ -12,15 +13,7 @@ export const robActions_display_picture_new: Definition = {
   look: {
     category: 'action',
     shape: 'statement',
-    fields: [
-      choice('PICTURE', [
-        worded('EYESOPEN', 'eyesOpen'),
-        worded('EYESCLOSED', 'eyesClosed'),
-        worded('FLOWERS', 'flowers'),
-        worded('OLDGLASSES', 'glasses'),
-        worded('TACHO', 'tacho'),
-      ]),
-    ],
+    fields: [pictureField],
     inputs: [],
     rows: rows(type, 1),
   },

@@ -1,33 +1,3 @@
-import { number, start } from '../parts/examples.ts'
-import { motorPortIn } from '../parts/fields.ts'
-import { motorPort, rows, value, words } from '../parts/looks.ts'
-import { ask, done, fail } from '../parts/next.ts'
-import { numberAt, percent } from '../parts/numbers.ts'
-import { afterAsking } from '../parts/steps.ts'
-import type { Definition } from '../types.ts'
+import { motorSpeed } from '../parts/motor-speed.ts'
 
-const type = 'robActions_motor_on'
-
-export const robActions_motor_on: Definition = {
-  type,
-  look: {
-    category: 'action',
-    shape: 'statement',
-    fields: [motorPort('B')],
-    inputs: [value('POWER', 'Number')],
-    rows: rows(type, 2),
-  },
-  words: words(type),
-  acts: true,
-  run: afterAsking([ask('POWER')], (frame, { robot }, block) => {
-    const port = motorPortIn(block, 'MOTORPORT')
-    if (port === undefined) return fail('unknownChoice')
-    robot.motor(port, percent(numberAt(frame, 0)))
-    return done
-  }),
-  example: [
-    start,
-    { type, fields: { MOTORPORT: 'B' }, values: { POWER: number(30) } },
-    { type: 'robControls_wait_time', values: { WAIT: number(500) } },
-  ],
-}
+export const robActions_motor_on = motorSpeed('robActions_motor_on', 2)

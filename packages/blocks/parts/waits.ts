@@ -1,4 +1,7 @@
+import type { BlockType } from '../block-type.ts'
 import type { Definition, Next } from '../types.ts'
+import { number, show, start } from './examples.ts'
+import { rows, statements, value, words } from './looks.ts'
 import { ask, carryOut, done, wait } from './next.ts'
 
 interface Way {
@@ -15,7 +18,7 @@ function wayAt(k: number): Way {
 }
 
 /** Asks its conditions from the first on in every tick, until one is true; carries out what belongs to it. */
-export const waitFor: Definition['run'] = (block, frame) => {
+const waitFor: Definition['run'] = (block, frame) => {
   if (frame.counter === 1) return done
   const count = 1 + (Number(block.mutation?.attrs.wait) || 0)
   const asked = frame.stage
@@ -31,3 +34,32 @@ export const waitFor: Definition['run'] = (block, frame) => {
   frame.got.length = 0
   return wait
 }
+
+/** Waits until one of WAIT0, WAIT1, … is true (mutation `wait`: how many more than one), then carries out its DO. */
+export const waitingBlock = (type: BlockType): Definition => ({
+  type,
+  look: {
+    category: 'control',
+    shape: 'statement',
+    fields: [],
+    inputs: [value('WAIT0', 'Boolean'), statements('DO0')],
+    branches: { attribute: 'wait', value: 'WAIT', most: 30 },
+    rows: rows(type, 2),
+  },
+  words: words(type),
+  acts: false,
+  run: waitFor,
+  example: [
+    start,
+    {
+      type,
+      values: {
+        WAIT0: {
+          type: 'robSensors_key_getSample',
+          fields: { MODE: 'PRESSED', SENSORPORT: 'LEFT', SLOT: '' },
+        },
+      },
+    },
+    show(number(2)),
+  ],
+})
