@@ -6,8 +6,8 @@ import { expect, test } from '../house.ts'
 import { freeProgram } from '../projects.ts'
 import { languages } from '../words.ts'
 
-/** Waits of 0.1 s, a minute and 0.3 s: `b2`, `b4`, `b6`. */
-const waits = freeProgram('Waits', (make) => [make.wait(100), make.wait(60_000), make.wait(300)])
+/** Waits of 0.1 s, a minute and half a minute: `b2`, `b4`, `b6`. */
+const waits = freeProgram('Waits', (make) => [make.wait(100), make.wait(60_000), make.wait(30_000)])
 const wait = 'robControls_wait_time'
 
 const words = {
@@ -164,8 +164,10 @@ for (const language of languages) {
       await hands.goesTo('b4')
       await hands.choosesByKeys('DISABLE_BLOCK')
       await hands.choosesByKeys('COLLAPSE_BLOCK')
+      const lit = page.locator('.editor-lit')
       await child.pressesStart()
-      await expect(child.button('lab.start').first()).toBeVisible()
+      await expect(lit).toHaveAttribute('data-id', 'b6')
+      await child.pressesStop()
       await hands.goesTo('b4')
       await hands.choosesByKeys('EXPAND_BLOCK')
       await hands.choosesByKeys('ENABLE_BLOCK')
@@ -186,6 +188,7 @@ for (const language of languages) {
       await page.keyboard.press('Escape')
       await hands.chooses('b4', 'REMOVE_COMMENT')
       await child.pressesStart()
+      await expect(lit).toHaveAttribute('data-id', 'b4')
       await child.pressesStop()
     })
 
