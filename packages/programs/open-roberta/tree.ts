@@ -3,13 +3,6 @@ import { ProjectError } from '../project/error.ts'
 import { isReserved, refuseBigText } from '../project/limits.ts'
 import { isWhole } from './xml.ts'
 
-// Its types do not know the option: XML's five entities alone.
-declare module 'sax' {
-  interface SAXOptions {
-    strictEntities?: boolean
-  }
-}
-
 /** An element of an Open Roberta file. `text` is its own text, of its children's nothing. */
 export interface Element {
   readonly name: string
