@@ -9,11 +9,14 @@ export interface TableLimits {
 
 /**
  * Reads a table of numbers as CSV: comma, semicolon or tab between cells; decimal point or, where the cells are not parted
- * by commas or stand in quotes, decimal comma. A first row without any number is the heading.
+ * by commas or stand in quotes, decimal comma. A first row without any number is the heading. Of one column, commas are
+ * decimal commas where only that makes a table of it, or where one stands before a zero (1,05): see `commasIn`.
+ * @param decimalComma commas never part cells
  * @throws TableError that names the place, counted from 1 as a spreadsheet counts
  */
-export function readTable(text: string, limits: TableLimits): Table {
-  const rows = cellsOf(text, limits)
+export function readTable(text: string, limits: TableLimits, { decimalComma = false } = {}): Table {
+  const commas = decimalComma ? 'decimal' : commasIn(text)
+  const rows = cellsOf(text, commas === 'decimal' ? aloneMark(text) : markIn(text), limits)
   if (rows.length === 0) throw new TableError('empty', {})
   const heading = rows.length > 1 && rows[0]!.every((cell) => numberIn(cell) === null) ? rows.shift()! : null
   const width = heading?.length ?? rows[0]!.length
@@ -21,26 +24,48 @@ export function readTable(text: string, limits: TableLimits): Table {
   if (width > limits.columns) throw new TableError('manyColumns', { columns: width, most: limits.columns })
   const above = heading ? 2 : 1
   const columns = Array.from({ length: width }, (_, column) => heading?.[column]?.trim() || `${column + 1}`)
-  return { columns, rows: numbersIn(rows, width, above) }
+  const table = { columns, rows: numbersIn(rows, width, above) }
+  return commas === 'either' ? { ...table, maybeOneColumn: true } : table
 }
 
-function cellsOf(text: string, limits: TableLimits): string[][] {
+function cellsOf(text: string, delimiter: string, limits: TableLimits): string[][] {
   if (text.trim() === '') return []
   // One row for the heading, one to see that there are too many.
   const preview = limits.rows + 2
-  const { data, meta } = Papa.parse<string[]>(text, {
-    delimiter: delimiterOf(text),
-    skipEmptyLines: 'greedy',
-    preview,
-  })
+  const { data, meta } = Papa.parse<string[]>(text, { delimiter, skipEmptyLines: 'greedy', preview })
   if (meta.truncated) throw new TableError('manyRows', { most: limits.rows })
   return data
 }
 
 /** A spreadsheet that writes decimal commas parts cells by semicolons: where one is, a comma is none. */
-function delimiterOf(text: string): string {
+const markIn = (text: string): string => otherMark(text) ?? ','
+const aloneMark = (text: string): string => otherMark(text) ?? ';'
+
+function otherMark(text: string): string | undefined {
   const [start] = text.replace(/"[^"]*"/g, '').split(/\r?\n|\r/, 1)
-  return ['\t', ';'].find((mark) => start!.includes(mark)) ?? ','
+  return ['\t', ';'].find((mark) => start!.includes(mark))
+}
+
+/**
+ * What commas are in a file without semicolons and tabs. Decimal, where every row is one number and: the heading has one
+ * cell, or only some rows have a comma, or one stands before a zero with more behind it. Where every row has one comma and
+ * nothing else tells, they part cells, as the name CSV says, or `either`.
+ */
+function commasIn(text: string): 'decimal' | 'marks' | 'either' {
+  if (otherMark(text) !== undefined) return 'marks'
+  const lines = text
+    .replace(/^\uFEFF/, '')
+    .split(/\r?\n|\r/)
+    .map((line) => line.trim())
+    .filter((line) => line !== '')
+  const heading =
+    lines.length > 1 && numberIn(lines[0]!.replaceAll('"', '')) === null && !lines[0]!.includes(',')
+  const numbers = heading ? lines.slice(1) : lines
+  const withComma = numbers.filter((line) => line.includes(','))
+  if (withComma.length === 0 || numbers.some((line) => numberIn(line) === null)) return 'marks'
+  if (numbers.some((line) => line.includes('.'))) return 'marks'
+  const tells = heading || withComma.length < numbers.length || withComma.some((line) => /,0\d/.test(line))
+  return tells ? 'decimal' : 'either'
 }
 
 function numbersIn(rows: readonly (readonly string[])[], width: number, above: number): number[][] {

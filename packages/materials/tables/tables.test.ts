@@ -26,6 +26,51 @@ describe('a table is read', () => {
     expect(read('7')).toEqual({ columns: ['1'], rows: [[7]] })
   })
 
+  test.each([
+    ['under a heading of one cell', 'Länge\r\n1,5\r\n2,25\r\n'],
+    ['under a heading in quotes', '\uFEFF"Länge"\n1,5\n2,25\n'],
+  ])('one column with decimal commas, %s', (_, text) => {
+    expect(read(text)).toEqual({ columns: ['Länge'], rows: [[1.5], [2.25]] })
+  })
+
+  test.each([
+    ['where some numbers have no comma', '1,5\n3\n-2,5', [[1.5], [3], [-2.5]]],
+    ['where a comma stands before a zero', '1,05\n2,25', [[1.05], [2.25]]],
+    ['in quotes', '"1,5"\n"2,25"', [[1.5], [2.25]]],
+  ])('one column with decimal commas, %s', (_, text, rows) => {
+    expect(read(text)).toEqual({ columns: ['1'], rows })
+  })
+
+  test('where nothing tells, commas part cells; that they may be decimal is said, and asked for it is so', () => {
+    const text = '1,5\n2,25\n'
+    expect(read(text)).toEqual({
+      columns: ['1', '2'],
+      rows: [
+        [1, 5],
+        [2, 25],
+      ],
+      maybeOneColumn: true,
+    })
+    expect(readTable(text, limits, { decimalComma: true })).toEqual({ columns: ['1'], rows: [[1.5], [2.25]] })
+    expect(read('x,y\n1,5\n2,25').maybeOneColumn).toBeUndefined()
+    expect(read('1,5,7\n2,25,8').maybeOneColumn).toBeUndefined()
+    expect(read('1.5,2\n2,25').maybeOneColumn).toBeUndefined()
+  })
+
+  const tenths = fc.integer({ min: -9999, max: 9999 }).map((value) => value / 10)
+  test('any one column of tenths under its heading comes back as it was, commas or points in it', () => {
+    fc.assert(
+      fc.property(fc.array(tenths, { minLength: 1, maxLength: 30 }), (values) => {
+        const rows = values.map((value) => [value + 0])
+        for (const point of [',', '.']) {
+          const text = ['Höhe', ...values.map((value) => String(value).replace('.', point))].join('\r\n')
+          expect(read(text)).toEqual({ columns: ['Höhe'], rows })
+        }
+      }),
+      { seed: 8 },
+    )
+  })
+
   const cell = fc.double({ noNaN: true, noDefaultInfinity: true }).map((value) => value + 0)
   const numbers = fc
     .integer({ min: 1, max: 4 })
@@ -72,7 +117,8 @@ test.each([
   ['1,2\n1,Infinity', 'Row 2, column 2: "Infinity" is not a number.'],
   ['1,2\napple,3', 'Row 2, column 1: "apple" is not a number.'],
   ['1;\n2;3', 'Row 1, column 2: "" is not a number.'],
-  ['1,2\n3', 'Row 2 has 1 cells, the others have 2.'],
+  ['1;2\n3', 'Row 2 has 1 cells, the others have 2.'],
+  ['x,y\n1,2\n3', 'Row 3 has 1 cells, the others have 2.'],
   ['1;1.234\n2;0,5', 'Row 1, column 2: "1.234" has a point where other numbers have a comma.'],
   ['1.234,5;2', 'Row 1, column 1: "1.234,5" is not a number.'],
   ['1,2,3,4,5', 'It has 5 columns; 4 are the most.'],

@@ -3,6 +3,8 @@ export interface Table {
   /** As the heading says, or their number from 1. */
   readonly columns: readonly string[]
   readonly rows: readonly (readonly number[])[]
+  /** The commas may as well be decimal commas of one column: nothing in the file tells. */
+  readonly maybeOneColumn?: true
 }
 
 export type TableProblem = 'empty' | 'manyRows' | 'manyColumns' | 'unequalRows' | 'noNumber' | 'twoPoints'

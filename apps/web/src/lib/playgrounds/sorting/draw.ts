@@ -16,14 +16,16 @@ export interface Drawing {
 
 const unsorted = '#8C7152'
 
-export function draw(context: CanvasRenderingContext2D, drawing: Drawing): void {
-  const groups = drawing.flags.map((_, group) =>
-    drawing.spots.filter((_, at) => drawing.labels[at] === group),
-  )
+/** `scale`: pixels of the canvas to one of the page. */
+export function draw(context: CanvasRenderingContext2D, drawing: Drawing, scale: number): void {
+  context.setTransform(scale, 0, 0, scale, 0, 0)
+  context.clearRect(0, 0, context.canvas.width, context.canvas.height)
+  const groups: Spot[][] = drawing.flags.map(() => [])
+  drawing.spots.forEach((spot, at) => groups[drawing.labels[at] ?? -1]?.push(spot))
   groups.forEach((spots, group) => drawArea(context, spots, group, drawing.dot === 0 ? 34 : 16))
   if (drawing.threads)
     groups.forEach((spots, group) => drawThreads(context, spots, drawing.flags[group]!, group))
-  if (drawing.dot > 0) drawDots(context, drawing)
+  if (drawing.dot > 0) drawDots(context, drawing, scale)
 }
 
 /** A soft area: the hull with a broad round rim of the same tint. */
@@ -63,33 +65,34 @@ function drawThreads(
   context.setLineDash([])
 }
 
-/** A dot is drawn once a group and then stamped: thousands fit in a frame. */
-function drawDots(context: CanvasRenderingContext2D, { spots, labels, dot, fills }: Drawing): void {
-  const stamps = [-1, ...groupLooks.keys()].map((group) => stampOf(group, dot, fills !== null))
-  const middle = stampSize(dot) / 2
+/** A dot is drawn once a group and then stamped, pixel on pixel: thousands fit in a frame. */
+function drawDots(context: CanvasRenderingContext2D, drawing: Drawing, scale: number): void {
+  const { spots, labels, dot, fills } = drawing
+  const stamps = [-1, ...groupLooks.keys()].map((group) => stampOf(group, dot, fills !== null, scale))
+  context.setTransform(1, 0, 0, 1, 0, 0)
   spots.forEach(({ x, y }, at) => {
     const stamp = stamps[(labels[at] ?? -1) + 1]!
-    context.drawImage(stamp, x - middle, y - middle, 2 * middle, 2 * middle)
-    if (fills) fillDot(context, x, y, dot - 1, fills[at]!)
+    const middle = stamp.width / 2
+    context.drawImage(stamp, Math.round(x * scale - middle), Math.round(y * scale - middle))
+    if (fills) fillDot(context, x * scale, y * scale, (dot - 1) * scale, fills[at]!)
   })
 }
 
-const stampSize = (dot: number) => Math.ceil(3 * dot + 8)
 const kept = new Map<string, HTMLCanvasElement>()
 
-function stampOf(group: number, dot: number, hollow: boolean): HTMLCanvasElement {
-  const key = `${group} ${dot} ${hollow}`
-  const stamp = kept.get(key) ?? freshStamp(group, dot, hollow)
+function stampOf(group: number, dot: number, hollow: boolean, scale: number): HTMLCanvasElement {
+  const key = `${group} ${dot} ${hollow} ${scale}`
+  const stamp = kept.get(key) ?? freshStamp(group, dot, hollow, scale)
   kept.set(key, stamp)
   return stamp
 }
 
-function freshStamp(group: number, dot: number, hollow: boolean): HTMLCanvasElement {
+function freshStamp(group: number, dot: number, hollow: boolean, scale: number): HTMLCanvasElement {
   const stamp = document.createElement('canvas')
-  const size = stampSize(dot)
-  stamp.width = stamp.height = 2 * size
+  const middle = Math.ceil((1.5 * dot + 2) * scale)
+  stamp.width = stamp.height = 2 * middle
   const context = stamp.getContext('2d')!
-  context.setTransform(2, 0, 0, 2, size, size)
+  context.setTransform(scale, 0, 0, scale, middle, middle)
   const form = new Path2D(formOf(group, dot))
   context.fillStyle = context.strokeStyle = groupLooks[group]?.colour ?? unsorted
   context.lineWidth = hollow ? 5 : 1.5

@@ -77,7 +77,14 @@ export function fileTable(names: readonly string[], rows: Table['rows']): Table 
   return { columns, rows: rows.map((row) => row.map((value, at) => onPlane(value, columns[at]!))) }
 }
 
-export const pointsIn = ({ rows }: Table): Points => pointsOf(rows)
+const asPoints = new WeakMap<Table, Points>()
+
+/** A table's rows as what k-means reads; the same for the same table. */
+export function pointsIn(table: Table): Points {
+  const points = asPoints.get(table) ?? pointsOf(table.rows)
+  asPoints.set(table, points)
+  return points
+}
 
 const sortable = ({ columns, rows }: Table) => columns.length > 0 && rows.length > 0
 
