@@ -17,7 +17,7 @@ export interface Script {
 // SvelteKit's app entry names every page of the product; a page loads its own, and says so in its HTML.
 const isTableOfPages = (name: string | undefined) => name === 'entry/app'
 // A part of the page that only a click asks for hangs on a file of this name, and has its words in such a table.
-const isForLater = (key: string) => /(\/later\.ts|\?(late|expert))$/.test(key)
+const isForLater = (key: string) => /(\/later\.ts|\?(late|expert|sorting))$/.test(key)
 // Chunks of cards and worlds: the page loads the one that it shows.
 const isContent = (name: string | undefined) => name?.startsWith('content-') ?? false
 
@@ -25,7 +25,8 @@ const isContent = (name: string | undefined) => name?.startsWith('content-') ?? 
 const languageOf = (key: string) => /content\/words\/(?:\w+\/)?(\w+)\.json/.exec(key)?.[1]
 
 // Of what comes late a page never asks for another playground.
-const playgroundOf = (key: string) => /playgrounds\/([\w-]+)\/later\.ts$/.exec(key)?.[1]
+const playgroundOf = (key: string) =>
+  key.endsWith('?sorting') ? 'sorting' : /playgrounds\/([\w-]+)\/later\.ts$/.exec(key)?.[1]
 
 export interface Counted {
   /** Also the parts that only a click asks for. */

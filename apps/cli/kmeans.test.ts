@@ -57,6 +57,17 @@ describe('botgarten learn kmeans', () => {
     )
   })
 
+  it('reads one column with decimal commas; where nothing tells, it says so, and takes the word of whoever calls', () => {
+    const centres = (...args: string[]) =>
+      (kMeans(...args, '--k', '1', '--json').json() as unknown as { centres: number[][] }).centres
+    expect(centres('--data', file('Länge\n1,5\n2,5\n'))).toEqual([[2]])
+    const either = file('1,5\n2,5\n')
+    expect(centres('--data', either)).toEqual([[1.5, 5]])
+    expect(centres('--data', either, '--decimal-comma')).toEqual([[2]])
+    expect(kMeans('--data', either, '--k', '1').stdout).toContain('--decimal-comma reads one column')
+    expect(kMeans('--data', either, '--k', '1', '--decimal-comma').stdout).not.toContain('comma')
+  })
+
   it('knows three distances and two ways to start; more starts are never worse', () => {
     const data = file(csv(reference.scikit[1]!.points))
     for (const distance of ['euclidean', 'manhattan', 'cosine'])
@@ -120,7 +131,7 @@ describe('botgarten learn kmeans', () => {
     ['x,y\n1,2\nNaN,3', 'Row 3, column 1: "NaN" is not a number.'],
     ['name,y\napple,3', 'Row 2, column 1: "apple" is not a number.'],
     ['', 'There are no numbers in it.'],
-    ['1,2\n3', 'Row 2 has 1 cells, the others have 2.'],
+    ['1;2\n3', 'Row 2 has 1 cells, the others have 2.'],
   ])('says what is wrong with the file %j', (text, words) => {
     const { status, stderr } = kMeans('--data', file(text), '--k', '1')
     expect(status).toBe(1)

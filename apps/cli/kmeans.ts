@@ -19,6 +19,7 @@ const known = {
   distance: { type: 'string' },
   starts: { type: 'string' },
   seed: { type: 'string' },
+  'decimal-comma': { type: 'boolean' },
   json: { type: 'boolean' },
 } as const
 
@@ -36,11 +37,16 @@ export function kMeans(args: string[]): string {
   if (values.data === undefined) throw new CallError('--data is needed: a file of numbers as CSV.')
   if (values.k === undefined) throw new CallError('--k is needed: how many groups to find.')
   const distance = oneOf('distance', values.distance, distances)
-  const points = pointsIn(values.data)
+  const { rows, maybeOneColumn } = tableIn(values.data, values)
+  const points = pointsOf(rows)
   const found = find(points, wholeNumberIn('k', values.k, 1, 1, points.count), distance, values)
   const { centres, labels, inertia, iterations } = found
-  return values.json ? JSON.stringify({ centres, labels, inertia, iterations }) : sentenceOf(found)
+  if (values.json) return JSON.stringify({ centres, labels, inertia, iterations })
+  return maybeOneColumn ? `${sentenceOf(found)}; ${eitherWay}` : sentenceOf(found)
 }
+
+const eitherWay =
+  'commas were read as marks between two columns, --decimal-comma reads one column of decimal numbers'
 
 function find(points: Points, groups: number, distance: Distance, values: Values): Clustering {
   const { init = '++' } = values
@@ -51,15 +57,16 @@ function find(points: Points, groups: number, distance: Distance, values: Values
   }
   if (values.starts !== undefined)
     throw new CallError('--starts goes with --init random or ++; a file of centres is one start.')
-  return cluster(points, centresIn(init, groups, points.features), distance)
+  return cluster(points, centresIn(init, groups, points.features, values), distance)
 }
 
-function pointsIn(path: string): Points {
-  return pointsOf(tableIn(path).rows)
-}
-
-function centresIn(path: string, groups: number, features: number): readonly (readonly number[])[] {
-  const { rows, columns } = tableIn(path)
+function centresIn(
+  path: string,
+  groups: number,
+  features: number,
+  values: Values,
+): readonly (readonly number[])[] {
+  const { rows, columns } = tableIn(path, values)
   if (rows.length !== groups || columns.length !== features)
     throw new FileError(
       `"${path}" has ${rows.length} centres of ${columns.length} numbers; ${groups} of ${features} are needed.`,
@@ -67,10 +74,12 @@ function centresIn(path: string, groups: number, features: number): readonly (re
   return rows
 }
 
-function tableIn(path: string) {
+function tableIn(path: string, values: Values) {
   try {
     if (statSync(path).size > tooLarge) throw new Error(`it has more than ${tooLarge} bytes`)
-    return readTable(readFileSync(path, 'utf8'), limits)
+    return readTable(readFileSync(path, 'utf8'), limits, {
+      decimalComma: values['decimal-comma'] ?? false,
+    })
   } catch (error) {
     const what = error instanceof TableError ? 'is no table of numbers' : 'cannot be read'
     throw new FileError(`"${path}" ${what}: ${(error as Error).message}`)

@@ -5,7 +5,7 @@ import type { Plugin } from 'vite'
 type Tree = { readonly [key: string]: string | Tree }
 
 /** Sections of words that only pages beside the lab need, and parts that a click asks for (`later.ts`). */
-const late = ['about', 'build', 'debug', 'projects', 'q', 'robot', 'share', 'shelf', 'sorting', 'tour']
+const late = ['about', 'build', 'debug', 'projects', 'q', 'robot', 'share', 'shelf', 'tour']
 
 /** Words of blocks that come in a pack have its names. */
 const isLate = (key: string) =>
@@ -14,19 +14,20 @@ const isLate = (key: string) =>
 /** No page says what a block is called: its words stand on it. */
 const isSaid = ([key]: readonly [string, string]) => !/^block\.\w+\.name$/.test(key)
 
-/** `content/words/<language>.json?first` and `?late`, `expert/<language>.json?expert`: words of one language, flat (`world.lost`). */
+/** The page for sorting has a table of its own. */
+const partOf = (key: string) => (key.startsWith('sorting.') ? 'sorting' : isLate(key) ? 'late' : 'first')
+
+/** `content/words/<language>.json?first`, `?late` and `?sorting`, `expert/<language>.json?expert`: words of one language, flat (`world.lost`). */
 const tables: Plugin = {
   name: 'tables-of-words',
   enforce: 'pre',
   load: {
-    filter: { id: /\.json\?(first|late|expert)$/ },
+    filter: { id: /\.json\?(first|late|sorting|expert)$/ },
     async handler(id) {
       const [file, part] = id.split('?') as [string, string]
       this.addWatchFile(file)
       const all = Object.entries(flat(JSON.parse(await readFile(file, 'utf8')) as Tree)).filter(isSaid)
-      const words = Object.fromEntries(
-        all.filter(([key]) => part === 'expert' || isLate(key) === (part === 'late')),
-      )
+      const words = Object.fromEntries(all.filter(([key]) => part === 'expert' || partOf(key) === part))
       // A string is read faster than an object of code.
       const code = `export default JSON.parse(${JSON.stringify(JSON.stringify(words))})`
       return { code, map: null, moduleType: 'js' }

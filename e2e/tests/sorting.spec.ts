@@ -92,6 +92,9 @@ for (const language of languages) {
       const more = child.button('sorting.moreFlags')
       while ((await more.getAttribute('aria-disabled')) !== 'true') await more.click()
       await expect(sorting.flags).toHaveCount(2)
+      const fewer = child.button('sorting.fewerFlags')
+      while ((await fewer.getAttribute('aria-disabled')) !== 'true') await fewer.click()
+      await expect(sorting.flags).toHaveCount(1)
     })
 
     test('an own table, as a German spreadsheet writes it; what is wrong with others is said', async ({
@@ -174,6 +177,93 @@ for (const language of languages) {
       }
     })
 
+    test('what Bo has collected opens in the playground, belongs to the project and goes home with it', async ({
+      child,
+      page,
+    }) => {
+      const sorting = new SortingHands(child)
+      await child.opensLab('new-colours')
+      await child.opensProject('Mine', sortingProject('new-colours', 'solution'))
+      await child.pressesStart()
+      await child.seesCheck('new-colours', 'shows', true, 60_000)
+      await child.presses('lab.menu')
+      await child.presses('robot.collected')
+      await expect(sorting.flags).toHaveCount(3)
+      await sorting.sorts()
+      await sorting.group(1).fill('Sky')
+      await child.seesSaved()
+      await page.getByRole('link', { name: sorting.word('toProgram') }).click()
+      await child.seesLab()
+      const text = await child.savesFile()
+      const { sorting: kept } = JSON.parse(text) as { sorting: { version: number; names: string[] } }
+      expect(kept).toMatchObject({ version: 1, source: 'readings', names: ['Sky'] })
+      await page.evaluate(async () => {
+        for (const { name } of await indexedDB.databases()) indexedDB.deleteDatabase(name!)
+      })
+      await child.opensHome()
+      await child.opensFileAtHome('home.botgarten.json', text)
+      await child.seesLab()
+      await child.presses('lab.menu')
+      await child.presses('robot.sorting')
+      await expect(sorting.group(1)).toHaveValue('Sky')
+    })
+
+    test('Ctrl and Z take back a step of sorting, a name too; a field takes back its letters', async ({
+      child,
+    }) => {
+      const sorting = new SortingHands(child)
+      await sorting.opens()
+      const before = await sorting.places()
+      await child.tabsTo(sorting.flag(1))
+      await child.types('ArrowLeft')
+      expect(await sorting.places()).not.toEqual(before)
+      await child.types('Control+z')
+      expect(await sorting.places()).toEqual(before)
+      await child.types('Control+y')
+      expect(await sorting.places()).not.toEqual(before)
+      await sorting.group(2).fill('Cups')
+      await sorting.plane.focus()
+      await child.types('Control+z')
+      await expect(sorting.group(2)).toHaveValue('')
+    })
+
+    test('hints come one after the other, only when they are asked for', async ({ child, page }) => {
+      const sorting = new SortingHands(child)
+      await sorting.opens()
+      const hint = page.getByRole('region', { name: child.word('lab.hint'), exact: true })
+      await expect(hint).toHaveCount(0)
+      await child.presses('lab.hint')
+      await expect(hint).toContainText(sorting.word('hint.things1'))
+      await child.presses('lab.hintNext')
+      await child.presses('lab.hintNext')
+      await expect(hint).toContainText(sorting.word('hint.things3'))
+      await child.presses('parts.close')
+      await expect(hint).toHaveCount(0)
+    })
+
+    test('a table whose commas can be either is read as two columns, and as one when the child says so', async ({
+      child,
+    }) => {
+      const sorting = new SortingHands(child)
+      await sorting.opens('points')
+      await sorting.opensTable('1,5\n2,25\n9,75\n')
+      await expect(sorting.words('feature.up')).toHaveCount(0)
+      await expect(sorting.words('table.either')).toBeVisible()
+      await sorting.presses('table.oneColumn')
+      await expect(sorting.words('table.either')).toHaveCount(0)
+      await sorting.seesPoints(3)
+      await sorting.opensTable('Länge\n1,5\n2,25\n')
+      await sorting.seesPoints(2)
+      await expect(sorting.words('table.either')).toHaveCount(0)
+      await expect(child.page.getByText('Länge', { exact: true })).toBeVisible()
+    })
+
+    test('a project that is not there is not opened', async ({ child, page }) => {
+      await page.goto('/sorting?p=nobody')
+      await expect(page.getByRole('link', { name: child.word('parts.home') }).first()).toBeVisible()
+      await expect(page.getByRole('application')).toHaveCount(0)
+    })
+
     test('axe finds nothing', async ({ child, page }) => {
       const sorting = new SortingHands(child)
       const found: { [screen: string]: string[] } = {}
@@ -186,6 +276,7 @@ for (const language of languages) {
         for (const source of ['things', 'points', 'readings'] as const) {
           await sorting.opens(source)
           if (source !== 'readings') await sorting.presses('join')
+          if (source === 'points') await child.presses('lab.hint')
           found[`${source} ${size.width}`] = await axeFindings(page)
         }
         await sorting.opens()

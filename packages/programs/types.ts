@@ -169,6 +169,8 @@ export interface Project {
   readonly brains: { readonly [networkId: string]: Brain }
   /** By program: what its robot has learned by trying. */
   readonly q?: { readonly [program: string]: Learned }
+  /** The sorting playground as it was left. Whoever opens it reads it with care: here nothing of it is trusted. */
+  readonly sorting?: { readonly [part: string]: unknown }
   readonly assets: { readonly [sha256: string]: { readonly type: 'image/png'; readonly base64: string } }
   readonly progress?: Progress
   /** The shelf of blocks that its child has chosen. */

@@ -51,6 +51,7 @@ export const projectSchema: v.GenericSchema<unknown, Project> = v.pipe(
     world: worldSchema,
     brains: recordOf(brainSchema),
     q: v.exactOptional(recordOf(learned)),
+    sorting: v.exactOptional(recordOf(v.unknown())),
     assets: assetsSchema,
     progress: v.exactOptional(progress),
     shelf: v.exactOptional(v.picklist(['plain', 'all'])),

@@ -45,6 +45,11 @@ export class RunningLab {
     return this.#document
   }
 
+  /** All of this moment: what programs remember too. */
+  get moment() {
+    return this.#lab.state()
+  }
+
   /** Lets time run with the screen's frames. Returns how to stop. */
   run(): () => void {
     const frame = (now: number) => {

@@ -12,6 +12,10 @@ const files = {
     import: 'default',
   }),
   late: import.meta.glob<Table>('../../../../../content/words/*.json', { query: '?late', import: 'default' }),
+  sorting: import.meta.glob<Table>('../../../../../content/words/*.json', {
+    query: '?sorting',
+    import: 'default',
+  }),
   expert: import.meta.glob<Table>('../../../../../content/words/expert/*.json', {
     query: '?expert',
     import: 'default',
@@ -33,6 +37,9 @@ export const fetchWords = (): Promise<void> => fetchAlways('first')
 /** Brings the words of what comes late, as `apps/web/words.ts` names it: before any of it is shown. */
 export const fetchLateWords = (): Promise<void> => fetchAlways('late')
 
+/** Brings the words of the page for sorting: no other page has them. */
+export const fetchSortingWords = (): Promise<void> => fetchAlways('sorting')
+
 /** Brings the words of the expert pack's blocks: before one of them is shown. */
 export const fetchExpertWords = (): Promise<void> => fetchAlways('expert')
 
@@ -40,21 +47,22 @@ export const fetchExpertWords = (): Promise<void> => fetchAlways('expert')
 export const withWords = async <Part>(part: Promise<Part>): Promise<Part> =>
   (await Promise.all([part, fetchLateWords()]))[0]
 
-const bringing = {
-  first: (locale: Locale) => fetchPart('first', locale),
-  late: (locale: Locale) => fetchPart('late', locale),
-  expert: (locale: Locale) => fetchPart('expert', locale),
-}
+const parts = Object.keys(files) as readonly Part[]
+const bringing = Object.fromEntries(
+  parts.map((part) => [part, (locale: Locale) => fetchPart(part, locale)]),
+) as { readonly [part in Part]: (locale: Locale) => Promise<void> }
 
 function fetchAlways(part: Part): Promise<void> {
   language.needs(bringing[part])
   return bringing[part](language.locale)
 }
 
-const find = (locale: Locale, key: string): string | undefined =>
-  tables.get(`first ${locale}`)?.[key] ??
-  tables.get(`late ${locale}`)?.[key] ??
-  tables.get(`expert ${locale}`)?.[key]
+const find = (locale: Locale, key: string): string | undefined => {
+  for (const part of parts) {
+    const word = tables.get(`${part} ${locale}`)?.[key]
+    if (word !== undefined) return word
+  }
+}
 
 /** Is there a message of this key? */
 export const isSaid = (key: string): boolean => find(language.locale, key) !== undefined

@@ -2,11 +2,36 @@ import type { Desk } from '#lib/state/desk.svelte.ts'
 import type { Session } from '#lib/state/session.svelte.ts'
 import { fetchLateWords } from '#lib/words/say.ts'
 import { Learning, type Blocks } from './learning.svelte.ts'
+import QPlayground from './QPlayground.svelte'
 
-export { default as QPlayground } from './QPlayground.svelte'
+/** A session that learns, with what shows it. */
+export interface Learner {
+  readonly QPlayground: typeof QPlayground
+  readonly learning: Learning
+}
 
-/** The playground of a session, with its words. */
-export async function openLearning(session: Session, desk: Desk, blocks: Blocks): Promise<Learning> {
-  await fetchLateWords()
-  return new Learning(session, desk, blocks)
+/**
+ * Opens the playground of a session, with its words.
+ * @param show is given it once it is there, and null when it is closed
+ * @returns how to close it
+ */
+export function hold(
+  session: Session,
+  desk: Desk,
+  blocks: Blocks,
+  show: (learner: Learner | null) => void,
+): () => void {
+  let close = () => {}
+  let over = false
+  void fetchLateWords().then(() => {
+    if (over) return
+    const learning = new Learning(session, desk, blocks)
+    close = learning.open()
+    show({ QPlayground, learning })
+  })
+  return () => {
+    over = true
+    close()
+    show(null)
+  }
 }

@@ -1,7 +1,7 @@
 import { startAt, stepOne, stepPhase, type Distance, type KState } from '@botgarten/learning/k-means'
-import { readSetting, writeSetting } from '#lib/storage/settings.ts'
-import { read, written, type Kept } from './kept.ts'
+import { firstWork, LONGEST_NAME, read, written } from './kept.ts'
 import { setOf } from './sets.ts'
+import { deviceShelf, type Shelf } from './shelf.ts'
 import { traps } from './traps.ts'
 import {
   fileTable,
@@ -29,15 +29,17 @@ export class Desk {
   #timer: ReturnType<typeof setInterval> | undefined
   #speed = $state(1)
   #playing = $state(false)
-  #names = $state.raw<readonly string[]>([])
   /** The thing or point that a finger is on. */
   touched = $state<number | null>(null)
+  readonly shelf: Shelf
+  /** A newer Botgarten has left something here, or it is broken: it stays as it is until something is changed. */
+  readonly unread: boolean
 
-  constructor() {
-    const kept = readSetting<Kept | null>('sorting', null)
-    const { work, names } = read(kept)
-    this.#line = [work]
-    this.#names = names
+  constructor(shelf: Shelf = deviceShelf()) {
+    this.shelf = shelf
+    const work = read(shelf.kept)
+    this.unread = work === null && shelf.kept !== null
+    this.#line = [work ?? firstWork()]
   }
 
   get work(): Work {
@@ -61,7 +63,7 @@ export class Desk {
   }
 
   nameOf(group: number): string {
-    return this.#names[group] ?? ''
+    return this.work.names[group] ?? ''
   }
 
   get done(): boolean {
@@ -174,13 +176,20 @@ export class Desk {
     const swapped = column === other ? axes[axis] : other
     const next = axis === 0 ? ([column, swapped] as const) : ([swapped, column] as const)
     this.#replace({ ...this.work, axes: next })
-  }
-
-  name(group: number, name: string): void {
-    const names = Array.from({ length: Math.max(this.#names.length, group + 1) }, (_, at) => this.nameOf(at))
-    this.#names = names.with(group, name.slice(0, 24))
     this.#keep()
   }
+
+  /** All letters of one name are one step. */
+  name(group: number, name: string): void {
+    const { work } = this
+    const names = Array.from({ length: Math.max(work.names.length, group + 1) }, (_, at) => this.nameOf(at))
+    const next = { ...work, names: names.with(group, name.slice(0, LONGEST_NAME)) }
+    if (this.#naming === group) this.#replace(next)
+    else this.#do(next)
+    this.#naming = group
+    this.#keep()
+  }
+  #naming: number | null = null
 
   // ---- sorting ----
 
@@ -218,8 +227,15 @@ export class Desk {
   }
 
   pause(): void {
-    this.#playing = false
     clearInterval(this.#timer)
+    if (!this.#playing) return
+    this.#playing = false
+    this.#keep()
+  }
+
+  close(): void {
+    this.pause()
+    this.shelf.close()
   }
 
   setSpeed(speed: number): void {
@@ -240,18 +256,20 @@ export class Desk {
   goTo(at: number): void {
     this.pause()
     this.touched = null
+    this.#naming = null
     this.#at = Math.max(0, Math.min(this.last, at))
+    this.#keep()
   }
 
   #begin(work: Work): void {
     this.pause()
     this.touched = null
-    this.#names = []
-    this.#do(work)
+    this.#do({ ...work, names: [] })
   }
 
   #do(work: Work): void {
     this.#held = false
+    this.#naming = null
     this.#line = [...this.#line.slice(Math.max(0, this.#at + 2 - LONGEST), this.#at + 1), work]
     this.#at = this.#line.length - 1
     this.#keep()
@@ -262,7 +280,7 @@ export class Desk {
   }
 
   #keep(): void {
-    if (!this.#playing) writeSetting('sorting', written(this.work, this.#names))
+    if (!this.#playing) this.shelf.keep(() => written(this.work))
   }
 }
 

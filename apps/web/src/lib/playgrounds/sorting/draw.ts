@@ -1,6 +1,7 @@
 import type { Spot } from './hull.ts'
 import { hullOf } from './hull.ts'
 import { formOf, groupLooks } from './looks.ts'
+import { coloured, stampOf, stampOnto, type Pixels, type Stamp } from './pixels.ts'
 
 /** What lies under flags and things: areas of the groups, threads to the flags, dots. */
 export interface Drawing {
@@ -9,15 +10,15 @@ export interface Drawing {
   readonly flags: readonly Spot[]
   /** Radius of a dot; 0: things are drawn by others. */
   readonly dot: number
-  /** By point, the colour a dot is filled with; its group's where nothing is said. */
-  readonly fills: readonly string[] | null
+  /** By point, the colour a dot is filled with as red, green and blue; its group's where nothing is said. */
+  readonly fills: readonly (readonly number[])[] | null
   readonly threads: boolean
 }
 
 const unsorted = '#8C7152'
 
-/** `scale`: pixels of the canvas to one of the page. */
-export function draw(context: CanvasRenderingContext2D, drawing: Drawing, scale: number): void {
+/** Areas and threads. `scale`: pixels of the canvas to one of the page. */
+export function drawAreas(context: CanvasRenderingContext2D, drawing: Drawing, scale: number): void {
   context.setTransform(scale, 0, 0, scale, 0, 0)
   context.clearRect(0, 0, context.canvas.width, context.canvas.height)
   const groups: Spot[][] = drawing.flags.map(() => [])
@@ -25,7 +26,6 @@ export function draw(context: CanvasRenderingContext2D, drawing: Drawing, scale:
   groups.forEach((spots, group) => drawArea(context, spots, group, drawing.dot === 0 ? 34 : 16))
   if (drawing.threads)
     groups.forEach((spots, group) => drawThreads(context, spots, drawing.flags[group]!, group))
-  if (drawing.dot > 0) drawDots(context, drawing, scale)
 }
 
 /** A soft area: the hull with a broad round rim of the same tint. */
@@ -65,54 +65,48 @@ function drawThreads(
   context.setLineDash([])
 }
 
-/** A dot is drawn once a group and then stamped, pixel on pixel: thousands fit in a frame. */
-function drawDots(context: CanvasRenderingContext2D, drawing: Drawing, scale: number): void {
+/** A dot is drawn once a group and then stamped into memory: thousands fit in a frame. */
+export function drawDots(context: CanvasRenderingContext2D, drawing: Drawing, scale: number): void {
   const { spots, labels, dot, fills } = drawing
-  const stamps = [-1, ...groupLooks.keys()].map((group) => stampOf(group, dot, fills !== null, scale))
-  context.setTransform(1, 0, 0, 1, 0, 0)
-  spots.forEach(({ x, y }, at) => {
-    const stamp = stamps[(labels[at] ?? -1) + 1]!
-    const middle = stamp.width / 2
-    context.drawImage(stamp, Math.round(x * scale - middle), Math.round(y * scale - middle))
-    if (fills) fillDot(context, x * scale, y * scale, (dot - 1) * scale, fills[at]!)
+  const { width, height } = context.canvas
+  const onto = context.createImageData(width, height)
+  const dots = [-1, ...groupLooks.keys()].map((group) => dotOf(group, dot * scale, fills !== null, width))
+  const inner = dotOf(0, (dot - 1) * scale, false, width)
+  const put = (stamp: Stamp, { x, y }: Spot) =>
+    stampOnto(onto, stamp, Math.round(x * scale - stamp.width / 2), Math.round(y * scale - stamp.height / 2))
+  spots.forEach((spot, at) => {
+    put(dots[(labels[at] ?? -1) + 1]!, spot)
+    if (fills) put(coloured(inner, fills[at]!), spot)
   })
+  context.putImageData(onto, 0, 0)
 }
 
-const kept = new Map<string, HTMLCanvasElement>()
+let kept = new Map<string, Stamp>()
+let keptFor = 0
 
-function stampOf(group: number, dot: number, hollow: boolean, scale: number): HTMLCanvasElement {
-  const key = `${group} ${dot} ${hollow} ${scale}`
-  const stamp = kept.get(key) ?? freshStamp(group, dot, hollow, scale)
+/** `ring`: its middle shows another colour. `width`: of the canvas. */
+function dotOf(group: number, radius: number, ring: boolean, width: number): Stamp {
+  if (keptFor !== width) kept = new Map()
+  keptFor = width
+  const key = `${group} ${radius} ${ring}`
+  const stamp = kept.get(key) ?? stampOf(freshDot(group, radius, ring), width)
   kept.set(key, stamp)
   return stamp
 }
 
-function freshStamp(group: number, dot: number, hollow: boolean, scale: number): HTMLCanvasElement {
-  const stamp = document.createElement('canvas')
-  const middle = Math.ceil((1.5 * dot + 2) * scale)
-  stamp.width = stamp.height = 2 * middle
-  const context = stamp.getContext('2d')!
-  context.setTransform(scale, 0, 0, scale, middle, middle)
-  const form = new Path2D(formOf(group, dot))
+function freshDot(group: number, radius: number, ring: boolean): Pixels {
+  const canvas = document.createElement('canvas')
+  const middle = Math.ceil(1.5 * radius + 4)
+  canvas.width = canvas.height = 2 * middle
+  const context = canvas.getContext('2d')!
+  context.translate(middle, middle)
+  const form = new Path2D(formOf(group, radius))
   context.fillStyle = context.strokeStyle = groupLooks[group]?.colour ?? unsorted
-  context.lineWidth = hollow ? 5 : 1.5
-  if (!hollow) {
+  context.lineWidth = ring ? radius * 0.6 : Math.max(1.5, radius * 0.19)
+  if (!ring) {
     context.fill(form)
     context.strokeStyle = '#4A3428'
   }
   context.stroke(form)
-  return stamp
-}
-
-function fillDot(
-  context: CanvasRenderingContext2D,
-  x: number,
-  y: number,
-  radius: number,
-  fill: string,
-): void {
-  context.beginPath()
-  context.arc(x, y, radius, 0, 2 * Math.PI)
-  context.fillStyle = fill
-  context.fill()
+  return context.getImageData(0, 0, canvas.width, canvas.height)
 }

@@ -2,42 +2,55 @@ import * as v from 'valibot'
 import { setOf, sets } from './sets.ts'
 import {
   handTable,
+  MOST_COLUMNS,
   MOST_FLAGS,
   MOST_POINTS,
   placed,
+  readingTable,
   thingTable,
   withTable,
   type Table,
   type Work,
 } from './work.ts'
 
-/** What a device keeps of the playground. */
+/** The playground as a device or a project keeps it. */
 export type Kept = v.InferOutput<typeof kept>
 
+const newest = 1
+export const LONGEST_NAME = 24
 const number = v.pipe(v.number(), v.finite())
-const row = v.pipe(v.array(number), v.minLength(1))
+const row = v.pipe(v.array(number), v.minLength(1), v.maxLength(MOST_COLUMNS))
+const short = v.pipe(v.string(), v.maxLength(200))
+const axis = v.pipe(v.number(), v.integer(), v.minValue(-1), v.maxValue(MOST_COLUMNS - 1))
 const kept = v.object({
+  version: v.optional(v.literal(newest), newest),
   source: v.picklist(['things', 'points', 'readings']),
-  set: v.string(),
-  counting: v.array(v.string()),
-  columns: v.array(
-    v.object({
-      ...{ feature: v.string(), part: v.string(), unit: v.string() },
-      ...{ low: number, high: number, scale: number },
-    }),
+  set: short,
+  counting: v.pipe(v.array(short), v.maxLength(MOST_COLUMNS)),
+  columns: v.pipe(
+    v.array(
+      v.object({
+        ...{ feature: short, part: short, unit: short },
+        ...{ low: number, high: number, scale: number },
+      }),
+    ),
+    v.maxLength(MOST_COLUMNS),
   ),
   rows: v.pipe(v.array(row), v.maxLength(MOST_POINTS)),
+  axes: v.optional(v.tuple([axis, axis])),
   flags: v.pipe(v.number(), v.integer(), v.minValue(1), v.maxValue(MOST_FLAGS)),
   distance: v.picklist(['euclidean', 'manhattan', 'cosine']),
-  centres: v.array(row),
-  names: v.pipe(v.array(v.string()), v.maxLength(MOST_FLAGS)),
+  centres: v.pipe(v.array(row), v.maxLength(MOST_FLAGS)),
+  names: v.pipe(v.array(v.pipe(v.string(), v.maxLength(LONGEST_NAME))), v.maxLength(MOST_FLAGS)),
 })
 
-export function written(work: Work, names: readonly string[]): Kept {
-  const { source, set, counting, table, flags, distance, state } = work
+export function written(work: Work): Kept {
+  const { source, set, counting, table, axes, flags, distance, state, names } = work
   const { columns, rows } = source === 'things' ? { columns: [], rows: [] } : table
   return {
+    version: newest,
     ...{ source, set, counting: [...counting], flags, distance, names: [...names] },
+    axes: [axes[0], axes[1]],
     columns: [...columns],
     rows: rows.map((one) => [...one]),
     centres: state?.centres.map((one) => [...one]) ?? [],
@@ -52,25 +65,27 @@ const nothing: Work = {
     table: handTable([]),
     axes: [-1, -1],
   },
-  ...{ flags: 3, distance: 'euclidean', state: null, throws: 1 },
+  ...{ flags: 3, names: [], distance: 'euclidean', state: null, throws: 1 },
 }
 
-const first = () => ({
-  work: withTable(nothing, thingTable(setOf('vessels'), nothing.counting)),
-  names: [] as readonly string[],
-})
+export const firstWork = (): Work => withTable(nothing, thingTable(setOf('vessels'), nothing.counting))
 
-/** The playground as it was left; what does not fit any more is the first one. */
-export function read(json: unknown): { readonly work: Work; readonly names: readonly string[] } {
-  const parsed = v.safeParse(kept, json)
-  if (!parsed.success) return first()
-  const { names, centres, source, set, counting, flags, distance } = parsed.output
+/** Readings of a colour sensor, red, green and blue from 0 to 255, ready to be sorted. */
+export const workOfReadings = (rows: readonly (readonly number[])[]): Work =>
+  withTable({ ...nothing, source: 'readings', set: '', counting: [] }, readingTable(rows))
+
+/** The playground as it was left; null for what is none, or what a newer Botgarten has left. Nothing of it is trusted. */
+export function read(json: unknown): Work | null {
+  const parsed = v.safeParse(kept, json, { abortEarly: true })
+  if (!parsed.success) return null
+  const { names, centres, axes, source, set, counting, flags, distance } = parsed.output
   const table = tableIn(parsed.output)
-  if (table === null) return first()
-  const begun = { ...nothing, source, set, counting, flags, distance }
-  const work = withTable(begun, table)
-  const fits = centres.length === work.flags && centres.every((one) => one.length === table.columns.length)
-  return { work: work.state && fits ? placed(work, centres) : work, names }
+  if (table === null) return null
+  const begun = withTable({ ...nothing, source, set, counting, flags, distance }, table)
+  const fits = centres.length === begun.flags && centres.every((one) => one.length === table.columns.length)
+  const shown = axes?.every((one) => one < table.columns.length) ? axes : begun.axes
+  const work = { ...begun, names, axes: shown }
+  return work.state && fits ? placed(work, centres) : work
 }
 
 function tableIn({ source, set, counting, columns, rows }: Kept): Table | null {

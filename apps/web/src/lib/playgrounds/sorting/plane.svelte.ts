@@ -10,8 +10,7 @@ import { pointsIn } from './work.ts'
 /** What a tap on the plane does to points. */
 export type Tool = 'look' | 'add' | 'remove'
 
-const colourOf = (row: readonly number[]) =>
-  `rgb(${row.map((value) => Math.round((value / 10) * 255)).join(' ')})`
+const colourOf = (row: readonly number[]) => row.map((value) => (value / 10) * 255)
 
 /** The desk as it lies on the screen: where everything is, and what a finger or a key does to it. */
 export class PlaneView {

@@ -32,6 +32,8 @@ export interface Work {
   /** Columns that lie along the two axes; −1: none does. */
   readonly axes: readonly [x: number, y: number]
   readonly flags: number
+  /** By group, as children call them. */
+  readonly names: readonly string[]
   readonly distance: Distance
   /** Null where there is nothing to sort yet. */
   readonly state: KState | null
@@ -41,6 +43,7 @@ export interface Work {
 
 export const MOST_FLAGS = 6
 export const MOST_POINTS = 5000
+export const MOST_COLUMNS = 8
 const inUnit = { part: '', low: 0, high: 10, scale: 10 }
 
 export const thingTable = (set: ThingSet, counting: readonly string[]): Table => {

@@ -1,6 +1,7 @@
 import { goto, replaceState } from '$app/navigation'
 import { resolve } from '$app/paths'
 import { placeOf } from '#lib/content/cards.ts'
+import type { SortingDoor } from '#lib/playgrounds/sorting/later.ts'
 import type { Desk } from '#lib/state/desk.svelte.ts'
 import type { Session } from '#lib/state/session.svelte.ts'
 import { freshId } from '#lib/storage/projects.ts'
@@ -48,4 +49,14 @@ export async function loadNewer(session: Session, desk: Desk, title: string): Pr
   const safe = await session.keeper.putAside(freshId(place), nameOfCopy(title, []))
   if (safe) await show(place, session.keeper.id)
   else desk.say('problem.notKept.title', 'problem.notKept.text')
+}
+
+/** Ways into the sorting playground, for a project that sorts or a robot that has collected something. */
+export async function sortingDoors(session: Session): Promise<readonly SortingDoor[]> {
+  const { robots } = session.lab.document.world
+  const thread = session.lab.moment.threads[robots.findIndex(({ id }) => id === session.robotId)]
+  const readings = thread?.sorting.readings ?? []
+  const sorts = session.opened.card?.card.playground === 'sorting' || session.project.sorting
+  if (!sorts && readings.length === 0) return []
+  return (await import('#lib/playgrounds/sorting/later.ts')).doorsOf(session, readings)
 }

@@ -1,2 +1,2 @@
 // Doors out of a project, and into another one: each is asked for by a click.
-export { keepCopy, keepGone, loadNewer, openFile, saveForOpenRoberta } from './doors.ts'
+export { keepCopy, keepGone, loadNewer, openFile, saveForOpenRoberta, sortingDoors } from './doors.ts'

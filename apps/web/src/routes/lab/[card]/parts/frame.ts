@@ -5,6 +5,7 @@ import type { Markdown } from '#lib/parts/markdown.ts'
 import type { Crew } from '#lib/robots/robots.svelte.ts'
 import type { TimeMachine } from '#lib/state/time.svelte.ts'
 import type { Card } from '@botgarten/materials'
+import type { SortingDoor } from '#lib/playgrounds/sorting/later.ts'
 
 /** A pane of the lab. */
 export type PaneName = 'program' | 'world' | 'network'
@@ -129,6 +130,8 @@ export interface LabFrameProps {
   onsaveopenroberta: () => void
   /** The project as a link would carry it. */
   onshare: () => Project
+  /** Ways into the sorting playground, as far as there are any now. */
+  sorting: () => Promise<readonly SortingDoor[]>
   /** Shows the tour again; not given where there is none. */
   ontour?: (() => void) | undefined
   settings: WorldSettings

@@ -1,0 +1,112 @@
+import fc from 'fast-check'
+import { describe, expect, test } from 'vitest'
+import { Desk } from './desk.svelte.ts'
+import { read, workOfReadings, written, type Kept } from './kept.ts'
+import type { Shelf } from './shelf.ts'
+import { MOST_COLUMNS, MOST_FLAGS, MOST_POINTS } from './work.ts'
+
+/** A shelf that goes through JSON, as files and devices do. */
+function shelfOf(kept: unknown = null): Shelf & { readonly now: () => unknown } {
+  let now = kept
+  return {
+    kept,
+    keep: (next) => (now = JSON.parse(JSON.stringify(next()))),
+    owner: null,
+    close: () => {},
+    now: () => now,
+  }
+}
+
+const whole = (): Kept => {
+  const shelf = shelfOf()
+  const desk = new Desk(shelf)
+  desk.takeTrap('heaps')
+  desk.name(1, 'Heap')
+  return shelf.now() as Kept
+}
+
+describe('what a project keeps of the playground', () => {
+  test('has a version, and comes back as it was', () => {
+    const kept = whole()
+    expect(kept.version).toBe(1)
+    const again = new Desk(shelfOf(kept))
+    expect(written(again.work)).toEqual(kept)
+    expect(again.unread).toBe(false)
+    expect(again.nameOf(1)).toBe('Heap')
+  })
+
+  test('the axes that were chosen, too', () => {
+    const shelf = shelfOf()
+    const desk = new Desk(shelf)
+    desk.takeTable(
+      ['a', 'b', 'c'],
+      [
+        [1, 2, 3],
+        [4, 5, 7],
+        [9, 8, 7],
+      ],
+    )
+    desk.setAxis(0, 2)
+    expect(new Desk(shelfOf(shelf.now())).work.axes).toEqual([2, 1])
+  })
+
+  test('what Bo has collected lies on the plane by its colours', () => {
+    const work = workOfReadings([
+      [255, 0, 0],
+      [250, 5, 0],
+      [0, 0, 255],
+    ])
+    expect(work).toMatchObject({ source: 'readings', flags: 3, axes: [0, 2] })
+    expect(read(JSON.parse(JSON.stringify(written(work))))?.table.rows[0]).toEqual([10, 0, 0])
+  })
+
+  const row = [1, 2]
+  test.each([
+    ['a newer version', { version: 2 }],
+    ['another source', { source: 'clouds' }],
+    ['a set that nobody has', { source: 'things', set: 'cars' }],
+    ['too many points', { rows: Array.from({ length: MOST_POINTS + 1 }, () => row) }],
+    ['rows wider than a table', { rows: [Array.from({ length: MOST_COLUMNS + 1 }, () => 1)] }],
+    ['rows of unequal length', { rows: [row, [1]] }],
+    ['a number that is none', { rows: [[1, null]] }],
+    ['a number without end', { rows: [[1, Infinity]] }],
+    ['no flag', { flags: 0 }],
+    ['half a flag', { flags: 1.5 }],
+    ['too many flags', { flags: MOST_FLAGS + 1 }],
+    ['a name without end', { names: ['x'.repeat(25)] }],
+    ['too many names', { names: Array.from({ length: MOST_FLAGS + 1 }, () => 'x') }],
+    ['a distance that nobody knows', { distance: 'far' }],
+    ['an axis that is none', { axes: [0, 99] }],
+  ])('%s is not read: the playground begins anew, and says so', (_, part) => {
+    const desk = new Desk(shelfOf({ ...whole(), ...part }))
+    expect(desk.unread).toBe(true)
+    expect(desk.work).toMatchObject({ source: 'things', set: 'vessels' })
+  })
+
+  test('whatever lies there, the playground opens and can be sorted', () => {
+    const part = fc.oneof(fc.anything(), fc.constant(undefined))
+    const kept = whole()
+    const names = Object.keys(kept)
+    fc.assert(
+      fc.property(fc.constantFrom(...names), part, (name, value) => {
+        const desk = new Desk(shelfOf({ ...kept, [name]: value }))
+        for (let step = 0; step < 5; step++) desk.stepAll()
+        expect(desk.work.flags).toBeGreaterThan(0)
+      }),
+      { seed: 8, numRuns: 300 },
+    )
+  })
+})
+
+test('all letters of a name are one step, and can be taken back', () => {
+  const desk = new Desk(shelfOf())
+  const before = desk.last
+  for (const name of ['B', 'Bo', 'Bot']) desk.name(0, name)
+  expect(desk.last).toBe(before + 1)
+  desk.name(1, 'C')
+  expect(desk.last).toBe(before + 2)
+  desk.goTo(before + 1)
+  expect([desk.nameOf(0), desk.nameOf(1)]).toEqual(['Bot', ''])
+  desk.goTo(before)
+  expect(desk.nameOf(0)).toBe('')
+})

@@ -1,0 +1,1 @@
+export { doorsOf, type SortingDoor } from './doors.ts'
