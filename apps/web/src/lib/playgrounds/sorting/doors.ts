@@ -7,7 +7,7 @@ import { written, workOfReadings } from './kept.ts'
 export interface SortingDoor {
   /** Message key under `robot`. */
   readonly word: 'sorting' | 'collected'
-  go(): void
+  readonly go: () => void
 }
 
 /** Into the playground of this project, and first to what its robot has collected, if it has. */
@@ -26,5 +26,5 @@ async function open(session: Session, sorting: Session['project']['sorting']): P
   const { keeper, project } = session
   keeper.changed(() => (sorting ? { ...project, sorting } : project))
   await keeper.flush()
-  if (keeper.state === 'saved') await goto(`${resolve('/sorting')}?p=${encodeURIComponent(keeper.id)}`)
+  if (keeper.state === 'saved') await goto(resolve(`/sorting?p=${encodeURIComponent(keeper.id)}`))
 }

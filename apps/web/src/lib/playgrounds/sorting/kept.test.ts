@@ -10,7 +10,7 @@ function shelfOf(kept: unknown = null): Shelf & { readonly now: () => unknown } 
   let now = kept
   return {
     kept,
-    keep: (next) => (now = JSON.parse(JSON.stringify(next()))),
+    keep: (next) => (now = JSON.parse(JSON.stringify(next())) as unknown),
     owner: null,
     close: () => {},
     now: () => now,
