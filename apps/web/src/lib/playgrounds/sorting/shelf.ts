@@ -15,7 +15,6 @@ export interface Shelf {
 }
 
 export interface Owner {
-  readonly name: string
   /** The card, or `free`. */
   readonly place: string
   readonly id: string
@@ -47,7 +46,7 @@ export function projectShelf({ id, revision, project }: OpenedForSorting): Shelf
   return {
     kept: project.sorting ?? null,
     keep: (kept) => keeper.changed(() => ({ ...project, name, sorting: kept() })),
-    owner: { name, place: placeOf(project), id, keeper },
+    owner: { place: placeOf(project), id, keeper },
     close() {
       document.removeEventListener('visibilitychange', away)
       keeper.close()
