@@ -258,10 +258,13 @@ for (const language of languages) {
       await expect(child.page.getByText('Länge', { exact: true })).toBeVisible()
     })
 
-    test('a project that is not there is not opened', async ({ child, page }) => {
+    test('a project that is not there is not opened, and that is said', async ({ child, page }) => {
+      const sorting = new SortingHands(child)
       await page.goto('/sorting?p=nobody')
-      await expect(page.getByRole('link', { name: child.word('parts.home') }).first()).toBeVisible()
-      await expect(page.getByRole('application')).toHaveCount(0)
+      await expect(page.getByText(sorting.word('say.missing'))).toBeVisible()
+      await sorting.sorts()
+      await sorting.seesDone()
+      await expect(page.getByRole('link', { name: sorting.word('toProgram') })).toHaveCount(0)
     })
 
     test('axe finds nothing', async ({ child, page }) => {
