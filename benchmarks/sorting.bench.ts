@@ -16,8 +16,8 @@ function table(): string {
   return `x;y\n${rows.join('\n')}\n`
 }
 
-/** Plays to the end on a slow laptop; frames from the first round on. */
-async function playing(browser: Browser, baseURL: string): Promise<number[]> {
+/** Ten seconds on a slow laptop: gaps between frames, at rest and while it plays. */
+async function gapsOn(browser: Browser, baseURL: string): Promise<{ rest: number[]; play: number[] }> {
   const context = await browser.newContext({
     baseURL,
     viewport: { width: 1366, height: 768 },
@@ -33,11 +33,16 @@ async function playing(browser: Browser, baseURL: string): Promise<number[]> {
   await session.send('Emulation.setCPUThrottlingRate', { rate: throttle })
   await page.waitForTimeout(1000)
   await page.evaluate(noteFrames)
+  const frames = async () => {
+    await page.waitForTimeout(10_000)
+    const times = await page.evaluate(() => globalThis.frameTimes.splice(0))
+    return times.slice(1).map((time, index) => time - times[index]!)
+  }
+  const rest = await frames()
   await sorting.presses('play')
-  await page.waitForTimeout(10_000)
-  const times = await page.evaluate(() => globalThis.frameTimes)
+  const play = await frames()
   await context.close()
-  return times.slice(1).map((time, index) => time - times[index]!)
+  return { rest, play }
 }
 
 const ms = (value: number) => `${value.toFixed(1)} ms`
@@ -47,7 +52,7 @@ export default async function sorting(): Promise<Table> {
   await buildWhenNeeded()
   const server = await startServer({ port: 0, host: '127.0.0.1' })
   const browser = await launchBrowser()
-  const gaps = await playing(browser, server.url)
+  const { rest, play } = await gapsOn(browser, server.url)
   await browser.close()
   await server.close()
   return {
@@ -55,9 +60,10 @@ export default async function sorting(): Promise<Table> {
     how: `Chromium without a graphics card, 1366 × 768, processor at a quarter; ${count} points, 5 flags, played for ten seconds at 1 ×.`,
     columns: ['what', 'measured', 'goal'],
     rows: [
-      ['frame, median', ms(percentile(gaps, 0.5)), ''],
-      ['frame, p95', ms(percentile(gaps, 0.95)), '≤ 18 ms'],
-      ['frame, longest', ms(Math.max(...gaps)), ''],
+      ['frame, median', ms(percentile(play, 0.5)), ''],
+      ['frame, p95', ms(percentile(play, 0.95)), '≤ 18 ms'],
+      ['frame, p95, at rest before', ms(percentile(rest, 0.95)), ''],
+      ['frame, longest', ms(Math.max(...play)), ''],
     ],
   }
 }
