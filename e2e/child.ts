@@ -1,7 +1,7 @@
 import { expect, type Locator, type Page } from '@playwright/test'
 import { readFile } from 'node:fs/promises'
 import { finger, mouse, type Hand, type Spot } from './hand.ts'
-import { say, type Language } from './words.ts'
+import { say, sayCheck, type Language } from './words.ts'
 
 /** A neuron as a child would point at it: what it is, where it is plugged in and where it sits. */
 export interface Sensor {
@@ -320,7 +320,7 @@ export class Child {
   }
 
   check(card: string, id: string): Locator {
-    return this.page.getByRole('listitem').filter({ hasText: this.word(`check.${card}.${id}`) })
+    return this.page.getByRole('listitem').filter({ hasText: sayCheck(this.language, card, id) })
   }
 
   async seesCheck(card: string, id: string, passed = true, patience = 40_000) {

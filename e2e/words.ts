@@ -1,4 +1,4 @@
-import { readFileSync } from 'node:fs'
+import { globSync, readFileSync } from 'node:fs'
 
 export const languages = ['en', 'de'] as const
 export type Language = (typeof languages)[number]
@@ -16,4 +16,13 @@ export function say(language: Language, key: string, facts: Facts = {}): string 
   for (const part of key.split('.')) found = typeof found === 'object' ? found[part] : undefined
   if (typeof found !== 'string') throw new Error(`No word for ${key} in ${language}`)
   return found.replace(/\{(\w+)\}/g, (gap, name: string) => String(facts[name] ?? gap))
+}
+
+/** What a card's check is called in a language. Throws where nobody wrote it. */
+export function sayCheck(language: Language, card: string, id: string): string {
+  const cards = new URL('../content/cards/', import.meta.url).pathname
+  const [file] = globSync(`${cards}*/*-${card}/${language}.md`)
+  const said = file && new RegExp(`^- ${id}: (.+)$`, 'm').exec(readFileSync(file, 'utf8'))?.[1]
+  if (!said) throw new Error(`No word for the check ${id} of ${card} in ${language}`)
+  return said
 }

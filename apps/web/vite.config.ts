@@ -1,7 +1,9 @@
+import { readFile } from 'node:fs/promises'
 import { paraglideVitePlugin } from '@inlang/paraglide-js'
 import adapter from '@sveltejs/adapter-node'
 import { sveltekit } from '@sveltejs/kit/vite'
 import { defineConfig, type Plugin } from 'vite'
+import { readCard } from '../../packages/materials/card.ts'
 import { readCardText } from '../../packages/materials/cardText.ts'
 import { noExamples } from './examples.ts'
 import { pixels } from './pixels.ts'
@@ -14,6 +16,21 @@ const cardTexts: Plugin = {
   transform: {
     filter: { id: /\.md$/ },
     handler: (markdown) => ({ code: `export default ${JSON.stringify(readCardText(markdown))}`, map: null }),
+  },
+}
+
+/** `card.json?head`: what every page knows of a card; checks and start poses come with the card. */
+const cardHeads: Plugin = {
+  name: 'card-heads',
+  enforce: 'pre',
+  load: {
+    filter: { id: /card\.json\?head$/ },
+    async handler(id) {
+      const file = await readFile(id.split('?')[0]!, 'utf8')
+      const { id: name, code, playground, starts } = readCard(JSON.parse(file))
+      const head = { id: name, code, playground, starts: starts.length }
+      return { code: `export default ${JSON.stringify(head)}`, moduleType: 'js' }
+    },
   },
 }
 
@@ -55,11 +72,22 @@ const lessXml: Plugin = {
 }
 
 // Few requests: what one card needs comes together, what all pages share, and what the lab's parts share.
+// Worlds of no card.
+const withoutCard = new Set([
+  'blank',
+  'colours',
+  'garden',
+  'grid',
+  'line',
+  'maze',
+  'learning',
+  'learning-city',
+])
 const cardOf = (id: string) => {
   const file =
-    /content[\\/](?:cards[\\/][\w-]+[\\/]\d+-|worlds[\\/])([\w-]+)[\\/](?:\w+\.md|start\.json|world\.json)$/
+    /content[\\/](?:cards[\\/][\w-]+[\\/]\d+-|worlds[\\/])([\w-]+)[\\/](?:\w+\.md|start\.json|card\.json|world\.json)$/
   const name = file.exec(id)?.[1]
-  return name === undefined ? null : `content-${name}`
+  return name === undefined ? null : `content-${withoutCard.has(name) ? 'worlds' : name}`
 }
 const chunks = [
   // SvelteKit's first script imports it and must not pull anything else in before the page is set up.
@@ -94,6 +122,7 @@ export default defineConfig({
   plugins: [
     cardTexts,
     noExamples,
+    cardHeads,
     pixels,
     ...words,
     lessPhysics,

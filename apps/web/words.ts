@@ -7,9 +7,13 @@ type Tree = { readonly [key: string]: string | Tree }
 /** Sections of words that only pages beside the lab need, and parts that a click asks for (`later.ts`). */
 const late = ['about', 'build', 'debug', 'projects', 'q', 'robot', 'share', 'shelf', 'tour']
 
+/** What goes wrong with the blocks of a pack, and while a world is built. */
+const lateProblems =
+  /^problem\.(noSuchStation|startIsGoal|emptyObstacle|groupsFromTo|fewReadings|noGroupsYet|noSuchGroup|picture\w+|sceneNotJson|notAScene|isAProject)\./
+
 /** Words of blocks that come in a pack have its names. */
 const isLate = (key: string) =>
-  late.includes(key.split('.')[0]!) || /^block\.(ai_q_|rl_|ai_sorting_)/.test(key)
+  late.includes(key.split('.')[0]!) || /^block\.(ai_q_|rl_|ai_sorting_)/.test(key) || lateProblems.test(key)
 
 /** No page says what a block is called: its words stand on it. */
 const isSaid = ([key]: readonly [string, string]) => !/^block\.\w+\.name$/.test(key)

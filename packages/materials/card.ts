@@ -25,7 +25,17 @@ const card = v.strictObject({
   minutes: v.number(),
   starts: v.pipe(v.array(pose), v.minLength(1)),
   needs: v.array(
-    v.picklist(['distanceSensors', 'colourSensor', 'motors', 'lamp', 'blueSquare', 'wall', 'flag']),
+    v.picklist([
+      'distanceSensors',
+      'colourSensor',
+      'motors',
+      'lamp',
+      'blueSquare',
+      'wall',
+      'flag',
+      'speaker',
+      'display',
+    ]),
   ),
   world: v.string(),
   checks: v.pipe(v.array(check), v.minLength(1)),

@@ -11,6 +11,10 @@ ${story}
 
 ${goal}
 
+## Checks
+
+- near: comes near
+
 ## Hint 1
 
 One.
@@ -44,6 +48,7 @@ describe('the words of a card', () => {
         ],
       },
     ])
+    expect(text.checks).toEqual({ near: 'comes near' })
     expect(text.hints).toHaveLength(3)
     expect(text.hints[1]![0]).toMatchObject({ type: 'list', ordered: false })
     expect(text.further[0]).toMatchObject({ type: 'list', ordered: true })
@@ -61,6 +66,7 @@ describe('the words of a card', () => {
   it('name what is missing', () => {
     expect(() => readCardText(card('Bo drives.'))).toThrow('Goal')
     expect(() => readCardText(card().replace('## Hint 2', '## Hint two'))).toThrow('Hint 2')
+    expect(() => readCardText(card().replace('near:', 'near'))).toThrow('"near comes near"')
     expect(() => readCardText(card().replace('# Title', 'Title'))).toThrow('first line')
   })
 })

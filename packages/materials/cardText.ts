@@ -3,7 +3,7 @@ import { fromMarkdown } from 'mdast-util-from-markdown'
 import type { CardText, MarkdownNode } from './types.ts'
 
 /**
- * Reads a card's words: `# Title`, then the sections Story, Goal, Hint 1 to 3 and Further (named so in every language).
+ * Reads a card's words: `# Title`, then the sections Story, Goal, Checks, Hint 1 to 3 and Further (named so in every language).
  * @throws SyntaxError that names what is missing or not allowed.
  */
 export function readCardText(markdown: string): CardText {
@@ -21,6 +21,7 @@ export function readCardText(markdown: string): CardText {
     title: plain(title),
     story: section('Story'),
     goal: goalOf(sections.get('Goal')),
+    checks: checksOf(sections.get('Checks')),
     hints: [section('Hint 1'), section('Hint 2'), section('Hint 3')],
     further: section('Further'),
   }
@@ -43,6 +44,19 @@ function goalOf(nodes: readonly RootContent[] | undefined): CardText['goal'] {
   if (paragraph?.type !== 'paragraph' || call?.type !== 'strong')
     throw new SyntaxError('The section "Goal" must be "**Call** Sentence."')
   return { call: plain(call), sentence: paragraph.children.slice(1).map(plain).join('').trim() }
+}
+
+/** A list of `id: what is to be seen`. */
+function checksOf(nodes: readonly RootContent[] | undefined): CardText['checks'] {
+  const list = nodes?.[0]
+  if (list?.type !== 'list') throw new SyntaxError('The section "Checks" must be a list of "id: words".')
+  return Object.fromEntries(
+    list.children.map((item) => {
+      const [, id, words] = /^(\w+): (.+)$/.exec(plain(item)) ?? []
+      if (!id || !words) throw new SyntaxError(`The check "${plain(item)}" must be "id: words".`)
+      return [id, words]
+    }),
+  )
 }
 
 const plain = (node: Nodes): string =>

@@ -25,7 +25,16 @@ export interface Card {
 /** What stands beside the world; `drive` and `sorting`: blocks alone. */
 export type Playground = 'network' | 'drive' | 'q-learning' | 'sorting'
 
-export type Need = 'distanceSensors' | 'colourSensor' | 'motors' | 'lamp' | 'blueSquare' | 'wall' | 'flag'
+export type Need =
+  | 'distanceSensors'
+  | 'colourSensor'
+  | 'motors'
+  | 'lamp'
+  | 'blueSquare'
+  | 'wall'
+  | 'flag'
+  | 'speaker'
+  | 'display'
 
 /** Programs and brains of a start, a solution or a typical wrong answer. */
 export type CardProgram = Pick<Project, 'programs' | 'brains'>
@@ -62,6 +71,8 @@ export interface CardText {
   readonly story: Markdown
   /** A short call in bold, then the goal in one sentence. */
   readonly goal: { readonly call: string; readonly sentence: string }
+  /** What is to be seen, by the id of the check. */
+  readonly checks: { readonly [checkId: string]: string }
   readonly hints: readonly Markdown[]
   readonly further: Markdown
 }

@@ -151,6 +151,105 @@ describe('checks of lamps and places', () => {
   })
 })
 
+describe('checks of the senses', () => {
+  const hold = (simulation: ReturnType<typeof createSimulation>, checks: readonly Check[]) => {
+    const watches = watch(checks)
+    const robot = simulation.state.robots[0]!
+    let tick = 0
+    return (now: Partial<typeof robot> & { percent?: number; x?: number; y?: number }, seconds: number) => {
+      const { percent = 0, x = robot.x, y = robot.y, ...rest } = now
+      simulation.place('bo', { x, y, heading: 90 })
+      Object.assign(robot, rest)
+      robot.motors.B.percent = robot.motors.C.percent = percent
+      for (const end = tick + seconds * 60; tick < end;) observe(checks, watches, ++tick / 60, simulation)
+      return results(checks, watches).map(({ passed }) => passed)
+    }
+  }
+  const stripes = {
+    ...world,
+    areas: [green, { ...green, id: 'black', pose: { x: 200, y: 300, heading: 0 }, colour: '#000000' }],
+  }
+  const on = (floor: World, checks: readonly Check[]) =>
+    hold(createSimulation(floor, paintFloor(floor), 1), checks)
+  const still = { ...stripes, obstacles: [] }
+
+  it('rests: it has to be dark and the robot slow, both for five seconds', () => {
+    const lab = on(still, [{ id: 'rests', kind: 'rests', numbers: { light: 15, percent: 8 }, seconds: 5 }])
+    expect(lab({ y: 60 }, 6)).toEqual([false])
+    expect(lab({ y: 295, percent: 8 }, 6)).toEqual([false])
+    expect(lab({ percent: 7.9 }, 4.9)).toEqual([false])
+    expect(lab({ percent: 7.9 }, 0.1)).toEqual([true])
+  })
+
+  it('speedOn: only the speed on its colour counts', () => {
+    const numbers = { colour: '#00642E', least: 50, most: 100 }
+    const lab = on(still, [{ id: 'fast', kind: 'speedOn', numbers, seconds: 1 }])
+    expect(lab({ y: 60, percent: 80 }, 2)).toEqual([false])
+    expect(lab({ y: 115, percent: 49 }, 2)).toEqual([false])
+    expect(lab({ percent: 50 }, 1)).toEqual([true])
+  })
+
+  it('sings: two tones, near and far, that are apart', () => {
+    const numbers = { near: 35, far: 90, hertz: 150 }
+    const lab = on(stripes, [{ id: 'sings', kind: 'sings', numbers, seconds: 0 }])
+    const tone = (frequency: number) => ({ tone: { frequency, untilTick: null } })
+    expect(lab({ y: 40, ...tone(400) }, 0.1)).toEqual([false])
+    expect(lab({ y: 145, ...tone(260) }, 0.1)).toEqual([false])
+    expect(lab({ tone: null }, 0.1)).toEqual([false])
+    expect(lab(tone(250), 0.1)).toEqual([true])
+  })
+
+  it('says: one word, and another one than on the other colours', () => {
+    const numbers = { colour: '#00642E', others: '#000000' }
+    const lab = on(still, [{ id: 'green', kind: 'says', numbers, seconds: 1 }])
+    expect(lab({ y: 295, display: ['A', '∅'] }, 1)).toEqual([false])
+    expect(lab({ y: 115, display: ['A', '∅'] }, 2)).toEqual([false])
+    expect(lab({ display: ['A', 'B'] }, 2)).toEqual([false])
+    expect(lab({ display: ['∅', 'B'] }, 1)).toEqual([true])
+  })
+
+  it('says: what was never on another colour has not told them apart', () => {
+    const numbers = { colour: '#00642E', others: '#000000' }
+    const lab = on(still, [{ id: 'green', kind: 'says', numbers, seconds: 1 }])
+    expect(lab({ y: 115, display: ['B'] }, 2)).toEqual([false])
+    expect(lab({ y: 295, display: [] }, 0.1)).toEqual([true])
+  })
+
+  it('laps: gate by gate in order, once round from where it began', () => {
+    const numbers = { gates: '100 60, 300 60, 200 350', cm: 20, laps: 1 }
+    const lab = on(still, [{ id: 'lap', kind: 'laps', numbers, seconds: 0 }])
+    expect(lab({ x: 110, y: 70 }, 0.1)).toEqual([false])
+    expect(lab({ x: 200, y: 340 }, 0.1)).toEqual([false])
+    expect(lab({ x: 300, y: 60 }, 0.1)).toEqual([false])
+    expect(lab({ x: 100, y: 60 }, 0.1)).toEqual([false])
+    expect(lab({ x: 200, y: 340 }, 0.1)).toEqual([false])
+    expect(lab({ x: 100, y: 60 }, 0.1)).toEqual([true])
+  })
+
+  it('neverSees: one look is one too many, until the task is done', () => {
+    const lap: Check = {
+      id: 'lap',
+      kind: 'laps',
+      numbers: { gates: '200 300, 200 115', cm: 20, laps: 1 },
+      seconds: 0,
+    }
+    const never: Check = {
+      id: 'never',
+      kind: 'neverSees',
+      numbers: { colour: '#FFFFFF', until: 'lap' },
+      seconds: 2,
+    }
+    const careful = on(still, [lap, never])
+    expect(careful({ y: 295 }, 1)).toEqual([false, false])
+    expect(careful({ y: 115 }, 1)).toEqual([false, true])
+    expect(careful({ y: 295 }, 0.1)).toEqual([true, true])
+    expect(careful({ y: 60 }, 0.1)).toEqual([true, true])
+    const careless = on(still, [lap, never])
+    expect(careless({ y: 60 }, 3)).toEqual([false, false])
+    expect(careless({ y: 295 }, 3)[1]).toBe(false)
+  })
+})
+
 describe('checks', () => {
   it('near: measured from the front edge, to the outline, and it stays passed', () => {
     const lab = watching([near])

@@ -5,7 +5,9 @@ import {
   type Colour,
   type ObstacleState,
   type Percent,
+  type ReadMode,
   type RobotState,
+  type SensorKind,
   type SensorPort,
   type Shape,
   type Simulation,
@@ -41,12 +43,16 @@ export function awayFrom(moment: Moment, x: Cm, y: Cm): Cm {
   return Math.sqrt(dx * dx + dy * dy)
 }
 
-/** What the robot's first colour sensor sees: '' for none of the eight, null without such a sensor. */
-export function colourUnder(moment: Moment): Colour | null {
+/** What the robot's first sensor of a kind reads; null without such a sensor. */
+export function readingOf(moment: Moment, kind: SensorKind, mode: ReadMode): number | Colour | null {
   const sensors = Object.entries(moment.world.robots[0]!.config.sensors)
-  const port = sensors.find(([, { kind }]) => kind === 'colour')?.[0]
-  return port === undefined ? null : (moment.read(0, port as SensorPort, 'colour') as Colour | null)
+  const port = sensors.find(([, sensor]) => sensor.kind === kind)?.[0]
+  return port === undefined ? null : moment.read(0, port as SensorPort, mode)
 }
+
+/** What the robot's first colour sensor sees: '' for none of the eight, null without such a sensor. */
+export const colourUnder = (moment: Moment): Colour | null =>
+  readingOf(moment, 'colour', 'colour') as Colour | null
 
 /** From the robot's front edge to the outline of an obstacle, 0 inside it; null if there is no such obstacle. */
 export function gapIn(moment: Moment, obstacleId: string): Cm | null {

@@ -13,10 +13,15 @@ export interface LoadedCard {
 
 type Files<File> = { readonly [path: string]: () => Promise<File> }
 
-const cards = import.meta.glob<Card>('../../../../../content/cards/*/*/card.json', {
+/** What pages that do not run a card know of it. */
+type CardHead = Pick<Card, 'id' | 'code' | 'playground'> & { readonly starts: number }
+
+const heads = import.meta.glob<CardHead>('../../../../../content/cards/*/*/card.json', {
   import: 'default',
+  query: '?head',
   eager: true,
 })
+const cards = import.meta.glob<Card>('../../../../../content/cards/*/*/card.json', { import: 'default' })
 const starts = import.meta.glob<CardProgram>('../../../../../content/cards/*/*/start.json', {
   import: 'default',
 })
@@ -45,7 +50,7 @@ const pictures = import.meta.glob<string>('../../../../../content/cards/*/*/pict
 })
 
 /** All cards, in the order of their folders. */
-export const allCards: readonly Card[] = Object.values(cards)
+export const allCards: readonly CardHead[] = Object.values(heads)
 
 /** Where a project is shown: its card, or the free lab where this version has no such card. */
 export const placeOf = ({ card }: Pick<Project, 'card'>): string =>
@@ -67,9 +72,9 @@ async function loadWorld(name: string): Promise<WorldFile> {
 
 /** A card with its world, start program and words; null where no card has this id. */
 export async function loadCard(id: string): Promise<LoadedCard | null> {
-  const found = Object.entries(cards).find(([, card]) => card.id === id)
-  if (!found) return null
-  const [path, card] = found
+  const path = Object.entries(heads).find(([, head]) => head.id === id)?.[0]
+  if (!path) return null
+  const card = await cards[path]!()
   const folder = path.replace(/card\.json$/, '')
   const [world, start, ...languages] = await Promise.all([
     loadWorld(card.world),

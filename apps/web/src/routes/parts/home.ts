@@ -17,6 +17,8 @@ export interface Level {
 /** A card of a bed. */
 export interface BedCard {
   readonly href: string
+  /** As printed on the card. */
+  readonly number: string
   readonly label: string
   readonly level: Level
 }

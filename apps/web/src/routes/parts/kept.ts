@@ -30,7 +30,7 @@ export const recentOf = (kept: readonly Kept[]): RecentProject[] =>
 
 /** From how many of its start poses a card has been solved on this device. */
 function levelOf(card: string, kept: readonly Kept[]): Level {
-  const of = allCards.find(({ id }) => id === card)?.starts.length ?? 0
+  const of = allCards.find(({ id }) => id === card)?.starts ?? 0
   const solved = kept
     .filter(({ project }) => placeOf(project) === card)
     .flatMap(({ project }) => project.progress?.starts ?? [])
@@ -41,8 +41,9 @@ function levelOf(card: string, kept: readonly Kept[]): Level {
 export const bedOf = (playground: Card['playground'], kept: readonly Kept[]): BedCard[] =>
   allCards
     .filter((card) => card.playground === playground)
-    .map(({ id }) => ({
+    .map(({ id, code }) => ({
       href: resolve('/lab/[card]', { card: id }),
+      number: /\d+$/.exec(code)?.[0] ?? '',
       label: nameOf(id) ?? id,
       level: levelOf(id, kept),
     }))

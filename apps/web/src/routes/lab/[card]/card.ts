@@ -32,13 +32,13 @@ export function faceOf(loaded: LoadedCard): CardFace {
 /** What is to be done, and which checks are green. */
 export function taskOf(card: LoadedCard | null, green: readonly string[]): Task {
   if (!card) return { title: m['session.freeCall'](), sentence: m['session.freeSentence'](), goals: [] }
-  const { call, sentence } = textOf(card).goal
+  const { goal, checks } = textOf(card)
   const goals = card.card.checks.map(({ id }) => ({
     id,
-    label: say(`check.${card.card.id}.${id}`),
+    label: checks[id] ?? id,
     passed: green.includes(id),
   }))
-  return { title: call, sentence, goals }
+  return { title: goal.call, sentence: goal.sentence, goals }
 }
 
 /** After a card has been solved from a start pose: another pose first, then the next card. */
