@@ -6,7 +6,7 @@ import { languages } from '../words.ts'
 
 const friendship = openRobertaFile('thesis/friendship')
 const action = openRobertaFile('programs/upstream__xNN__action')
-const block = '<block type="robActions_motorDiff_stop" id="b"></block>'
+const block = '<block type="a" id="b"></block>'
 
 /** Files that are not opened, and what is said about each. */
 const refused = [
@@ -26,8 +26,8 @@ const refused = [
   },
   { what: '50 MB', text: friendship.padEnd(50_000_000), problem: 'tooBig', facts: {} },
   {
-    what: '80,000 blocks',
-    text: friendship.replace('</instance>', `${block.repeat(80_000)}</instance>`),
+    what: '100,000 blocks',
+    text: friendship.replace('</instance>', `${block.repeat(100_000)}</instance>`),
     problem: 'tooManyBlocks',
     facts: { most: 10_000 },
   },
