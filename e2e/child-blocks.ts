@@ -83,14 +83,18 @@ export class BlockHands {
       this.#page.evaluate(() => {
         const here = document.activeElement
         const isPaper = here?.closest('.blocklySvg') != null
-        return { isPaper, block: here?.closest('[data-id]')?.getAttribute('data-id') ?? null }
+        const isBlock = here?.matches('.blocklyPath') ?? false
+        return { isPaper, isBlock, block: here?.closest('[data-id]')?.getAttribute('data-id') ?? null }
       })
     for (let presses = 0; presses < 60 && !(await at()).isPaper; presses += 1)
       await this.#page.keyboard.press('Tab')
     await this.#page.keyboard.press('Control+Home')
     for (let presses = 0; presses < 30 && (await at()).block !== block; presses += 1)
       await this.#page.keyboard.press('ArrowDown')
-    expect((await at()).block).toBe(block)
+    // What stands in the block comes before the next one.
+    for (let presses = 0; presses < 5 && !(await at()).isBlock; presses += 1)
+      await this.#page.keyboard.press('ArrowLeft')
+    expect(await at()).toEqual({ isPaper: true, isBlock: true, block })
   }
 
   /** Blocks of a type in the file that the child saves. */

@@ -11,8 +11,8 @@ const waits = freeProgram('Waits', (make) => [make.wait(100), make.wait(60_000),
 const wait = 'robControls_wait_time'
 
 const words = {
-  en: { if: 'if', list: 'length', unknown: 'xyzzy' },
-  de: { if: 'wenn', list: 'Länge', unknown: 'xyzzy' },
+  en: { if: 'if', more: 'random number', unknown: 'xyzzy' },
+  de: { if: 'wenn', more: 'Zufallszahl', unknown: 'xyzzy' },
 }
 
 async function findings(page: Page): Promise<string[]> {
@@ -26,6 +26,7 @@ const boxOf = async (thing: Locator) => (await thing.boundingBox())!
 async function expectRoom(page: Page, hands: BlockHands, search: Locator) {
   const [above, below] = [await boxOf(search), await boxOf(hands.all)]
   const rows = await page.getByRole('treeitem').all()
+  await rows[0]!.scrollIntoViewIfNeeded()
   const first = await boxOf(rows[0]!)
   expect(first.y).toBeGreaterThanOrEqual(above.y + above.height)
   for (const box of [above, below, first]) expect(Math.min(box.width, box.height)).toBeGreaterThanOrEqual(44)
@@ -75,9 +76,12 @@ for (const language of languages) {
       await expect(hands.field).toBeFocused()
       await page.keyboard.type(words[language].if)
       await expect(hands.hits.first()).toContainText(words[language].if)
-      await page.keyboard.press('ArrowDown')
-      await expect(hands.hits.nth(1)).toHaveAttribute('aria-selected', 'true')
+      const said = await hands.hits.allTextContents()
+      const at = said.findIndex((text) => text.startsWith(`${words[language].if} …`))
       await page.keyboard.press('ArrowUp')
+      await expect(hands.hits.last()).toHaveAttribute('aria-selected', 'true')
+      for (let presses = 0; presses <= at; presses += 1) await page.keyboard.press('ArrowDown')
+      await expect(hands.hits.nth(at)).toHaveAttribute('aria-selected', 'true')
       await page.keyboard.press('Enter')
       await expect(hands.field).toHaveCount(0)
       await expect(child.canvas.locator('.blocklyDraggable')).toHaveCount(before + 1)
@@ -98,18 +102,18 @@ for (const language of languages) {
       await hands.searches(words[language].unknown)
       const nothing = child.words('shelf.nothing', { query: words[language].unknown })
       await expect(nothing).toBeVisible()
-      await hands.field.fill(words[language].list)
+      await hands.field.fill(words[language].more)
       await child.presses('shelf.inAll')
       await expect(hands.all).toBeChecked()
-      await expect(hands.hits.first()).toContainText(words[language].list, { ignoreCase: true })
+      await expect(hands.hits.first()).toContainText(words[language].more, { ignoreCase: true })
       expect(await findings(page)).toEqual([])
       await page.keyboard.press('Escape')
       await expect(hands.field).toHaveCount(0)
       await expect(child.button('editor.search')).toBeFocused()
       expect(await findings(page)).toEqual([])
-      await hands.searches(words[language].list)
+      await hands.searches(words[language].more)
       await hands.hits.first().click()
-      await expect(child.canvas.getByText(words[language].list).first()).toBeVisible()
+      await expect(child.canvas.getByText(words[language].more).first()).toBeVisible()
     })
 
     test('a note, folding, switching off and doubling by the mouse are kept, in our file and in Open Roberta’s', async ({

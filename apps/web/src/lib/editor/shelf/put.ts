@@ -17,9 +17,16 @@ export function put(paper: Blockly.WorkspaceSvg, template: Template): Blockly.Bl
     const state = { ...stateOfTemplate(template), x: box.left, y: box.bottom + 24 }
     const block = Blockly.serialization.blocks.append(state, paper, { recordUndo: true }) as Blockly.BlockSvg
     if (anchor) join(block, anchor)
-    void Blockly.renderManagement.finishQueuedRenders().then(() => Blockly.getFocusManager().focusNode(block))
+    void show(paper, block)
     return block
   })
+}
+
+/** Chosen, and where it can be seen. */
+async function show(paper: Blockly.WorkspaceSvg, block: Blockly.BlockSvg) {
+  await Blockly.renderManagement.finishQueuedRenders()
+  Blockly.getFocusManager().focusNode(block)
+  paper.scrollBoundsIntoView(block.getBoundingRectangle(), 24)
 }
 
 function join(block: Blockly.BlockSvg, anchor: Blockly.BlockSvg): void {
