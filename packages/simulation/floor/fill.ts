@@ -13,6 +13,7 @@ export function bytesOf(colour: Colour): readonly [number, number, number] {
 /** Paints a convex polygon; its corners in either sense of rotation. */
 export function fillPolygon(floor: Floor, corners: readonly Point[], colour: Colour): void {
   const heights = corners.map(([, y]) => y)
+  const bytes = bytesOf(colour)
   forRows(floor, Math.min(...heights), Math.max(...heights), (row, y) => {
     let left = Infinity
     let right = -Infinity
@@ -22,14 +23,15 @@ export function fillPolygon(floor: Floor, corners: readonly Point[], colour: Col
       left = Math.min(left, x)
       right = Math.max(right, x)
     })
-    fillRow(floor, row, left, right, colour)
+    fillRow(floor, row, left, right, bytes)
   })
 }
 
 export function fillCircle(floor: Floor, [x, y]: Point, radius: Cm, colour: Colour): void {
+  const bytes = bytesOf(colour)
   forRows(floor, y - radius, y + radius, (row, middle) => {
     const half = Math.sqrt(Math.max(0, radius * radius - (middle - y) * (middle - y)))
-    fillRow(floor, row, x - half, x + half, colour)
+    fillRow(floor, row, x - half, x + half, bytes)
   })
 }
 
@@ -47,9 +49,15 @@ function forRows(floor: Floor, low: Cm, high: Cm, paint: (row: number, middle: C
   for (let row = first; row <= last; row++) paint(row, (height - row - 0.5) / pixelsPerCm)
 }
 
-function fillRow(floor: Floor, row: number, left: Cm, right: Cm, colour: Colour): void {
-  const first = Math.max(0, Math.ceil(left * floor.pixelsPerCm - 0.5))
-  const end = Math.min(floor.width, Math.ceil(right * floor.pixelsPerCm - 0.5))
-  const bytes = bytesOf(colour)
-  for (let column = first; column < end; column++) floor.data.set(bytes, (row * floor.width + column) * 3)
+type Bytes = ReturnType<typeof bytesOf>
+
+function fillRow({ data, width, pixelsPerCm }: Floor, row: number, left: Cm, right: Cm, bytes: Bytes): void {
+  const first = Math.max(0, Math.ceil(left * pixelsPerCm - 0.5))
+  const end = row * width + Math.min(width, Math.ceil(right * pixelsPerCm - 0.5))
+  const [red, green, blue] = bytes
+  for (let at = (row * width + first) * 3; at < end * 3; at += 3) {
+    data[at] = red
+    data[at + 1] = green
+    data[at + 2] = blue
+  }
 }
