@@ -1,4 +1,4 @@
-export { learningIn } from './learning.ts'
+export { learningIn, ownText } from './learning.ts'
 export { check, fits } from './check/check.ts'
 export { holesOf, outputOf, statementNames } from './check/places.ts'
 export { shapeOf } from './run/shape-of.ts'

@@ -1,7 +1,7 @@
 import { addBlocks, blockFrom, toolbox, type Template } from '@botgarten/blocks'
 import { learning, learningToolbox } from '@botgarten/blocks/learning'
 import { expect, test } from 'vitest'
-import { learningIn } from './index.ts'
+import { learningIn, ownText } from './index.ts'
 import type { Program } from './types.ts'
 
 addBlocks(learning, learningToolbox)
@@ -59,4 +59,23 @@ test('numbers that mean nothing are the presets', () => {
   expect(learning).toMatchObject({ episodes: 1, moves: 10_000 })
   expect(learning.settings).toMatchObject({ alpha: 0.5, gamma: 0.8 })
   expect(learning.settings).not.toHaveProperty('rhoDecay')
+})
+
+test('own rewards are read from the map block; without them nothing is said of pay', () => {
+  const paying = (fields: Template['fields']) =>
+    learningIn(programOf([start, changed(from('states'), fields)]))!
+  expect(paying({})).not.toHaveProperty('pay')
+  expect(paying({ LENGTH: 'TRUE', STEP_COST: '0.5', REWARDS: '3:10 2-5:-2.5' }).pay).toEqual({
+    ...{ length: true, step: 0.5 },
+    own: { '3': 10, '2-5': -2.5 },
+  })
+  const own = { '3': 10, '2-5': -2.5 }
+  expect(paying({ REWARDS: ownText(own) }).pay).toEqual({ own })
+})
+
+test('rewards that mean nothing are left out, and none is beyond all bounds', () => {
+  const { pay } = learningIn(
+    programOf([start, changed(from('states'), { STEP_COST: 'much', REWARDS: 'x:1 3:1e9 4:99999 5:0 6' })]),
+  )!
+  expect(pay).toEqual({ own: { '4': 1000 } })
 })

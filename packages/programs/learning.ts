@@ -1,6 +1,6 @@
 import { filledRows, plugged, type Block } from '@botgarten/blocks'
 import type { Decay, Settings } from '@botgarten/learning/q-learning'
-import type { LearningOutline, Program } from './types.ts'
+import type { LearningOutline, Pay, Program } from './types.ts'
 
 const types = {
   map: 'ai_q_learning_states_and_actions_map',
@@ -36,6 +36,7 @@ export function learningIn({ stacks }: Program): LearningOutline | null {
     goal: wholeIn(map, 'FINISH', 1, 0),
     closed: closedIn(map),
     settings: settingsIn(find(types.behaviour)),
+    ...payIn(map),
     episodes: wholeIn(experience, 'EPISODES', 100, 1),
     moves: wholeIn(experience, 'Q_LEARNER_TIME', 10_000, 1),
   }
@@ -58,6 +59,39 @@ function wholeIn(block: Block | undefined, name: string, preset: number, least: 
   const value = Number(block?.fields?.[name] ?? preset)
   return Number.isFinite(value) ? Math.max(least, Math.round(value)) : preset
 }
+
+/** More would drown the goal's 50. */
+const MOST_PAID = 1000
+
+function payIn({ fields = {} }: Block): Pick<LearningOutline, 'pay'> {
+  const step = paid(fields['STEP_COST'])
+  const own = ownIn(fields['REWARDS'])
+  const pay: Pay = {
+    ...(fields['LENGTH'] === 'TRUE' && { length: true as const }),
+    ...(step !== 0 && { step }),
+    ...(Object.keys(own).length > 0 && { own }),
+  }
+  return Object.keys(pay).length > 0 ? { pay } : {}
+}
+
+function paid(text = ''): number {
+  const value = Number(text)
+  return Number.isFinite(value) ? Math.min(MOST_PAID, Math.max(-MOST_PAID, value)) : 0
+}
+
+/** `3:10 2-5:-5`; what is not said like this is left out. */
+function ownIn(text = ''): { readonly [place: string]: number } {
+  const said = [...text.matchAll(/(?<=^| )(\d+(?:-\d+)?):(-?\d+(?:\.\d+)?)(?= |$)/g)]
+  return Object.fromEntries(
+    said.map(([, place, value]) => [place!, paid(value)] as const).filter(([, value]) => value !== 0),
+  )
+}
+
+/** Own rewards as the field REWARDS holds them. */
+export const ownText = (own: { readonly [place: string]: number }): string =>
+  Object.entries(own)
+    .map(([place, value]) => `${place}:${value}`)
+    .join(' ')
 
 /** What a child sets where no block says anything else. */
 const preset: Settings = { rules: 'standard', algorithm: 'q', alpha: 0.5, gamma: 0.8, nu: 0.1, rho: 0.5 }

@@ -109,9 +109,21 @@ export interface LearningOutline {
   /** Each in one direction. */
   readonly closed: readonly (readonly [from: number, to: number])[]
   readonly settings: Settings
+  /** What moves pay and cost beside the goal's reward; not there: nothing. */
+  readonly pay?: Pay
   /** It stops after so many episodes or so many moves. */
   readonly episodes: number
   readonly moves: number
+}
+
+/** Rewards of a child's own. */
+export interface Pay {
+  /** Every move costs its length. */
+  readonly length?: true
+  /** Every move costs so much. */
+  readonly step?: number
+  /** By station (`3`) or by road in one direction (`2-5`): paid on arrival, or on the way. */
+  readonly own?: { readonly [place: string]: number }
 }
 
 /** How far a learning has come. It is a whole by its blocks, its seed and its moves: the same every time (running.md 2). */
@@ -149,6 +161,8 @@ export interface LearnedRun {
   readonly found: number
   /** What the child guessed before. */
   readonly guess: string
+  /** Own rewards, as `payText` writes them. */
+  readonly pay?: string
 }
 
 /** What a child has reached with a card. */

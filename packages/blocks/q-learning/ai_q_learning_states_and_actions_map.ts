@@ -1,6 +1,6 @@
 import { learningProgram, obstacles } from '../parts/learning-examples.ts'
 import { field } from '../parts/fields.ts'
-import { choice, rows, words, worded } from '../parts/looks.ts'
+import { choice, hidden, rows, words, worded } from '../parts/looks.ts'
 import { mapNames, stationsOf } from '../parts/maps.ts'
 import { done } from '../parts/next.ts'
 import type { Block, Definition, FieldLook } from '../types.ts'
@@ -17,7 +17,10 @@ function missing(block: Block): readonly string[] {
   return ['START', 'FINISH'].filter((name) => !(Number(field(block, name, '0')) < count))
 }
 
-/** The world in which the robot learns: a map, from where to where, and roads that are closed. */
+/**
+ * The world in which the robot learns: a map, from where to where, and roads that are closed. Hidden: whether a move costs
+ * its length (`TRUE`), what every move costs, and what stations and roads pay beside the goal (`3:10 2-5:-5`).
+ */
 export const ai_q_learning_states_and_actions_map: Definition = {
   type,
   look: {
@@ -32,6 +35,9 @@ export const ai_q_learning_states_and_actions_map: Definition = {
       ),
       station('START', 0),
       station('FINISH', 1),
+      hidden('LENGTH'),
+      hidden('STEP_COST'),
+      hidden('REWARDS'),
     ],
     inputs: [{ name: 'OBSTACLE', kind: 'value', accepts: ['ObstacleList'], optional: true }],
     rows: rows(type, 3),

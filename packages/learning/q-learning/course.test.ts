@@ -101,6 +101,7 @@ describe('a course', () => {
     const found = one.foundIn()!
     expect(one.episodes[found - 2]?.best ?? null).not.toBe(3)
     for (const { best } of one.episodes.slice(found - 1)) expect(best).toBe(3)
+    expect(one.foundAt()).toBe(one.episodes.slice(0, found).reduce((sum, { moves }) => sum + moves, 0))
     one.goTo(1)
     expect(one.foundIn()).toBeNull()
   })

@@ -24,9 +24,10 @@ export interface Episode {
   readonly best: number | null
 }
 
-/** From this episode on the best way was this one; null: none. */
+/** From this episode, and this move, on the best way was this one; null: none. */
 interface Turn {
   readonly episode: number
+  readonly move: number
   readonly way: string | null
 }
 
@@ -113,8 +114,17 @@ export class Course {
 
   /** The episode, counted from 1, in which the way was found that is the best one at the move that is shown. */
   foundIn(): number | null {
+    return this.#found()?.episode ?? null
+  }
+
+  /** The last move of that episode. */
+  foundAt(): number | null {
+    return this.#found()?.move ?? null
+  }
+
+  #found(): Turn | null {
     const turn = this.#turns.findLast(({ episode }) => episode <= this.learner.episodes)
-    return turn?.way == null ? null : turn.episode
+    return turn?.way == null ? null : turn
   }
 
   /** Moves at which the next state is kept. */
@@ -141,7 +151,8 @@ export class Course {
     })
     this.#before = { moves, goals }
     const name = way?.join('-') ?? null
-    if (name !== (this.#turns.at(-1)?.way ?? null)) this.#turns.push({ episode: episodes, way: name })
+    if (name !== (this.#turns.at(-1)?.way ?? null))
+      this.#turns.push({ episode: episodes, move: moves, way: name })
   }
 
   #keep(): void {

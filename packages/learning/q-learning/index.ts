@@ -6,3 +6,4 @@ export { Course, starsOf, visited, type Episode, type Limits } from './course.ts
 export { gridMap, type Grid, type GridOptions } from './grid.ts'
 export { bestMove, bestWay, policy, type BestWay } from './best-way.ts'
 export { learnWatching, shortestWay } from './first-shortest.ts'
+export { lengthOf, shortestLength } from './length.ts'

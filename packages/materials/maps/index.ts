@@ -1,6 +1,6 @@
 export type * from './types.ts'
 export { drawWay, type DrawnWay } from './drawn.ts'
-export { courseOf, learningKey, sectionsOf, withLearnedWay } from './learn.ts'
+export { courseOf, isShortest, learningKey, sectionsOf, withLearnedWay } from './learn.ts'
 export { pointsAlong, segmentsOf, type Point } from './path.ts'
 export { readMap, type ReadMap } from './readMap.ts'
 export { placeOf, wayThrough, worldSizeOf } from './way.ts'

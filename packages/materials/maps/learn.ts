@@ -1,8 +1,18 @@
-import { Course, layOutWorld, shortestWay } from '@botgarten/learning/q-learning'
+import {
+  Course,
+  layOutWorld,
+  lengthOf,
+  shortestLength,
+  shortestWay,
+  type QMap,
+} from '@botgarten/learning/q-learning'
 import { inScene, learningIn, type LearningOutline } from '@botgarten/programs'
 import type { Document } from '@botgarten/lab'
 import { drawWay } from './drawn.ts'
 import type { MapFile } from './types.ts'
+
+/** A unit of a map's drawing costs this: in the City the way of fewest sections and the shortest one differ then. */
+const LENGTH_COST = 0.02
 
 /** What of a program a learning depends on, as one text. */
 export const learningKey = ({ blocks: _, ...learning }: LearningOutline): string => JSON.stringify(learning)
@@ -13,10 +23,30 @@ export function courseOf(
   { map, goalReward, stepCost }: MapFile,
   seed: number,
 ): Course {
-  const { start, goal, closed, settings, episodes, moves } = outline
-  const pay = { ...(goalReward !== undefined && { goalReward }), ...(stepCost !== undefined && { stepCost }) }
-  const world = layOutWorld({ map, start, goal, closed, ...pay })
+  const { start, goal, closed, settings, episodes, moves, pay = {} } = outline
+  const world = layOutWorld({
+    ...{ map: withOwnRewards(map, pay.own ?? {}), start, goal, closed },
+    ...(goalReward !== undefined && { goalReward }),
+    stepCost: (stepCost ?? 0) + (pay.step ?? 0),
+    ...(pay.length && { lengthCost: LENGTH_COST }),
+  })
   return new Course(world, settings, seed, { episodes, moves })
+}
+
+/** What is paid on arrival at stations and on roads, on top of what the map pays itself. */
+function withOwnRewards(map: QMap, own: { readonly [place: string]: number }): QMap {
+  if (Object.keys(own).length === 0) return map
+  const rewards = map.moves.map((_, station) => (map.rewards?.[station] ?? 0) + (own[station] ?? 0))
+  const moves = map.moves.map((list, from) =>
+    list.map((move) => ({ ...move, reward: (move.reward ?? 0) + (own[`${from}-${move.to}`] ?? 0) })),
+  )
+  return { ...map, moves, rewards }
+}
+
+/** Is this a shortest way there is: by sections, or by length where length counts? */
+export function isShortest({ learner: { world } }: Course, stations: readonly number[]): boolean {
+  if (world.task.lengthCost) return lengthOf(world, stations) <= (shortestLength(world) ?? 0) + 1e-6
+  return stations.length === shortestWay(world)
 }
 
 /** Sections of the shortest way from start to goal; null: closed roads leave none. */

@@ -3,7 +3,8 @@ import { stream } from '@botgarten/numbers'
 import { bestWay, createLearner, layOutWorld, run } from '@botgarten/learning/q-learning'
 import fc from 'fast-check'
 import { describe, expect, test } from 'vitest'
-import { readMap, type MapFile } from './index.ts'
+import type { LearningOutline } from '@botgarten/programs'
+import { courseOf, isShortest, readMap, type MapFile } from './index.ts'
 
 const folder = new URL('../../../content/maps/', import.meta.url)
 const ids = readdirSync(folder)
@@ -150,5 +151,50 @@ describe('a broken map', () => {
       }),
       { numRuns: 150 },
     )
+  })
+})
+
+describe('own rewards', () => {
+  const city: LearningOutline = {
+    ...{
+      blocks: { map: 'map' },
+      map: 'city',
+      start: 0,
+      goal: 15,
+      closed: [[16, 15]],
+      episodes: 1e6,
+      moves: 60_000,
+    },
+    settings: { rules: 'standard', algorithm: 'q', alpha: 0.5, gamma: 0.8, nu: 0.9, rho: 0.9 },
+  }
+  const learned = (pay?: LearningOutline['pay']) => {
+    const course = courseOf({ ...city, ...(pay && { pay }) }, mapOf('city'), 1)
+    course.advance(city.moves)
+    return { course, way: course.way().stations! }
+  }
+
+  test('the City by length has a way of nine stations, by sections one of eight (spec, "Maps")', () => {
+    const [bySections, byLength] = [learned(), learned({ length: true })]
+    expect(bySections.way).toHaveLength(8)
+    expect(byLength.way).toHaveLength(9)
+    expect(isShortest(bySections.course, bySections.way)).toBe(true)
+    expect(isShortest(byLength.course, byLength.way)).toBe(true)
+    expect(isShortest(byLength.course, bySections.way)).toBe(false)
+    expect(isShortest(bySections.course, byLength.way)).toBe(false)
+  })
+
+  test('a station that costs more than it brings is left aside', () => {
+    const { way } = learned()
+    const aside = learned({ own: { [way[4]!]: -40 } }).way
+    expect(aside).not.toContain(way[4]!)
+    expect(aside.at(-1)).toBe(15)
+  })
+
+  test('a road pays in its direction alone', () => {
+    const { learner } = courseOf({ ...city, pay: { own: { '0-1': 7 }, step: 1 } }, mapOf('city'), 1)
+    const { world } = learner
+    const paid = (from: number, to: number) =>
+      world.reward[Array.from(world.meant).findIndex((at, move) => at === to && world.from[move] === from)]
+    expect([paid(0, 1), paid(1, 0), paid(14, 15)]).toEqual([6, -1, 49])
   })
 })

@@ -20,6 +20,7 @@ const shortText = v.pipe(v.string(), v.maxLength(2000))
 const station = v.pipe(v.number(), v.integer(), v.minValue(0), v.maxValue(9999))
 const learnedRun = v.object({
   ...{ map: shortText, start: station, goal: station, closed: shortText, way: shortText, guess: shortText },
+  pay: v.exactOptional(shortText),
   ...{ alpha: finite, gamma: finite, nu: finite, rho: finite, rules: shortText, seed: whole },
   ...{
     episodes: whole,

@@ -12,62 +12,22 @@ import { letPaste } from './menus.ts'
 import { addNeuron } from './network.ts'
 import { restore, statesOn, toProgram, toWorkspace } from './program.ts'
 import { bringExpert, expertParts } from './packs.ts'
-import { rendererName } from './renderer.ts'
+import { fontReady, options, scaleOf, spaceLetters, type Looks } from './looks.ts'
 import { setUp, speak } from './setup.ts'
 import { knowRobot } from './sockets.ts'
-import { fontFor, themeFor } from './theme.ts'
-import { shelfPlugins, toolboxInfo } from './toolbox.ts'
+import { themeFor } from './theme.ts'
+import { toolboxInfo } from './toolbox.ts'
 import type { Locale } from '#lib/words/language.svelte.ts'
 import { wordsIn } from '#lib/words/say.ts'
 
-const startScale = 0.76
-/** For the last row of a class. */
-const largeScale = 1
-
-/** How blocks are drawn: clear letters, and large for a wall. */
-export interface Looks {
-  readonly letters: boolean
-  readonly large: boolean
+/** Fields of a block by their names. */
+export interface Fields {
+  readonly [name: string]: string
 }
 
 /** What the pane tells the page. */
 export interface PaneReports extends Reports {
   finding(finding: Finding): void
-}
-
-/** Resolves when blocks can be measured: Blockly asks once how wide its words are. */
-export async function fontReady(letters: boolean): Promise<void> {
-  await document.fonts.load(`700 16px ${fontFor(letters)}`)
-}
-
-function options(locale: Locale, media: string, { letters, large }: Looks): Blockly.BlocklyOptions {
-  return {
-    toolbox: toolboxInfo(wordsIn(locale)),
-    renderer: rendererName,
-    theme: themeFor(letters),
-    media,
-    plugins: shelfPlugins,
-    sounds: false,
-    trashcan: false,
-    grid: { spacing: 29, length: 3, colour: '#E6D6BA', snap: false },
-    move: { scrollbars: true, drag: true, wheel: true },
-    zoom: {
-      controls: false,
-      wheel: false,
-      pinch: true,
-      startScale: large ? largeScale : startScale,
-      minScale: 0.4,
-      maxScale: 2,
-      scaleSpeed: 1.2,
-    },
-  }
-}
-
-/** Clear letters stand 2 % apart; Blockly measures words on a canvas that has to know. */
-function spaceLetters(letters: boolean) {
-  const canvas = document.querySelector<HTMLCanvasElement>('canvas.blocklyComputeCanvas')
-  const context = canvas?.getContext('2d')
-  if (context) context.letterSpacing = letters ? '0.32px' : '0px'
 }
 
 /** One Blockly workspace in a pane, with the verbs that the page needs. */
@@ -129,7 +89,7 @@ export class Pane {
     if (shown) return
     this.#refill(() => toWorkspace(program, this.#workspace))
     this.#workspace.clearUndo()
-    this.#workspace.setScale(this.#looks.large ? largeScale : startScale)
+    this.#workspace.setScale(scaleOf(this.#looks))
     this.#place()
   }
 
@@ -179,7 +139,7 @@ export class Pane {
     const { letters, large } = this.#looks
     this.#looks = looks
     if (looks.large !== large) {
-      this.#workspace.setScale(looks.large ? largeScale : startScale)
+      this.#workspace.setScale(scaleOf(looks))
       // Its shelf is wider then.
       this.#workspace.getToolbox()?.position()
       this.resize()
@@ -287,8 +247,10 @@ export class Pane {
     knowRobot(this.#workspace, config)
   }
 
-  setField(blockId: string, field: string, value: string): void {
-    grouped(() => this.#workspace.getBlockById(blockId)?.setFieldValue(value, field))
+  /** Several fields of a block, as one step. */
+  setFields(blockId: string, fields: Fields): void {
+    const block = this.#workspace.getBlockById(blockId)
+    grouped(() => Object.entries(fields).forEach(([name, value]) => block?.setFieldValue(value, name)))
   }
 
   /** The paper's upper left corner beside the shelf. */

@@ -7,7 +7,7 @@ type Fix = NonNullable<Finding['fixes']>[number]
 
 /** What the blocks can be told from here. */
 interface Blocks {
-  setField(block: string, field: string, value: string): void
+  setFields(block: string, fields: { readonly [name: string]: string }): void
   addNeuron(network: string, layer: 'input' | 'output'): string | null
 }
 
@@ -15,7 +15,7 @@ interface Blocks {
 export function mend(session: Session, blocks: Blocks, block: string, fix: Fix): void {
   const { field, value, plug } = fix
   const before = session.undo.count
-  blocks.setField(block, field, value)
+  blocks.setFields(block, { [field]: value })
   if (plug) void told().then(() => plugIn(session, plug, before))
 }
 

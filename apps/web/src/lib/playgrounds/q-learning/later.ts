@@ -1,7 +1,8 @@
 import type { Desk } from '#lib/state/desk.svelte.ts'
 import type { Session } from '#lib/state/session.svelte.ts'
 import { fetchLateWords } from '#lib/words/say.ts'
-import { Learning, type Blocks } from './learning.svelte.ts'
+import type { Blocks } from './hands.ts'
+import { Learning } from './learning.svelte.ts'
 import QPlayground from './QPlayground.svelte'
 
 /** A session that learns, with what shows it. */

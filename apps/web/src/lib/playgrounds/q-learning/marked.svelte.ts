@@ -1,6 +1,9 @@
-/** A road in one direction that a hand points at, on the map or in the table: both show it. */
+import type { Chosen } from './chosen.ts'
+
+/** What a hand points at, on the map or in the table: both show it. And what it has tapped. */
 export class Marked {
   #road = $state.raw<readonly [number, number] | null>(null)
+  chosen = $state.raw<Chosen | null>(null)
 
   get road() {
     return this.#road

@@ -7,6 +7,9 @@ export interface Road {
   /** In units of the drawing, about 8 apart. */
   readonly points: readonly Point[]
   readonly middle: Point
+  /** Path data from a to b, and back. */
+  readonly there: string
+  readonly back: string
 }
 
 const STEP = 8
@@ -17,16 +20,26 @@ export function roadsOf({ map, roads }: MapFile): readonly Road[] {
       const segments = a < b ? segmentsOf(roads[`${a}-${b}`] ?? '') : null
       if (!segments) return []
       const points = [segments[0]!.from, ...segments.flatMap((one) => pointsAlong(one, STEP))]
-      return [{ a, b, points, middle: alongRoad(points, 0.5) }]
+      const lines = { there: lineOf(points), back: lineOf(points.toReversed()) }
+      return [{ a, b, points, middle: alongRoad(points, 0.5), ...lines }]
     }),
   )
 }
 
+const between = (roads: readonly Road[], from: number, to: number) =>
+  roads.find(({ a, b }) => (a === from && b === to) || (a === to && b === from))
+
 /** The road between two stations, in the direction of the ride. */
 export function ridden(roads: readonly Road[], from: number, to: number): readonly Point[] {
-  const road = roads.find(({ a, b }) => (a === from && b === to) || (a === to && b === from))
+  const road = between(roads, from, to)
   if (!road) return []
   return road.a === from ? road.points : road.points.toReversed()
+}
+
+/** The same as path data. */
+export function riddenLine(roads: readonly Road[], from: number, to: number): string {
+  const road = between(roads, from, to)
+  return (road?.a === from ? road.there : road?.back) ?? ''
 }
 
 /** The point at a share 0..1 of a line, by length. */
@@ -44,7 +57,7 @@ export function alongRoad(points: readonly Point[], share: number): Point {
   return points.at(-1) ?? { x: 0, y: 0 }
 }
 
-export const lineOf = (points: readonly Point[]): string =>
+const lineOf = (points: readonly Point[]): string =>
   points.map(({ x, y }, index) => `${index === 0 ? 'M' : 'L'}${x.toFixed(1)} ${y.toFixed(1)}`).join('')
 
 /** A small arrow on a road, `share` of its length from its beginning: place and degrees. */

@@ -1,9 +1,6 @@
 import { m } from '#lib/words/generated/messages.js'
-import { language } from '#lib/words/language.svelte.ts'
+import { number } from './numbers.ts'
 import type { Learning } from './learning.svelte.ts'
-
-const number = (value: number, places = 0) =>
-  value.toLocaleString(language.locale, { maximumFractionDigits: places })
 
 /** The stations of a circle, or of a walk: `4 → 6 → 4`. */
 const walk = (stations: readonly number[]) => stations.join(' → ')
@@ -23,7 +20,7 @@ export function reasonOf({ shown, shortest }: Learning): string {
 
 /** Which limit stopped it and what came of it; '' while it goes on. */
 export function endOf(learning: Learning): string {
-  const { shown, state, outline, shortest } = learning
+  const { shown, state, outline } = learning
   if (!shown || !outline || (state !== 'over' && state !== 'stopped')) return ''
   const by =
     state === 'stopped'
@@ -33,7 +30,7 @@ export function endOf(learning: Learning): string {
         : m['q.byTime']({ count: number(outline.moves) })
   const { stations } = shown.way
   if (!stations) return `${by} ${m['q.notYet']()}`
-  return stations.length - 1 === shortest ? `${by} ${m['q.isShortest']()}` : `${by} ${m['q.isLonger']()}`
+  return learning.isShortest(stations) ? `${by} ${m['q.isShortest']()}` : `${by} ${m['q.isLonger']()}`
 }
 
 /** A move as a sentence, for whoever does not see it. */

@@ -11,8 +11,9 @@ const run: LearnedRun = {
 test('every run is a row under one head', () => {
   const [head, row, end] = csvOf([run]).split('\r\n')
   expect(head!.split(',')).toHaveLength(row!.split(',').length)
-  expect(row).toBe('railway,3,1,3-2 2-3,standard,0.5,0.8,0.1,0.5,100,10000,1,100,640,3-5-0-1,3,4,')
+  expect(row).toBe('railway,3,1,3-2 2-3,standard,0.5,0.8,0.1,0.5,100,10000,1,100,640,3-5-0-1,3,4,,')
   expect(end).toBe('')
+  expect(csvOf([{ ...run, pay: 'length 3:10' }])).toContain(',length 3:10\r\n')
 })
 
 test('what a child typed stays one cell and is no formula', () => {

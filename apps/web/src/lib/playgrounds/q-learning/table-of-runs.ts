@@ -14,12 +14,12 @@ const columns = [
     'limitEpisodes',
     'limitMoves',
   ],
-  ...['seed', 'episodes', 'moves', 'way', 'shortest', 'found', 'guess'],
+  ...['seed', 'episodes', 'moves', 'way', 'shortest', 'found', 'guess', 'pay'],
 ] as const satisfies readonly (keyof LearnedRun)[]
 
 /** All runs as CSV (RFC 4180): a head, then a row a run, numbers with a decimal point. */
 export function csvOf(runs: readonly LearnedRun[]): string {
-  const rows = runs.map((run) => columns.map((column) => cell(run[column])))
+  const rows = runs.map((run) => columns.map((column) => cell(run[column] ?? '')))
   return [columns, ...rows].map((row) => row.join(',')).join('\r\n') + '\r\n'
 }
 

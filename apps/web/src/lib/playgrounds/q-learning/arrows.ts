@@ -1,0 +1,31 @@
+import type { QWorld } from '@botgarten/learning/q-learning'
+import { arrowOn, ridden, type Road } from './roads.ts'
+
+/** So far from a station's middle an arrow lies: just outside of its disc. */
+const ASIDE = 78
+
+/** Corners of an arrow that points to the right. */
+const corners = [
+  { x: -11, y: -15 },
+  { x: 15, y: 0 },
+  { x: -11, y: 15 },
+]
+
+/** By move the path data of its arrow; '' where no road is drawn. Once a world. */
+export function arrowsOf({ from, meant }: QWorld, roads: readonly Road[]): readonly string[] {
+  return Array.from(meant, (to, move) => {
+    const points = ridden(roads, from[move]!, to)
+    if (points.length < 2) return ''
+    const { x, y, turn } = arrowOn(points, Math.min(0.4, ASIDE / lengthOf(points)))
+    const [c, s] = [Math.cos((turn * Math.PI) / 180), Math.sin((turn * Math.PI) / 180)]
+    const turned = corners.map(
+      (at) => `${(x + c * at.x - s * at.y).toFixed(1)} ${(y + s * at.x + c * at.y).toFixed(1)}`,
+    )
+    return `M${turned.join('L')}z`
+  })
+}
+
+const lengthOf = (points: readonly { readonly x: number; readonly y: number }[]) =>
+  points
+    .slice(1)
+    .reduce((sum, { x, y }, index) => sum + Math.hypot(x - points[index]!.x, y - points[index]!.y), 0)

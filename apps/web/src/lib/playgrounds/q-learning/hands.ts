@@ -1,0 +1,65 @@
+import { ownText, type LearningOutline } from '@botgarten/programs'
+
+/** Fields and closed roads are blocks: who holds the blocks changes them. Each call is one step to take back. */
+export interface Blocks {
+  setFields(block: string, fields: { readonly [name: string]: string }): void
+  setClosed(map: string, roads: LearningOutline['closed']): void
+}
+
+/** What a hand on the map and on the sliders changes in the blocks. */
+export class Hands {
+  readonly #outline: () => LearningOutline | null
+  readonly #blocks: Blocks
+
+  constructor(outline: () => LearningOutline | null, blocks: Blocks) {
+    this.#outline = outline
+    this.#blocks = blocks
+  }
+
+  /** Start and goal change places rather than become one. */
+  setStation(field: 'START' | 'FINISH', station: number): void {
+    const outline = this.#outline()
+    if (!outline) return
+    const { start, goal } = outline
+    const [other, own] = field === 'START' ? [goal, start] : [start, goal]
+    const swapped = other === station ? own : other
+    const [from, to] = field === 'START' ? [station, swapped] : [swapped, station]
+    this.#blocks.setFields(outline.blocks.map, { START: String(from), FINISH: String(to) })
+  }
+
+  isClosed(from: number, to: number): boolean {
+    return this.#outline()?.closed.some(([a, b]) => a === from && b === to) ?? false
+  }
+
+  /** Closes or opens a road, in one direction or in both. */
+  setRoad(from: number, to: number, there: boolean, back: boolean): void {
+    const outline = this.#outline()
+    if (!outline) return
+    const others = outline.closed.filter(([a, b]) => !((a === from && b === to) || (a === to && b === from)))
+    const own = [...(there ? [[from, to] as const] : []), ...(back ? [[to, from] as const] : [])]
+    this.#blocks.setClosed(outline.blocks.map, [...others, ...own])
+  }
+
+  /** Whether a move costs its length, and what every move costs. */
+  setPay(fields: { readonly LENGTH?: 'TRUE' | ''; readonly STEP_COST?: string }): void {
+    const outline = this.#outline()
+    if (outline) this.#blocks.setFields(outline.blocks.map, fields)
+  }
+
+  /** What stations and roads pay beside the goal; 0: nothing. */
+  setOwn(places: readonly string[], value: number): void {
+    const outline = this.#outline()
+    if (!outline) return
+    const others = Object.entries(outline.pay?.own ?? {}).filter(([place]) => !places.includes(place))
+    const own = Object.fromEntries(
+      [...others, ...places.map((place) => [place, value] as const)].filter(([, paid]) => paid !== 0),
+    )
+    this.#blocks.setFields(outline.blocks.map, { REWARDS: ownText(own) })
+  }
+
+  /** A number 0..1 of an expert, a decay, or the rule set. */
+  setBehaviour(field: string, value: string): void {
+    const id = this.#outline()?.blocks.behaviour
+    if (id !== undefined) this.#blocks.setFields(id, { [field]: value })
+  }
+}

@@ -1,0 +1,51 @@
+import type { Course } from '@botgarten/learning/q-learning'
+import { shownOf, type Shown } from './shown.ts'
+
+/**
+ * What the screen has of a course. Where moves fly by, the map is drawn in one frame, numbers and words in the next: each
+ * frame has half of the work, and none is late.
+ */
+export class Screen {
+  #drawn = $state.raw<Shown | null>(null)
+  #told = $state.raw<Shown | null>(null)
+  #isFleeting = $state(false)
+  #waiting = 0
+
+  /** What the map shows. */
+  get drawn() {
+    return this.#drawn
+  }
+  /** What numbers, tables and words show. */
+  get told() {
+    return this.#told
+  }
+  /** Do words wait for the next frame? */
+  get isBusy() {
+    return this.#waiting !== 0
+  }
+
+  /** Do moves fly by, so that nobody could read each? */
+  get isFleeting() {
+    return this.#isFleeting
+  }
+
+  clear(): void {
+    this.#drawn = this.#told = null
+  }
+
+  show(course: Course): void {
+    this.#drawn = this.#told = shownOf(course)
+    this.#isFleeting = false
+  }
+
+  showInTurns(course: Course): void {
+    this.#isFleeting = true
+    this.#drawn = shownOf(course)
+    if (this.#waiting === 0) this.#waiting = requestAnimationFrame(this.#tell)
+  }
+
+  #tell = (): void => {
+    this.#waiting = 0
+    this.#told = this.#drawn
+  }
+}
