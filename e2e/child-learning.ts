@@ -1,4 +1,7 @@
+import { readFileSync } from 'node:fs'
+import { readFile } from 'node:fs/promises'
 import { expect, type Locator } from '@playwright/test'
+import { cardProject, readCard, type CardProgram, type WorldFile } from '@botgarten/materials'
 import type { Child } from './child.ts'
 
 /** What a child does and sees in the playground for learning by trying. */
@@ -62,10 +65,73 @@ export class Learner {
     await this.child.presses(`q.page.${page}`)
   }
 
+  /** Gives the playground all of the window. */
+  async fills() {
+    await this.child.presses('lab.fill', { pane: this.child.word('lab.learning') })
+    await expect(this.child.button('q.change')).toBeVisible()
+  }
+
+  /** How much of the covers of roads can be seen, 0..1; of some roads: `5-7|6-7`. */
+  async covers(roads = '.*'): Promise<number[]> {
+    const covers = await this.child.page
+      .locator('[id^=cover-]')
+      .evaluateAll((all) =>
+        all.map((cover) => [cover.id, Number(cover.getAttribute('fill-opacity'))] as const),
+      )
+    const wanted = new RegExp(`^cover-(${roads})$`)
+    return covers.filter(([id]) => wanted.test(id)).map(([, opacity]) => opacity)
+  }
+
+  /** Listens like a reader. Gives all sentences so far. */
+  async listens(): Promise<() => Promise<string[]>> {
+    const heard = await this.child.page.locator('.q [aria-live]').evaluateHandle((live) => {
+      const sentences: string[] = []
+      const note = () => live.textContent && sentences.push(live.textContent)
+      new MutationObserver(note).observe(live, { childList: true, characterData: true, subtree: true })
+      return sentences
+    })
+    return () => heard.evaluate((sentences) => [...sentences])
+  }
+
+  /** Where Bo is seen on the map, frame by frame, for some milliseconds. */
+  async places(milliseconds: number): Promise<ReadonlySet<string>> {
+    const seen = await this.child.page.locator('.space .bo').evaluate(async (bo, time) => {
+      const places = new Set<string>()
+      const end = performance.now() + time
+      while (performance.now() < end) {
+        places.add(bo.getAttribute('transform') ?? '')
+        await new Promise(requestAnimationFrame)
+      }
+      return [...places]
+    }, milliseconds)
+    return new Set(seen)
+  }
+
+  /** Saves the table of runs. Returns what stands in the file. */
+  async savesTable(): Promise<string> {
+    const { page } = this.child
+    const [download] = await Promise.all([page.waitForEvent('download'), this.child.presses('q.csv')])
+    return readFile(await download.path(), 'utf8')
+  }
+
   /** So many rows of the block close a road: each says "from", and so does the map once. */
   async seesClosedRoads(count: number) {
     const from = this.child.word('block.ai_q_barrier_mountain.row0').split(' ')[0]!
     const rows = async () => (await this.child.blockWords()).filter((word) => word === from).length - 1
     await expect.poll(rows).toBe(count)
   }
+}
+
+/** The railway's card as a project file, with other fields of its map block. */
+export function learningProject(name: string, fields: { readonly [name: string]: string }): string {
+  const read = (path: string): unknown =>
+    JSON.parse(readFileSync(new URL(`../content/${path}`, import.meta.url), 'utf8'))
+  const text = JSON.stringify(read('cards/q-learning/01-railway/start.json'), (key, value: unknown) =>
+    key === 'fields' && typeof value === 'object' && value && 'FINISH' in value
+      ? { ...value, ...fields }
+      : value,
+  ).replace('"EPISODES":"10"', '"EPISODES":"300"')
+  const world = read('worlds/learning/world.json') as WorldFile
+  const card = readCard(read('cards/q-learning/01-railway/card.json'))
+  return JSON.stringify(cardProject(world, card, JSON.parse(text) as CardProgram, name))
 }

@@ -112,9 +112,9 @@ for (const language of languages) {
       await child.presses('q.play')
       await expect(child.button('q.playNew')).toBeVisible()
       await child.presses('lab.stop')
+      await learner.turnsTo('inside')
       for (const level of ['starter', 'expert']) {
         await page.getByLabel(child.word('q.level')).selectOption(level)
-        await learner.turnsTo('inside')
         expect(await axeFindings(page)).toEqual([])
       }
       await learner.turnsTo('curves')

@@ -1,0 +1,198 @@
+import { axeFindings } from '../child-cards.ts'
+import { Learner, learningProject } from '../child-learning.ts'
+import { expect, test } from '../house.ts'
+import { languages } from '../words.ts'
+
+for (const language of languages) {
+  test.describe(`the playground for learning by trying in ${language}`, () => {
+    test.use({ language })
+
+    test('hedges open and streets get clean where a way is good', async ({ child }) => {
+      const learner = new Learner(child)
+      for (const [card, last] of [
+        ['forest', '5-7|6-7'],
+        ['city', '14-15|15-16|13-15'],
+      ] as const) {
+        await learner.opens(card)
+        const closed = await learner.covers()
+        expect(new Set(closed)).toEqual(new Set([1]))
+        await learner.hurries()
+        await child.presses('q.play')
+        await expect(child.button('q.playNew')).toBeVisible()
+        const best = Math.min(...(await learner.covers(last)))
+        expect(best).toBeLessThan(0.1)
+        expect(Math.max(...(await learner.covers()))).toBeGreaterThan(best)
+      }
+    })
+
+    test('on Mars fog lifts where Bo has been, and the way through three rooms by three is found', async ({
+      child,
+      page,
+    }) => {
+      const learner = new Learner(child)
+      await learner.opens('railway')
+      await child.opensProject('Mars', learningProject('Mars', { MAP: 'MAP_MARS', START: '0', FINISH: '8' }))
+      await learner.sees()
+      await expect(page.locator('#fog-8')).toHaveAttribute('display', 'inline')
+      await learner.hurries()
+      await child.presses('q.play')
+      await learner.seesWay(0, 3, 4, 5, 8)
+      await expect(page.locator('#fog-8')).toHaveAttribute('display', 'none')
+      await child.seesDriving()
+    })
+
+    test('start and goal change places in one step, and one step takes it back', async ({ child, page }) => {
+      const learner = new Learner(child)
+      await learner.opens('railway')
+      await learner.makesStation(1, 'startHere')
+      const task = (start: number, goal: number) => child.words('q.task', { start, goal })
+      await expect(task(1, 3)).toBeVisible()
+      await child.presses('lab.undo')
+      await expect(task(3, 1)).toBeVisible()
+      await expect(child.button('lab.undo')).toHaveAttribute('aria-disabled', 'true')
+      await learner.fills()
+      await child.presses('q.change')
+      await page.getByRole('combobox', { name: child.word('q.goal'), exact: true }).selectOption('4')
+      await child.types('Escape')
+      await expect(
+        page.getByRole('region', { name: child.word('q.task', { start: 3, goal: 4 }) }),
+      ).toBeVisible()
+    })
+
+    test('a row of the table and its road on the map show each other', async ({ child, page }) => {
+      const learner = new Learner(child)
+      await learner.opens('railway')
+      await learner.fills()
+      const cell = page.getByRole('button', {
+        name: child.word('q.cell', { from: 3, to: 5, value: 0, tries: 0 }),
+      })
+      await cell.hover()
+      await expect(page.locator('path.marked')).toHaveCount(1)
+      await learner.road(3, 5).focus()
+      await expect(cell).toHaveClass(/marked/)
+      await expect(page.locator('.drawer .marked')).toHaveCount(1)
+    })
+
+    test('the table of runs is saved as CSV, a row a run, with what was guessed', async ({ child, page }) => {
+      const learner = new Learner(child)
+      await learner.opens('railway')
+      await learner.turnsTo('trials')
+      await page.getByLabel(child.word('q.guess')).fill('3-2-1')
+      await learner.hurries()
+      for (const next of ['q.play', 'q.playNew']) {
+        await child.presses(next)
+        await expect(child.button('q.playNew')).toBeVisible()
+      }
+      await expect(page.locator('.drawer tbody tr')).toHaveCount(2)
+      const [head, ...rows] = (await learner.savesTable()).trim().split('\r\n')
+      expect(head).toMatch(/^map,start,goal,/)
+      expect(rows).toHaveLength(2)
+      for (const row of rows)
+        expect(row).toMatch(
+          /^railway,3,1,,standard,0\.5,0\.8,0\.1,0\.5,10,10000,\d,10,\d+,[\d-]*,2,\d+,3-2-1,$/,
+        )
+    })
+
+    test('each move is said as a sentence while it is played', async ({ child, page }) => {
+      const learner = new Learner(child)
+      await learner.opens('railway')
+      const heard = await learner.listens()
+      await child.presses('q.play')
+      const facts = (move: number) => ({ move, from: '\\d', to: '\\d', how: '.+', stars: '\\d' })
+      for (const move of [1, 2, 3])
+        await expect
+          .poll(heard)
+          .toContainEqual(expect.stringMatching(new RegExp(child.word('q.said.move', facts(move)))))
+      await child.presses('q.stop')
+      await expect(page.locator('.q [aria-live]')).toContainText(child.word('q.byHand'))
+      // After the end there is no pause, and nothing to step.
+      await expect(page.locator('.q').getByRole('button', { name: child.word('q.pause') })).toHaveCount(0)
+      await expect(child.button('q.step')).toHaveAttribute('aria-disabled', 'true')
+    })
+
+    test('twice as fast is twice as many moves, three times three times', async ({ child, page }) => {
+      const learner = new Learner(child)
+      await learner.opens('railway')
+      await page.clock.install()
+      const made: number[] = []
+      for (const speed of [1, 2, 3]) {
+        await child.presses('q.times', { speed })
+        await child.presses('q.play')
+        await page.clock.runFor(6050)
+        await child.presses('q.pause')
+        made.push((await learner.moves()).made)
+        await child.presses('q.again')
+      }
+      // The first one begins at once.
+      expect(made).toEqual([7, 13, 19])
+    })
+
+    test('who wants less motion sees Bo jump, hears every move, and nothing moves', async ({
+      child,
+      page,
+    }) => {
+      await page.emulateMedia({ reducedMotion: 'reduce' })
+      const learner = new Learner(child)
+      await learner.opens('railway')
+      const heard = await learner.listens()
+      await child.presses('q.play')
+      const places = await learner.places(2500)
+      expect(places.size).toBeLessThanOrEqual(4)
+      expect(await page.evaluate(() => document.getAnimations().map(({ id }) => id))).toEqual([])
+      const facts = { move: 1, from: '\\d', to: '\\d', how: '.+', stars: '\\d' }
+      expect(await heard()).toContainEqual(
+        expect.stringMatching(new RegExp(child.word('q.said.move', facts))),
+      )
+    })
+
+    test('rewards of one’s own: length counts, a station pays, and both stand in the table', async ({
+      child,
+      page,
+    }) => {
+      const learner = new Learner(child)
+      await learner.opens('railway')
+      await learner.turnsTo('inside')
+      await page.getByLabel(child.word('q.level')).selectOption('explorer')
+      await page.getByLabel(child.word('q.pay.length')).check()
+      await learner.turnsTo('map')
+      await learner.station(4).click()
+      const reward = page.getByLabel(child.word('q.pay.here'), { exact: true })
+      await reward.fill(language === 'de' ? '2,5' : '2.5')
+      await reward.press('Enter')
+      await child.presses('q.close')
+      await expect(page.getByText(language === 'de' ? '+2,5' : '+2.5', { exact: true })).toBeVisible()
+      await learner.hurries()
+      await child.presses('q.play')
+      await expect(child.button('q.playNew')).toBeVisible()
+      await learner.turnsTo('trials')
+      expect(await learner.savesTable()).toMatch(/,length 4:2\.5\r\n$/)
+      await child.presses('lab.undo')
+      await learner.turnsTo('map')
+      await expect(page.getByText('+2', { exact: false })).toHaveCount(0)
+    })
+
+    test('with all the room start, goal and best way stand beside the map: nothing for axe to find', async ({
+      child,
+      page,
+    }) => {
+      await page.emulateMedia({ reducedMotion: 'reduce' })
+      const learner = new Learner(child)
+      await learner.opens('forest')
+      await learner.fills()
+      expect(await axeFindings(page)).toEqual([])
+      await page.getByLabel(child.word('q.level')).selectOption('expert')
+      await child.presses('q.step')
+      expect(await axeFindings(page)).toEqual([])
+      await child.presses('q.change')
+      expect(await axeFindings(page)).toEqual([])
+      await child.types('Escape')
+      await learner.hurries()
+      await child.presses('q.play')
+      await expect(child.button('q.playNew')).toBeVisible()
+      for (const name of ['curves', 'trials', 'inside'] as const) {
+        await learner.turnsTo(name)
+        expect(await axeFindings(page)).toEqual([])
+      }
+    })
+  })
+}
