@@ -62,7 +62,9 @@ export class Learner {
   }
 
   async turnsTo(page: 'map' | 'inside' | 'curves' | 'trials') {
-    await this.child.presses(`q.page.${page}`)
+    // The card of the lab is called like the map in German.
+    const pages = this.child.page.getByRole('group', { name: this.child.word('q.pages'), exact: true })
+    await pages.getByRole('button', { name: this.child.word(`q.page.${page}`), exact: true }).click()
   }
 
   /** Gives the playground all of the window. */

@@ -1,0 +1,48 @@
+import fc from 'fast-check'
+import { expect, test } from 'vitest'
+import { layOutWorld, lengthOf, shortestLength } from './index.ts'
+
+const roads = fc.array(
+  fc.record({
+    from: fc.nat(5),
+    to: fc.nat(5),
+    length: fc.integer({ min: 1, max: 50 }),
+  }),
+  { maxLength: 20 },
+)
+
+/** Every way of at most six stations, one after the other. */
+function shortestOfAll(moves: readonly (readonly { readonly to: number; readonly length: number }[])[]) {
+  let least = Infinity
+  const walk = (at: number, walked: number, seen: readonly number[]): void => {
+    if (at === 5) least = Math.min(least, walked)
+    else
+      for (const { to, length } of moves[at]!)
+        if (!seen.includes(to)) walk(to, walked + length, [...seen, to])
+  }
+  walk(0, 0, [0])
+  return least === Infinity ? null : least
+}
+
+test('the shortest length is the least of all ways', () => {
+  fc.assert(
+    fc.property(roads, (list) => {
+      const moves = Array.from({ length: 6 }, (_, from) => {
+        const own = list.filter((road) => road.from === from && road.to !== from)
+        return own.filter(({ to }, index) => own.findIndex((road) => road.to === to) === index)
+      })
+      const world = layOutWorld({ map: { moves }, start: 0, goal: 5 })
+      expect(shortestLength(world)).toBe(shortestOfAll(moves))
+    }),
+    { seed: 1, numRuns: 300 },
+  )
+})
+
+test('a way is as long as its roads, and a closed road is none', () => {
+  const moves = [[{ to: 1, length: 3 }], [{ to: 2, length: 4 }], []]
+  const world = layOutWorld({ map: { moves }, start: 0, goal: 2 })
+  expect(lengthOf(world, [0, 1, 2])).toBe(7)
+  const closed = layOutWorld({ map: { moves }, start: 0, goal: 2, closed: [[1, 2]] })
+  expect(() => lengthOf(closed, [0, 1, 2])).toThrow('No open road leads from 1 to 2.')
+  expect(shortestLength(closed)).toBeNull()
+})
