@@ -9,6 +9,7 @@ import type { Marks } from './debug/marks.ts'
 import { keepEscape } from './escape.ts'
 import { grouped } from './list.ts'
 import { letPaste } from './menus.ts'
+import { nameParts } from './name-parts.ts'
 import { addNeuron } from './network.ts'
 import { restore, statesOn, toProgram, toWorkspace } from './program.ts'
 import { bringExpert, expertParts } from './packs.ts'
@@ -72,7 +73,7 @@ export class Pane {
     toWorkspace(program, this.#workspace)
     // Blockly measures words on a canvas at the end of the body; it shows nothing.
     document.querySelector('.blocklyComputeCanvas')?.setAttribute('aria-hidden', 'true')
-    this.#nameParts()
+    nameParts(this.#workspace, wordsIn(this.#locale))
     letPaste(this.#workspace, () => this.#learn())
     this.#stops = [listen(this.#workspace, reports, () => this.#emit()), keepEscape(host, this.#workspace)]
   }
@@ -266,15 +267,6 @@ export class Pane {
     return true
   }
 
-  /** Blockly leaves its frame and its shelf without names, and counts only what it saw coming. */
-  #nameParts() {
-    const words = wordsIn(this.#locale)
-    const frame = this.#workspace.getInjectionDiv()
-    frame.setAttribute('aria-label', words('editor.blocks'))
-    frame.querySelector('.blocklyToolbox [role=tree]')?.setAttribute('aria-label', words('editor.toolbox'))
-    this.#workspace.setInitialAriaContext()
-  }
-
   #emit() {
     const program = toProgram(this.#workspace, this.#program)
     this.#program = program
@@ -292,7 +284,7 @@ export class Pane {
     } finally {
       Blockly.Events.enable()
     }
-    this.#nameParts()
+    nameParts(this.#workspace, wordsIn(this.#locale))
     this.setLit(this.#lit)
     this.setGlow(this.#glow)
     this.setFindings(this.#findings)
