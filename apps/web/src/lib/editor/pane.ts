@@ -21,11 +21,6 @@ import { toolboxInfo } from './toolbox.ts'
 import type { Locale } from '#lib/words/language.svelte.ts'
 import { wordsIn } from '#lib/words/say.ts'
 
-/** Fields of a block by their names. */
-export interface Fields {
-  readonly [name: string]: string
-}
-
 /** What the pane tells the page. */
 export interface PaneReports extends Reports {
   finding(finding: Finding): void
@@ -249,7 +244,7 @@ export class Pane {
   }
 
   /** Several fields of a block, as one step. */
-  setFields(blockId: string, fields: Fields): void {
+  setFields(blockId: string, fields: { readonly [name: string]: string }): void {
     const block = this.#workspace.getBlockById(blockId)
     grouped(() => Object.entries(fields).forEach(([name, value]) => block?.setFieldValue(value, name)))
   }
