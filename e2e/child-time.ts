@@ -69,10 +69,15 @@ export class TimeHands {
     return this.robot(number).evaluate((grip) => grip.parentElement!.style.transform)
   }
 
-  /** The first one more comes from the world's menu, the others from the row. */
-  async adds(kind: 'shared' | 'own') {
-    if ((await this.row.count()) === 0) await this.#child.presses('lab.worldSettings')
+  /** Asks for one robot more: the first one comes from the world's menu, the others from the row. */
+  async asks() {
+    const wide = (this.#child.page.viewportSize()?.width ?? 0) >= 1280
+    if ((await this.row.count()) === 0) await this.#child.presses(wide ? 'lab.worldSettings' : 'lab.menu')
     await this.#child.button('robots.add').last().click()
+  }
+
+  async adds(kind: 'shared' | 'own') {
+    await this.asks()
     await this.#child.presses(`robots.${kind}`)
   }
 }

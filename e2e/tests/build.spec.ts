@@ -303,6 +303,32 @@ test('a world of another size keeps everybody on its floor; an odd size is not t
   expect((await file(child)).world.size).toEqual({ width: 150, height: 400 })
 })
 
+test('things inside each other and in Bo come to stand side by side, and the file says where', async ({
+  child,
+}) => {
+  const project = JSON.parse(freeProgram('Heap', (make) => [make.wait(1)])) as Project
+  const { pose } = project.world.robots[0]!
+  const shape = { kind: 'rectangle', width: 24, height: 24 } as const
+  const heap = Array.from({ length: 6 }, (_, i) => ({
+    ...{ id: `box${i}`, shape, pose, fixed: false, colour: '#F7D117' },
+  }))
+  await child.opensLab('free')
+  await child.opensProject(
+    'Heap',
+    JSON.stringify({ ...project, world: { ...project.world, obstacles: heap } }),
+  )
+  const kept = JSON.parse(await child.savesFile()) as Project
+  expect(kept.world.robots[0]!.pose).toEqual(pose)
+  const builder = new Builder(child)
+  await builder.begins()
+  const boxes = builder.all('world.thing.rectangle')
+  await expect(boxes).toHaveCount(6)
+  const places = [pose, ...(await Promise.all((await boxes.all()).map((box) => builder.placeOf(box))))]
+  for (const [i, one] of places.entries())
+    for (const other of places.slice(i + 1))
+      expect(Math.hypot(one.x - other.x, one.y - other.y)).toBeGreaterThan(18)
+})
+
 test('a full world says so', async ({ child }) => {
   const builder = await builds(child)
   await builder.choosesFile('build.openScene', 'full.json', json(foreignScene(100)))

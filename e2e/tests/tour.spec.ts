@@ -192,6 +192,11 @@ for (const language of languages) {
           await child.tabsAndPresses(said === 'litWheel' ? 'tour.done' : 'tour.next')
         }
         await expect(tourOf(child)).toHaveCount(0)
+        await child.presses('lab.menu')
+        await child.presses('comfort.title')
+        await child.presses('tour.again')
+        await expect(tourOf(child)).toContainText(child.word('tour.step', { number: 1, of: 3 }))
+        await seesWhole(child, child.block('wheelLeft').locator('.blocklyPath').first())
       })
     })
   })

@@ -7,7 +7,7 @@ import { shelfPlugins, toolboxInfo } from './toolbox.ts'
 
 const startScale = 0.76
 /** For the last row of a class. */
-const largeScale = 1
+const largeScale = 0.92
 
 /** How blocks are drawn: clear letters, and large for a wall. */
 export interface Looks {

@@ -24,7 +24,7 @@ const travels = {
   tour: v.literal('seen'),
 } satisfies { readonly [name: string]: v.GenericSchema }
 
-export type SettingName = keyof typeof travels
+type SettingName = keyof typeof travels
 export type HomeSettings = { readonly [name in SettingName]?: unknown }
 export const settingNames = Object.keys(travels) as readonly SettingName[]
 
@@ -35,7 +35,7 @@ export interface Drawer {
 }
 
 /** What became of the settings of a home file: new here, or left out because this device has its own. */
-export interface MergedSettings {
+interface MergedSettings {
   readonly taken: readonly SettingName[]
   readonly kept: readonly SettingName[]
 }
