@@ -77,6 +77,12 @@ export class BlockHands {
     await expect(this.#page.getByRole('menuitem')).toHaveCount(0)
   }
 
+  /** Writes into the note that has just opened. */
+  async writes(words: string) {
+    await expect(this.#page.locator('.blocklyCommentText')).toBeFocused()
+    await this.#page.keyboard.type(words)
+  }
+
   /** Goes to a block by the keyboard alone. */
   async goesTo(block: string) {
     const at = () =>
