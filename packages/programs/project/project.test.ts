@@ -183,7 +183,11 @@ describe('what is refused, and why', () => {
     ['a delay of half a tick', 'world.robots.0.config.delay', 0.5],
     ['a motor that hardly turns', 'world.robots.0.config.strength', { left: 0.4, right: 1 }],
     ['a sensor nobody knows', 'world.robots.0.config.sensors.1.kind', 'nose'],
-    ['a sorting with a key that reaches into every object', 'sorting', JSON.parse('{"version":1,"__proto__":{}}')],
+    [
+      'a sorting with a key that reaches into every object',
+      'sorting',
+      JSON.parse('{"version":1,"__proto__":{}}'),
+    ],
     ['a world without size', 'world.size.width', 0],
     ['a world without a robot', 'world.robots', []],
   ])('%s', (_what, path, value) => {
