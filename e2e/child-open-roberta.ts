@@ -41,8 +41,12 @@ export class Comer {
       [name, text] as const,
     )
     const place = this.#page.locator(over).first()
-    await place.dispatchEvent('dragover', { dataTransfer: files })
-    await expect(this.#page.locator('body')).toHaveAttribute('data-drop', this.#child.word('parts.dropFile'))
+    // What is held over a page tells so again and again; a page that has just been opened hears it once it listens.
+    await expect(async () => {
+      await place.dispatchEvent('dragover', { dataTransfer: files })
+      const said = this.#child.word('parts.dropFile')
+      await expect(this.#page.locator('body')).toHaveAttribute('data-drop', said, { timeout: 500 })
+    }).toPass({ timeout: 30_000 })
     await place.dispatchEvent('drop', { dataTransfer: files })
     await expect(this.#page.locator('body')).not.toHaveAttribute('data-drop')
   }

@@ -84,8 +84,13 @@ describe('botgarten cards', () => {
       'square',
       'stop',
       'chameleon',
+      'incognito',
+      'caution',
+      'loud-distance',
       'friendship',
       'fear',
+      'interest',
+      'rally',
       'railway',
       'forest',
       'city',
@@ -96,7 +101,7 @@ describe('botgarten cards', () => {
 
   it('lists them for people, a line each', () => {
     expect(botgarten('cards').stdout).toMatch(
-      /\nfriendship .*Friendship \/ Freundschaft\nfear .*\nrailway .*Railway \/ Eisenbahn\n/,
+      /\nfriendship .*Friendship \/ Freundschaft\nfear .*\ninterest .*\nrally .*\nrailway .*Railway \/ Eisenbahn\n/,
     )
   })
 })

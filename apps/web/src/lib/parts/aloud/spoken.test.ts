@@ -2,7 +2,8 @@ import { expect, test } from 'vitest'
 import { readCardText } from '../../../../../../packages/materials/cardText.ts'
 import { spoken } from './spoken.ts'
 
-const section = '## Goal\n**Go!** Now.\n## Hint 1\na\n## Hint 2\nb\n## Hint 3\nc\n## Further\nd'
+const section =
+  '## Goal\n**Go!** Now.\n## Checks\n- near: comes near\n## Hint 1\na\n## Hint 2\nb\n## Hint 3\nc\n## Further\nd'
 const storyOf = (markdown: string) => readCardText(`# Title\n## Story\n${markdown}\n${section}`).story
 
 test('a text is said without its signs, paragraphs with a pause between', () => {
