@@ -1,1 +1,0 @@
-export { takeDrops } from './drop.ts'
