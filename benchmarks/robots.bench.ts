@@ -17,7 +17,7 @@ async function driving(browser: Browser, url: string, robots: number) {
   for (let robot = 1; robot <= robots; robot += 1) {
     if (robot > 1) await crew.adds('shared')
     await child.typesWeight(leftEye, leftWheel, 0.6)
-    await child.typesWeight(leftEye, rightWheel, 0.2 + 0.05 * robot)
+    await child.typesWeight(leftEye, rightWheel, (20 + 5 * robot) / 100)
   }
   await throttled(child.page)
   await child.pressesStart()
