@@ -78,8 +78,8 @@ export default {
       name: 'resolvable',
       severity: 'error',
       from: {},
-      // mdast is types alone: the compiler resolves it.
-      to: { couldNotResolve: true, pathNot: '^(#|\\$|virtual:|\\./\\$types|mdast$)' },
+      // mdast is types alone: the compiler resolves it. `content:…` is what vite.config makes of content/.
+      to: { couldNotResolve: true, pathNot: '^(#|\\$|virtual:|content:|\\./\\$types|mdast$)' },
     },
   ],
   options: {

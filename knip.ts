@@ -8,10 +8,11 @@ const config: KnipConfig = {
   workspaces: {
     '.': { entry: ['scripts/*.{mjs,ts}'], project: ['scripts/**/*.{mjs,ts}'] },
     'apps/web': {
-      entry: ['project.inlang/paraglide.config.js'],
+      // Drawings are found by the folder they lie in.
+      entry: ['project.inlang/paraglide.config.js', 'src/lib/materials/embeds/*.svelte'],
       project: ['src/**/*.{ts,svelte,css}'],
-      // Named by its path in project.inlang/settings.json.
-      ignoreDependencies: ['@inlang/plugin-message-format'],
+      // Named by its path in project.inlang/settings.json; `content:…` is what vite.config makes of content/.
+      ignoreDependencies: ['@inlang/plugin-message-format', 'content'],
     },
     benchmarks: { entry: ['*.bench.ts'] },
     e2e: { entry: ['tests/**/*.{spec,touch}.ts'] },

@@ -18,6 +18,9 @@ export function median(values: readonly number[]): number {
   return sorted[Math.floor((sorted.length - 1) / 2)] ?? NaN
 }
 
+/** Milliseconds, as tables show them. */
+export const ms = (value: number) => `${value.toFixed(1)} ms`
+
 /** The value that `share` of all values do not exceed (nearest rank). `share` 0..1. */
 export function percentile(values: readonly number[], share: number): number {
   const sorted = [...values].sort((a, b) => a - b)

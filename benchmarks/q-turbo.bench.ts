@@ -5,21 +5,11 @@ import { launchBrowser } from '../e2e/browser.ts'
 import { Learner } from '../e2e/child-learning.ts'
 import { buildWhenNeeded } from '../scripts/prepare/build.mjs'
 import { startServer } from '../scripts/server.ts'
-import { percentile, type Table } from './bench.ts'
-import { freshChild, throttle, throttled, watchFrames } from './slow.ts'
+import { ms, percentile, type Table } from './bench.ts'
+import { freshChild, heapOf, throttle, throttled, watchFrames } from './slow.ts'
 
 const tries = 10_000
-const ms = (value: number) => `${value.toFixed(1)} ms`
 const MB = (bytes: number) => `${(bytes / 1e6).toFixed(1)} MB`
-
-/** Bytes in use after everything that nobody needs has been collected. */
-async function heapOf(page: Page): Promise<number> {
-  const session = await page.context().newCDPSession(page)
-  for (let time = 0; time < 3; time += 1) await session.send('HeapProfiler.collectGarbage')
-  const { usedSize } = await session.send('Runtime.getHeapUsage')
-  await session.detach()
-  return usedSize
-}
 
 /** The card City as a project file, with many tries. */
 function manyTries(): string {

@@ -4,10 +4,10 @@ import { SortingHands } from '../e2e/child-sorting.ts'
 import { Child } from '../e2e/child.ts'
 import { buildWhenNeeded } from '../scripts/prepare/build.mjs'
 import { startServer } from '../scripts/server.ts'
-import { percentile, type Table } from './bench.ts'
+import { ms, percentile, type Table } from './bench.ts'
 import { noteFrames } from './in-page.ts'
+import { freshPage, takeGaps, throttled } from './slow.ts'
 
-const throttle = 4
 const count = 2000
 
 /** Points all over the plane: flags move for many rounds. */
@@ -18,34 +18,25 @@ function table(): string {
 
 /** Ten seconds on a slow laptop: gaps between frames, at rest and while it plays. */
 async function gapsOn(browser: Browser, baseURL: string): Promise<{ rest: number[]; play: number[] }> {
-  const context = await browser.newContext({
-    baseURL,
-    viewport: { width: 1366, height: 768 },
-    locale: 'en-GB',
-  })
-  const page = await context.newPage()
-  const session = await context.newCDPSession(page)
+  const page = await freshPage(browser, baseURL)
   const sorting = new SortingHands(new Child(page, 'en'))
   await sorting.opens('points')
   await sorting.opensTable(table())
   await sorting.seesPoints(count)
   for (let press = 0; press < 2; press += 1) await sorting.presses('moreFlags')
-  await session.send('Emulation.setCPUThrottlingRate', { rate: throttle })
+  await throttled(page)
   await page.waitForTimeout(1000)
   await page.evaluate(noteFrames)
   const frames = async () => {
     await page.waitForTimeout(10_000)
-    const times = await page.evaluate(() => globalThis.frameTimes.splice(0))
-    return times.slice(1).map((time, index) => time - times[index]!)
+    return takeGaps(page)
   }
   const rest = await frames()
   await sorting.presses('play')
   const play = await frames()
-  await context.close()
+  await page.context().close()
   return { rest, play }
 }
-
-const ms = (value: number) => `${value.toFixed(1)} ms`
 
 /** How the sorting playground feels on a slow laptop. */
 export default async function sorting(): Promise<Table> {

@@ -11,7 +11,7 @@ interface Event {
 export interface MainThread {
   /** Milliseconds of every task, in order. */
   readonly tasks: readonly number[]
-  /** Frames in which the page ran its own code for a frame. */
+  /** Frames that the main thread handed on to be drawn. A page runs several pieces of code for one of them. */
   readonly frames: number
 }
 
@@ -22,7 +22,7 @@ export function mainThreadOf(trace: string): MainThread {
   const own = threads.map(({ pid, tid }) => events.filter((event) => event.pid === pid && event.tid === tid))
   const found = own.map((mine) => ({
     tasks: mine.filter(isTask).map(({ dur = 0 }) => dur / 1000),
-    frames: mine.filter(({ name }) => name === 'FireAnimationFrame').length,
+    frames: mine.filter(({ name }) => name === 'Commit').length,
   }))
   const [busiest] = found.sort((a, b) => b.frames - a.frames)
   if (busiest === undefined) throw new Error('The trace has no page in it.')

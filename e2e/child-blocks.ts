@@ -3,6 +3,7 @@ import { readFileSync } from 'node:fs'
 import type { Block } from '@botgarten/blocks'
 import type { Project } from '@botgarten/programs'
 import type { Child } from './child.ts'
+import type { Spot } from './hand.ts'
 
 const read = <Words>(folder: string) =>
   Object.fromEntries(
@@ -50,6 +51,18 @@ export class BlockHands {
     await this.field.fill(words)
   }
 
+  /** Pulls a block that was found to a spot of the paper. */
+  async pulls(hit: Locator, to: Spot) {
+    const { x, y } = (await hit.boundingBox())!
+    await this.#page.mouse.move(x + 60, y + 20)
+    await this.#page.mouse.down()
+    await this.#page.mouse.move(x + 80, y + 40, { steps: 3 })
+    await expect(this.field).toHaveCount(0)
+    await this.#page.mouse.move(to.x, to.y, { steps: 6 })
+    await this.#page.mouse.up()
+    await expect(this.#page.locator('.blocklyDragging')).toHaveCount(0)
+  }
+
   /** What Blockly calls an item of its menus, in the child's language. */
   item(name: Item | Switch): Locator {
     const words = blockly[this.#child.language]![name]!
@@ -63,18 +76,31 @@ export class BlockHands {
     await this.#child.block(block).click({ ...this.corner, button: 'right' })
     await this.item(name).click()
     await expect(this.#page.locator('.blocklyContextMenu')).toHaveCount(0)
+    await this.#isCarriedOut()
+  }
+
+  /** Blockly does what was chosen after the next frame, when its menu is gone already. */
+  #isCarriedOut() {
+    return this.#page.evaluate(
+      () => new Promise<void>((done) => requestAnimationFrame(() => setTimeout(done, 0))),
+    )
   }
 
   /** The same by the keyboard alone: the block has the focus. */
   async choosesByKeys(name: Item | Switch) {
+    // A page that is busy has not given the focus back yet, and opens its menu later.
+    await expect(this.#page.locator('.blocklyPath.blocklyActiveFocus')).toHaveCount(1)
     await this.#page.keyboard.press('Control+Enter')
     const words = blockly[this.#child.language]![name]!
+    await expect(this.#page.getByRole('menu')).toBeFocused()
+    await expect(this.item(name)).toBeVisible()
     const items = await this.#page.getByRole('menuitem').allTextContents()
     const at = items.findIndex((item) => item.startsWith(words))
     expect(at, `${words} in ${items.join(', ')}`).toBeGreaterThanOrEqual(0)
     for (let presses = 0; presses < at; presses += 1) await this.#page.keyboard.press('ArrowDown')
     await this.#page.keyboard.press('Enter')
     await expect(this.#page.getByRole('menuitem')).toHaveCount(0)
+    await this.#isCarriedOut()
   }
 
   /** Writes into the note that has just opened. */

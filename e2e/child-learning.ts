@@ -45,6 +45,13 @@ export class Learner {
     await this.child.presses('q.turbo')
   }
 
+  /** As fast as it goes, until a limit stops it. */
+  async learnsToTheEnd() {
+    await this.hurries()
+    await this.child.presses('q.play')
+    await expect(this.child.button('q.playNew')).toBeVisible()
+  }
+
   async seesWay(...stations: readonly number[]) {
     const line = this.child.page.locator('.way').filter({ hasText: this.child.word('q.bestWay') })
     await expect(line.locator('b')).toHaveText(stations.map(String))
@@ -101,7 +108,7 @@ export class Learner {
       const places = new Set<string>()
       const end = performance.now() + time
       while (performance.now() < end) {
-        places.add(bo.getAttribute('transform') ?? '')
+        places.add((bo as SVGElement).style.transform)
         await new Promise(requestAnimationFrame)
       }
       return [...places]

@@ -112,6 +112,11 @@ export class Shelf {
     await expect(dialog).toBeHidden()
   }
 
+  /** What a busy browser does: the closing of the sentence before is told when the next one stands there. */
+  isToldOfAnEarlierClosing(title: string) {
+    return this.#child.dialog(title).dispatchEvent('close')
+  }
+
   /** The link in the dialog that is open. */
   link(): Promise<string> {
     return this.#page.getByRole('textbox', { name: this.#child.word('share.address') }).inputValue()

@@ -1,7 +1,8 @@
 import { expect, type Locator } from '@playwright/test'
 import type { Child } from './child.ts'
 
-type Kind = 'ultrasonic' | 'colour' | 'touch' | 'gyro' | 'infrared' | 'sound' | 'compass' | 'position'
+type Kind =
+  'ultrasonic' | 'colour' | 'touch' | 'gyro' | 'infrared' | 'sound' | 'compass' | 'position' | 'irseeker'
 
 /** What a child does with the robot itself: rebuild it, look what it senses, press its keys. */
 export class RobotHands {
@@ -69,6 +70,21 @@ export class RobotHands {
     await expect(this.port(port)).toContainText(
       kind === null ? this.word('empty') : this.word(`kind.${kind}`),
     )
+  }
+
+  /** A motor port in the list. */
+  motor(port: string): Locator {
+    return this.dialog.locator(`[data-motor="${port}"]`)
+  }
+
+  /** Chooses what a motor that is tapped does, or what is plugged in there. */
+  async sets(port: string, setting: 'plugged' | 'wheel' | 'turns' | 'power', to: string) {
+    await this.motor(port).getByRole('button').click()
+    await this.setting(setting).selectOption({ label: this.word(to) })
+  }
+
+  readonly setting = (setting: 'plugged' | 'wheel' | 'turns' | 'power'): Locator => {
+    return this.dialog.getByRole('combobox', { name: this.word(setting), exact: true })
   }
 
   slider(label: string): Locator {

@@ -40,6 +40,19 @@ export class TimeHands {
     return this.#child.page.getByRole('combobox', { name: this.#child.word('time.speed'), exact: true })
   }
 
+  /** Lets time run as fast as it can. */
+  async hurries() {
+    await this.opens()
+    await this.chooses('Infinity')
+  }
+
+  /** The same by keys alone. */
+  async hurriesByKeys() {
+    await this.#child.tabsAndPresses('time.open')
+    await this.#child.tabsTo(this.speed)
+    await this.#child.types('End')
+  }
+
   async chooses(speed: string) {
     await this.speed.selectOption(speed)
   }

@@ -5,9 +5,9 @@ import { say, sayCheck, type Language } from './words.ts'
 
 /** A neuron as a child would point at it: what it is, where it is plugged in and where it sits. */
 export interface Sensor {
-  readonly sensor: 'distance'
+  readonly sensor: 'distance' | 'light'
   readonly port: string
-  readonly place: 'frontLeft' | 'frontRight'
+  readonly place: 'front' | 'frontLeft' | 'frontRight'
 }
 export interface Motor {
   readonly motor: string
@@ -137,7 +137,7 @@ export class Child {
   nameOf(neuron: Sensor | Motor): string {
     const label =
       'sensor' in neuron
-        ? this.word(`neuron.${neuron.sensor}`, { INPUTNODE: neuron.port })
+        ? this.word(`neuron.${neuron.sensor}`, { INPUTNODE: neuron.port, SENSORPORT: neuron.port })
         : this.word('neuron.motor', { OUTPUTNODE: neuron.motor })
     return this.word('network.name', { label, place: this.word(`network.place.${neuron.place}`) })
   }

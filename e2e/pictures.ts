@@ -53,7 +53,7 @@ const wanted = process.argv.slice(2)
 const wishes = screens
   .filter(({ name }) => wanted.length === 0 || wanted.some((part) => name.includes(part)))
   .flatMap((screen) => languages.flatMap((language) => sizes.map((size) => ({ screen, language, size }))))
-  .filter(({ screen, size }) => !screen.phoneOnly || isPhone(size))
+  .filter(({ screen, size }) => (isPhone(size) ? !screen.neverPhone : !screen.phoneOnly))
 for (const wish of wishes)
   await take(browser, server.url, wish).catch((cause: unknown) =>
     console.error(wish.screen.name, wish.language, wish.size.width, cause),

@@ -53,6 +53,44 @@ export function bigNet(name: string): string {
   })
 }
 
+/** A net with a hidden layer, and these distance sensors before it. */
+export function emptyNet(name: string, neurons: string, eyes: readonly string[]): string {
+  const make = new Blocks()
+  const { block } = make.net(
+    eyes.map((port) => make.eye(port)),
+    [make.wheel('C')],
+    [],
+  )
+  const { INPUT_LAYER: before, ...others } = block.values!
+  const hidden = make.block('ai_nn_hidden_layer', {
+    fields: { NEURONS: neurons, ACTIVATION: 'RELU' },
+    values: { LAYER: before! },
+  })
+  const net = { ...block, values: { INPUT_LAYER: hidden, ...others } }
+  return freeProject(name, { programs: { main: make.program(make.forever(net)) }, brains: {} })
+}
+
+/** A net of 200 neurons: 20 sensors, eight hidden layers of 20, 20 words. */
+export function deepNet(name: string): string {
+  const make = new Blocks()
+  const twenty = <Thing>(one: (k: number) => Thing) => Array.from({ length: 20 }, (_, k) => one(k))
+  const words = twenty((k) => make.block('ai_nn_output_node_text', { fields: { OUTPUTNODE: `word ${k}` } }))
+  const { block } = make.net(
+    twenty((k) => make.eye(k % 2 === 0 ? '2' : '3')),
+    words,
+    [],
+  )
+  const { INPUT_LAYER: list, ...others } = block.values!
+  const layer = (before: typeof block) =>
+    make.block('ai_nn_hidden_layer', {
+      fields: { NEURONS: '20', ACTIVATION: 'TANH' },
+      values: { LAYER: before },
+    })
+  const inputs = Array.from({ length: 8 }).reduce<typeof block>(layer, list!)
+  const net = { ...block, values: { INPUT_LAYER: inputs, ...others } }
+  return freeProject(name, { programs: { main: make.program(make.forever(net)) }, brains: {} })
+}
+
 /** A net of one distance sensor and one word neuron, weight 0. */
 export function wordNet(name: string, word: string): string {
   const make = new Blocks()

@@ -6,12 +6,14 @@ import { Shelf } from './child-projects.ts'
 import { RobotHands } from './child-robot.ts'
 import { TimeHands } from './child-time.ts'
 import { projectFile } from './projects.ts'
+import { lookingIn } from './screens-looking-in.ts'
 
 /** One picture: how a child gets there. `phone`: one part of the lab at a time. */
 export interface Screen {
   readonly name: string
   /** Elsewhere all parts of the lab are on one screen. */
   readonly phoneOnly?: boolean
+  readonly neverPhone?: boolean
   show(child: Child, phone: boolean): Promise<void>
 }
 
@@ -173,4 +175,5 @@ export const screens: readonly Screen[] = [
       await expect(child.page.getByText(title, { exact: true }).first()).toBeVisible()
     },
   },
+  ...lookingIn,
 ]

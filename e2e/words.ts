@@ -6,15 +6,21 @@ export type Language = (typeof languages)[number]
 type Facts = { readonly [name: string]: string | number }
 type Tree = string | { readonly [key: string]: Tree }
 
-const read = (language: Language) =>
-  JSON.parse(readFileSync(new URL(`../content/words/${language}.json`, import.meta.url), 'utf8')) as Tree
-const words = { en: read('en'), de: read('de') }
+const read = (file: string) =>
+  JSON.parse(readFileSync(new URL(`../content/words/${file}.json`, import.meta.url), 'utf8')) as Tree
+/** Those of every page, and those of the whole block language. */
+const words = { en: [read('en'), read('expert/en')], de: [read('de'), read('expert/de')] }
+
+function find(tree: Tree, key: string): string | undefined {
+  let found: Tree | undefined = tree
+  for (const part of key.split('.')) found = typeof found === 'object' ? found[part] : undefined
+  return typeof found === 'string' ? found : undefined
+}
 
 /** What the screen says for a message key (`lab.start`) in a language. Throws where nobody wrote it. */
 export function say(language: Language, key: string, facts: Facts = {}): string {
-  let found: Tree | undefined = words[language]
-  for (const part of key.split('.')) found = typeof found === 'object' ? found[part] : undefined
-  if (typeof found !== 'string') throw new Error(`No word for ${key} in ${language}`)
+  const found = words[language].map((tree) => find(tree, key)).find((said) => said !== undefined)
+  if (found === undefined) throw new Error(`No word for ${key} in ${language}`)
   return found.replace(/\{(\w+)\}/g, (gap, name: string) => String(facts[name] ?? gap))
 }
 

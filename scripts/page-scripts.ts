@@ -24,9 +24,9 @@ const isContent = (name: string | undefined) => name?.startsWith('content-') ?? 
 // Tables of words: the page loads those of the language that it speaks.
 const languageOf = (key: string) => /content\/words\/(?:\w+\/)?(\w+)\.json/.exec(key)?.[1]
 
-// Of what comes late a page never asks for another playground.
+// Of what comes late a page never asks for another playground; what is seen inside a network belongs to the lab.
 const playgroundOf = (key: string) =>
-  key.endsWith('?sorting') ? 'sorting' : /playgrounds\/([\w-]+)\/later\.ts$/.exec(key)?.[1]
+  /\?(sorting)$/.exec(key)?.[1] ?? /playgrounds\/(?!inside)([\w-]+)\/later\.ts$/.exec(key)?.[1]
 
 export interface Counted {
   /** Also the parts that only a click asks for. */

@@ -1,29 +1,40 @@
-// `npm test`. Every step is an npm script that can be run alone; the first one that fails ends it.
+// `npm test`. Every step is an npm script that can be run alone. What only reads the code is checked beside the
+// unit tests; after that the first step that fails ends it.
 import { mkdtempSync, readFileSync, rmSync } from 'node:fs'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import { ensureChromium } from '../e2e/chromium.mjs'
 import { countOfPlaywright, countOfVitest, oneStep } from './prepare/counts.mjs'
 import { installWhenNeeded } from './prepare/install.mjs'
-import { asScript, npm } from './prepare/run.mjs'
+import { asScript, npm, npmAside } from './prepare/run.mjs'
 import { runtime } from './prepare/runtime.mjs'
 
 const folder = mkdtempSync(join(tmpdir(), 'botgarten-test-'))
 const unit = join(folder, 'unit.json')
 const browser = join(folder, 'browser.json')
 
-/** @type {{ name: string, script: string, args?: string[], env?: object, count?: (failed: boolean) => { passed: number, failed: number } }[]} */
-const steps = [
-  { name: 'types', script: 'check:types' },
+/** @typedef {{ name: string, script: string, args?: string[], env?: object, count?: (failed: boolean) => { passed: number, failed: number } }} Step */
+
+/** Comes first: it also writes what the others read, words and types of pages. @type {Step} */
+const types = { name: 'types', script: 'check:types' }
+
+/** @type {Step[]} */
+const readings = [
   { name: 'lint', script: 'check:lint' },
   { name: 'arrows between rooms', script: 'check:arrows' },
   { name: 'unused code', script: 'check:unused' },
-  {
-    name: 'unit tests',
-    script: 'test:unit',
-    args: ['--reporter=dot', '--reporter=json', `--outputFile.json=${unit}`],
-    count: () => countOfVitest(readJson(unit)),
-  },
+]
+
+/** @type {Step} */
+const unitTests = {
+  name: 'unit tests',
+  script: 'test:unit',
+  args: ['--reporter=dot', '--reporter=json', `--outputFile.json=${unit}`],
+  count: () => countOfVitest(readJson(unit)),
+}
+
+/** @type {Step[]} */
+const trials = [
   { name: 'build', script: 'build' },
   { name: 'sizes', script: 'check:sizes' },
   {
@@ -47,29 +58,45 @@ function countOf({ count = oneStep }, failed) {
   }
 }
 
-async function take(step, environment) {
-  console.log(`\n── ${step.name} (npm run ${step.script})`)
+const good = ({ failed }) => failed === 0
+
+/** Runs one step. `aside`: what it says is shown as a whole at its end. */
+async function take(step, environment, aside = false) {
   const began = Date.now()
-  const code = await npm(['run', '--silent', step.script, ...(step.args ? ['--', ...step.args] : [])], {
-    env: { ...process.env, ...environment, ...step.env },
-  })
+  const title = `\n── ${step.name} (npm run ${step.script})`
+  if (!aside) console.log(title)
+  const args = ['run', '--silent', step.script, ...(step.args ? ['--', ...step.args] : [])]
+  const options = { env: { ...process.env, ...environment, ...step.env } }
+  const { code, said } = aside ? await npmAside(args, options) : { code: await npm(args, options), said: '' }
+  if (aside) console.log(`${title}\n${said}`)
   const counted = countOf(step, code !== 0)
-  console.log(
-    `── ${step.name}: ${counted.failed === 0 ? 'good' : 'FAILED'} (${Math.round((Date.now() - began) / 1000)} s)`,
-  )
+  const seconds = Math.round((Date.now() - began) / 1000)
+  console.log(`── ${step.name}: ${good(counted) ? 'good' : 'FAILED'} (${seconds} s)`)
   return counted
 }
 
-async function takeAll() {
-  const sum = { passed: 0, failed: 0 }
-  const environment = { CHROMIUM: await ensureChromium() }
+/** One step after the other until one fails. */
+async function takeInOrder(steps, environment, aside = false) {
+  const counts = []
   for (const step of steps) {
-    const { passed, failed } = await take(step, environment)
-    sum.passed += passed
-    sum.failed += failed
-    if (failed > 0) break
+    counts.push(await take(step, environment, aside))
+    if (!counts.every(good)) break
   }
-  return sum
+  return counts
+}
+
+async function takeAll() {
+  const environment = { CHROMIUM: await ensureChromium() }
+  const counts = [await take(types, environment)]
+  if (counts.every(good)) {
+    const lanes = [takeInOrder(readings, environment, true), takeInOrder([unitTests], environment)]
+    counts.push(...(await Promise.all(lanes)).flat())
+  }
+  if (counts.every(good)) counts.push(...(await takeInOrder(trials, environment)))
+  return {
+    passed: counts.reduce((sum, { passed }) => sum + passed, 0),
+    failed: counts.reduce((sum, { failed }) => sum + failed, 0),
+  }
 }
 
 await asScript(async () => {

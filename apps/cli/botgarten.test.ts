@@ -91,6 +91,11 @@ describe('botgarten cards', () => {
       'fear',
       'interest',
       'rally',
+      'crossed-wires',
+      'lost-links',
+      'all-the-same',
+      'if-then',
+      'either-or',
       'railway',
       'forest',
       'city',
@@ -101,7 +106,7 @@ describe('botgarten cards', () => {
 
   it('lists them for people, a line each', () => {
     expect(botgarten('cards').stdout).toMatch(
-      /\nfriendship .*Friendship \/ Freundschaft\nfear .*\ninterest .*\nrally .*\nrailway .*Railway \/ Eisenbahn\n/,
+      /\nfriendship .*Friendship \/ Freundschaft\nfear .*\ninterest .*\nrally .*\ncrossed-wires .*\nlost-links .*\nall-the-same .*\nif-then .*\neither-or .*\nrailway .*Railway \/ Eisenbahn\n/,
     )
   })
 })
@@ -113,7 +118,7 @@ describe('botgarten run', () => {
     expectToFit(json(), 'run.json')
     expect(json()).toMatchObject({
       seconds: 60,
-      pose: { x: 430, y: 110, heading: expect.closeTo(120, 9) as number },
+      pose: { x: 440, y: 170, heading: expect.closeTo(150, 9) as number },
     })
     expect(json()['checks']).toContainEqual({ id: 'near', passed: false, at: null })
   })

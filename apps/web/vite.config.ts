@@ -5,7 +5,8 @@ import { sveltekit } from '@sveltejs/kit/vite'
 import { defineConfig, type Plugin } from 'vite'
 import { readCard } from '../../packages/materials/card.ts'
 import { readCardText } from '../../packages/materials/cardText.ts'
-import { noExamples } from './examples.ts'
+import { examples } from './examples.ts'
+import { materials } from './materials.ts'
 import { pixels } from './pixels.ts'
 import { webSpace } from './web-space.ts'
 import { words } from './words.ts'
@@ -27,8 +28,8 @@ const cardHeads: Plugin = {
     filter: { id: /card\.json\?head$/ },
     async handler(id) {
       const file = await readFile(id.split('?')[0]!, 'utf8')
-      const { id: name, code, playground, starts } = readCard(JSON.parse(file))
-      const head = { id: name, code, playground, starts: starts.length }
+      const { id: name, code, playground, bed = playground, group, starts } = readCard(JSON.parse(file))
+      const head = { id: name, code, bed, group, starts: starts.length }
       return { code: `export default ${JSON.stringify(head)}`, moduleType: 'js' }
     },
   },
@@ -83,33 +84,57 @@ const withoutCard = new Set([
   'learning',
   'learning-city',
 ])
+/** Cards that go on with another card's task come together with it. */
+const inChunkOf: { readonly [card: string]: string | undefined } = {
+  'crossed-wires': 'rally',
+  'lost-links': 'rally',
+  'all-the-same': 'rally',
+  'if-then': 'friendship',
+}
 const cardOf = (id: string) => {
   const file =
     /content[\\/](?:cards[\\/][\w-]+[\\/]\d+-|worlds[\\/])([\w-]+)[\\/](?:\w+\.md|start\.json|card\.json|world\.json)$/
-  const name = file.exec(id)?.[1]
+  const found = file.exec(id)?.[1]
+  const name = found && (inChunkOf[found] ?? found)
   return name === undefined ? null : `content-${withoutCard.has(name) ? 'worlds' : name}`
 }
 const chunks = [
   // SvelteKit's first script imports it and must not pull anything else in before the page is set up.
   { name: 'preload', test: /preload-helper|runtime[\\/]client[\\/]payload\.js/, priority: 3 },
+  // What SvelteKit's pages share of it: the state of the page, the names of addresses.
+  {
+    name: 'navigation',
+    test: /@sveltejs[\\/]kit[\\/]src[\\/](runtime[\\/](app|client|env|shared)|exports[\\/](index|internal))/,
+    minShareCount: 2,
+    priority: 2,
+  },
   { name: cardOf, priority: 2 },
   {
     name: 'common',
-    test: /(src[\\/]lib[\\/](content|offline|parts|words)|node_modules[\\/]svelte)[\\/]|storage[\\/](bin|channel|database|endings|handout|projects|settings)\.ts|state[\\/]comfort/,
+    test: /(src[\\/]lib[\\/](content|offline|parts(?![\\/]card[\\/](?!face))|words)|node_modules[\\/]svelte)[\\/]|PrintIcon|storage[\\/](bin|channel|copy-name|database|endings|handout|projects|refusal|settings)\.ts|state[\\/]comfort/,
     minShareCount: 2,
     priority: 1,
+  },
+  // A group takes along what its files import: these are needed without it.
+  { name: 'limits', test: /packages[\\/]programs[\\/]project[\\/](error|limits)\.ts/, priority: 3 },
+  // What reads projects and files that come from elsewhere: a first visit has none.
+  {
+    name: 'reading',
+    test: /node_modules[\\/]valibot[\\/]|packages[\\/]programs[\\/]project[\\/](project|schema\S*)\.ts/,
+    minShareCount: 2,
+    priority: 2,
   },
   // The home page reads project files without bringing the simulation along.
   {
     name: 'programs',
-    test: /packages[\\/](blocks[\\/](?!q-learning|sorting|learning|expert|later|toolbox-expert|parts[\\/](learning|sorting|expression))|learning[\\/]neural|numbers|programs|simulation[\\/](floor[\\/]colours|\w+\.ts))|node_modules[\\/]valibot[\\/]/,
+    test: /packages[\\/](blocks[\\/](?!configuration|q-learning|sorting|network[\\/]ai_nn_hidden|learning|expert|later|toolbox-expert|parts[\\/](learning|sorting|expression))|learning[\\/]neural-network[\\/](?!curves|keep)|numbers[\\/](?!exp-ln|arc|doubled|sin-cos-parts)|programs|simulation[\\/](floor[\\/]colours|\w+\.ts))/,
     minShareCount: 2,
     priority: 1,
   },
   { name: 'drawing', test: /src[\\/]lib[\\/](drawing|world)[\\/]/, minShareCount: 2 },
   {
     name: 'engine',
-    test: /[\\/](packages[\\/](?!blocks|learning|materials[\\/]things|simulation[\\/]floor[\\/]png)|node_modules[\\/]planck[\\/]|src[\\/]lib[\\/](?!storage|share|floor|editor[\\/](learning|expert)|playgrounds[\\/](sorting|q-learning)))/,
+    test: /[\\/](packages[\\/](?!blocks|learning|numbers|materials[\\/](things|maps|items|questions)|simulation[\\/](floor[\\/]png|body[\\/]plugged))|node_modules[\\/]planck[\\/]|src[\\/]lib[\\/](?!materials|paper|parts[\\/]card[\\/](?!face)|storage|share|floor|editor[\\/](learning|expert|layers|pictures)|playgrounds[\\/](sorting|q-learning|neural-network[\\/]deep)))/,
     minShareCount: 2,
   },
 ]
@@ -121,8 +146,9 @@ export default defineConfig({
   define: { __WEB_SPACE__: JSON.stringify(folder !== undefined) },
   plugins: [
     cardTexts,
-    noExamples,
+    ...examples,
     cardHeads,
+    materials,
     pixels,
     ...words,
     lessPhysics,
@@ -154,7 +180,8 @@ export default defineConfig({
   build: {
     target: 'es2022',
     // A picture in a script would be loaded by who never sees it. Things are many, small, and never come alone.
-    assetsInlineLimit: (file) => (file.endsWith('.svg') ? /content[\\/]things[\\/]/.test(file) : undefined),
+    assetsInlineLimit: (file) =>
+      file.endsWith('.svg') ? /content[\\/](things|materials)[\\/]/.test(file) : undefined,
   },
   environments: {
     client: { build: { rolldownOptions: { output: { codeSplitting: { groups: chunks } } } } },

@@ -1,25 +1,64 @@
 import { readFile } from 'node:fs/promises'
 import { createRequire } from 'node:module'
+import { basename, dirname, join } from 'node:path'
 import type { Plugin } from 'vite'
+import { asData } from './data.ts'
 
 type Tree = { readonly [key: string]: string | Tree }
 
 /** Sections of words that only pages beside the lab need, and parts that a click asks for (`later.ts`). */
-const late = ['about', 'build', 'debug', 'projects', 'q', 'robot', 'share', 'shelf', 'tour']
+const late = [
+  'build',
+  'debug',
+  'inside',
+  'net',
+  'projects',
+  'q',
+  'robot',
+  'share',
+  'shelf',
+  'tour',
+  'worldName',
+]
 
-/** What goes wrong with the blocks of a pack, and while a world is built. */
+/** What goes wrong with the blocks of a pack, with files, and while a world is built. */
 const lateProblems =
-  /^problem\.(noSuchStation|startIsGoal|emptyObstacle|groupsFromTo|fewReadings|noGroupsYet|noSuchGroup|picture\w+|sceneNotJson|notAScene|isAProject)\./
+  /^problem\.(link\w+|nothingToTake|homeTooBig|notJson|tooBig|notAProject|newerVersion|notKept|notXml|unsafeXml|notOpenRoberta|otherRobot|tooManyBlocks|tooDeep|tooManyNeurons|tooManyInLayer|noSuchStation|startIsGoal|emptyObstacle|groupsFromTo|fewReadings|noGroupsYet|noSuchGroup|picture\w+|sceneNotJson|notAScene|isAProject)\./
 
 /** Words of blocks that come in a pack have its names. */
+const ofPacks = /^(block\.(ai_q_|rl_|ai_sorting_|ai_nn_hidden)|choice\.(relu|sigmoid|tanh|threshold|linear)$)/
+
+/** What a second robot is called is said in the world. */
+const ofCrew = /^robots\.(?!name$)/
+
+/** What the clock says comes with the bar of time; its button is always there. */
+const ofTime = /^time\.(?!open|close)/
+
+/** The settings of a device. */
+const ofComfort = /^comfort\.(projector|quiet|letters|aloud)/
+
+/** What stands on a card, in the menus and in what the lab says when something has gone wrong or well. */
+const ofDialogs =
+  /^lab\.(need|conflict|gone|keepCopy|loadNewer|fullT|refused|success|rays|trail|onPaper|openFile|saveFile|cardNumber|youNeed|minutes|pairs|fromGrade|firstDrive|mission|further|showProgram)/
+
 const isLate = (key: string) =>
-  late.includes(key.split('.')[0]!) || /^block\.(ai_q_|rl_|ai_sorting_)/.test(key) || lateProblems.test(key)
+  late.includes(key.split('.')[0]!) ||
+  ofPacks.test(key) ||
+  ofCrew.test(key) ||
+  lateProblems.test(key) ||
+  ofTime.test(key) ||
+  ofDialogs.test(key) ||
+  ofComfort.test(key)
+
+/** What a block does is asked for when a hand rests on one. */
+const isHelp = (key: string) => /^block\.\w+\.help$/.test(key)
 
 /** No page says what a block is called: its words stand on it. */
-const isSaid = ([key]: readonly [string, string]) => !/^block\.\w+\.name$/.test(key)
+const isSaid = (key: string) => !/^block\.\w+\.name$/.test(key)
 
-/** The page for sorting has a table of its own. */
-const partOf = (key: string) => (key.startsWith('sorting.') ? 'sorting' : isLate(key) ? 'late' : 'first')
+/** Pages that the lab never shows have a table of their own: sorting, the learning materials, what this lab is. */
+const partOf = (key: string) =>
+  /^(about|sorting|materials)\./.test(key) ? 'sorting' : isLate(key) ? 'late' : 'first'
 
 /** `content/words/<language>.json?first`, `?late` and `?sorting`, `expert/<language>.json?expert`: words of one language, flat (`world.lost`). */
 const tables: Plugin = {
@@ -30,11 +69,28 @@ const tables: Plugin = {
     async handler(id) {
       const [file, part] = id.split('?') as [string, string]
       this.addWatchFile(file)
-      const all = Object.entries(flat(JSON.parse(await readFile(file, 'utf8')) as Tree)).filter(isSaid)
+      const all = (await entriesOf(file)).filter(([key]) => isSaid(key) && !isHelp(key))
       const words = Object.fromEntries(all.filter(([key]) => part === 'expert' || partOf(key) === part))
       // A string is read faster than an object of code.
       const code = `export default JSON.parse(${JSON.stringify(JSON.stringify(words))})`
       return { code, map: null, moduleType: 'js' }
+    },
+  },
+}
+
+/** `content/words/<language>.json?help`: brings what every block does, the expert pack's too, as data beside the scripts. */
+const tablesOfHelp: Plugin = {
+  name: 'tables-of-help',
+  enforce: 'pre',
+  load: {
+    filter: { id: /\.json\?help$/ },
+    async handler(id) {
+      const file = id.split('?')[0]!
+      const language = basename(file)
+      const files = [file, join(dirname(file), 'expert', language)]
+      for (const file of files) this.addWatchFile(file)
+      const entries = (await Promise.all(files.map(entriesOf))).flat().filter(([key]) => isHelp(key))
+      return asData(this, `help-${language}`, Object.fromEntries(entries))
     },
   },
 }
@@ -84,7 +140,10 @@ const messagesByKey: Plugin = {
   },
 }
 
-export const words: readonly Plugin[] = [tables, blocklyWords, messagesByKey]
+export const words: readonly Plugin[] = [tables, tablesOfHelp, blocklyWords, messagesByKey]
+
+const entriesOf = async (file: string) =>
+  Object.entries(flat(JSON.parse(await readFile(file, 'utf8')) as Tree))
 
 const flat = (tree: Tree, before = ''): { readonly [key: string]: string } =>
   Object.fromEntries(

@@ -19,12 +19,28 @@ const settles = (page: Page) =>
     await Promise.allSettled(ending.map(({ finished }) => finished))
   })
 
+/** What can be pressed and lies beside the screen, outside of everything that scrolls. */
+const outOfSight = (page: Page) =>
+  page.locator('button:visible, a:visible, select:visible').evaluateAll((all) =>
+    all
+      .filter((one) => {
+        const { left, right, width } = one.getBoundingClientRect()
+        // Things of the world lie where the world is.
+        if (one.closest('.world') || width <= 1 || (left > -1 && right < innerWidth + 1)) return false
+        for (let box = one.parentElement; box; box = box.parentElement)
+          if (/auto|scroll/.test(getComputedStyle(box).overflowX) && box !== document.body) return false
+        return true
+      })
+      .map((one) => one.textContent?.trim() || one.getAttribute('aria-label')),
+  )
+
 /**
  * Nothing is left out, Blockly included: what axe has to say about Blockly 13 as it comes (`aria-owns` with ids that are no
  * names, a list box without a name) is gone with plain ids and names for the shelf.
  */
 async function findsNothing(page: Page, where: string) {
   await settles(page)
+  expect(await outOfSight(page), where).toEqual([])
   const { violations, passes } = await new AxeBuilder({ page }).analyze()
   const said = violations.map(
     ({ id, nodes }) => `${where}, ${id}: ${nodes.map(({ target }) => String(target)).join(' | ')}`,
@@ -38,7 +54,12 @@ const faces: { readonly [name: string]: (child: Child, phone: boolean) => Promis
   stopped: (child) => child.opensLab('friendship'),
   program: async (child, phone) => phone && (await child.turnsTo('program')),
   network: async (child, phone) => phone && (await child.turnsTo('networkTab')),
+  'settings of the network': async (child) => {
+    await child.presses('network.settings')
+    await expect(child.words('net.levels.expert')).toBeVisible()
+  },
   'with weights, running': async (child, phone) => {
+    await child.types('Escape')
     await child.typesWeight(leftEye, leftWheel, 0.8)
     await child.typesWeight(rightEye, rightWheel, 0.3)
     if (phone) await child.turnsTo('world')

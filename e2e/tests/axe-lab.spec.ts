@@ -41,6 +41,7 @@ const labFaces: Faces = {
     await new Builder(child).ends()
     await new RobotHands(child).opens('build')
   },
+  'a motor of his': (child) => new RobotHands(child).motor('B').getByRole('button').click(),
   'what Bo feels': async (child) => {
     const bo = new RobotHands(child)
     await bo.closes()

@@ -95,6 +95,35 @@ for (const language of languages) {
       await expect(child.canvas.locator('.blocklyDraggable')).toHaveCount(before)
     })
 
+    test('a block that is found is pulled to where it belongs, in one step', async ({ child, page }) => {
+      const hands = new BlockHands(child)
+      await child.opensLab('free')
+      await child.opensProject('Waits', waits)
+      const blocks = child.canvas.locator('.blocklyDraggable')
+      const before = await blocks.count()
+      const first = child.block('b1')
+      const stands = await first.boundingBox()
+      const pulls = async (to: { x: number; y: number }) => {
+        await hands.searches(words[language].if)
+        const hit = (await hands.hits.first().boundingBox())!
+        await page.mouse.move(hit.x + 60, hit.y + 20)
+        await page.mouse.down()
+        await page.mouse.move(hit.x + 80, hit.y + 40, { steps: 3 })
+        await expect(hands.field).toHaveCount(0)
+        await page.mouse.move(to.x, to.y, { steps: 6 })
+        await page.mouse.up()
+        await expect(page.locator('.blocklyDragging')).toHaveCount(0)
+      }
+      await pulls({ x: stands!.x + 150, y: stands!.y + 320 })
+      await expect.poll(() => blocks.count()).toBeGreaterThan(before)
+      expect(await first.boundingBox()).toEqual(stands)
+      await child.presses('lab.undo')
+      await expect(blocks).toHaveCount(before)
+      const shelf = (await hands.row('control').boundingBox())!
+      await pulls({ x: shelf.x + 30, y: shelf.y + 20 })
+      await expect(blocks).toHaveCount(before)
+    })
+
     test('what is not found is said, and all blocks can be looked through', async ({ child, page }) => {
       await page.emulateMedia({ reducedMotion: 'reduce' })
       const hands = new BlockHands(child)

@@ -1,5 +1,6 @@
 import { axeFindings, chooses, setsKnob } from '../child-cards.ts'
 import type { Child } from '../child.ts'
+import { TimeHands } from '../child-time.ts'
 import { expect, test } from '../house.ts'
 import { languages } from '../words.ts'
 
@@ -51,6 +52,7 @@ for (const language of languages) {
       ] as const)
         await setsKnob(child, sees(child, from), lamp(child, to), '1')
       await child.pressesStart()
+      await new TimeHands(child).hurries()
       for (const colour of colours) await child.seesCheck('chameleon', colour, true, 60_000)
       await expect(page.getByText(child.word('lab.successTitle')).first()).toBeVisible()
     })

@@ -1,4 +1,5 @@
 import { axeFindings } from '../child-cards.ts'
+import { TimeHands } from '../child-time.ts'
 import { expect, test } from '../house.ts'
 import { languages } from '../words.ts'
 
@@ -35,6 +36,7 @@ for (const language of languages) {
       await child.typesNumber('times', '4')
       await child.typesNumber('turnDegree', '90')
       await child.pressesStart()
+      await new TimeHands(child).hurries()
       await child.seesCheck('square', 'corners')
       await child.seesCheck('square', 'home')
     })
@@ -45,6 +47,7 @@ for (const language of languages) {
     }) => {
       await child.opensLab('stop')
       await child.tabsAndPresses('lab.start')
+      await new TimeHands(child).hurriesByKeys()
       await expect(page.getByText(child.word('session.bumped'))).toBeVisible()
       await child.types('Escape')
       await child.typesNumber('limit', '25')

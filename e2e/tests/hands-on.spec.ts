@@ -34,6 +34,15 @@ for (const language of languages) {
   test.describe(`a child that reads ${language}`, () => {
     test.use({ language })
 
+    test('sets knobs, and no other knob moves away when the sum below gets longer', async ({ child }) => {
+      await child.opensLab('fear')
+      const other = child.knob(rightEye, leftWheel)
+      const before = await other.boundingBox()
+      await child.typesWeight(leftEye, rightWheel, 0.85)
+      await child.typesWeight(rightEye, rightWheel, 0.55)
+      expect(await other.boundingBox()).toEqual(before)
+    })
+
     test('drops the square on Bo while Bo drives: they stand side by side, and the square goes back by undo', async ({
       child,
       page,

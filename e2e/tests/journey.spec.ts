@@ -1,4 +1,5 @@
 import { leftEye, leftWheel, rightEye, rightWheel } from '../child.ts'
+import { TimeHands } from '../child-time.ts'
 import { expect, test } from '../house.ts'
 import { languages } from '../words.ts'
 
@@ -54,6 +55,7 @@ for (const language of languages) {
         await child.dragsKnob(leftEye, rightWheel, 0.8)
         await child.dragsKnob(rightEye, leftWheel, 0.8)
         await child.pressesStart()
+        await new TimeHands(child).hurries()
         for (const goal of ['near', 'turnsAway', 'neverTouches']) await child.seesCheck('fear', goal)
         await expect(child.button('lab.placePassed', { number: 1 })).toBeVisible()
       })

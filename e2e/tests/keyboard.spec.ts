@@ -1,4 +1,5 @@
 import { leftEye, leftWheel, rightEye, rightWheel, type Child } from '../child.ts'
+import { TimeHands } from '../child-time.ts'
 import { expect, test } from '../house.ts'
 import { languages } from '../words.ts'
 
@@ -66,6 +67,7 @@ for (const language of languages) {
         await child.seesWeight(rightEye, rightWheel, 0.8)
         await child.tabsAndPresses('lab.continue')
         await child.seesDriving()
+        await new TimeHands(child).hurriesByKeys()
       })
 
       await test.step('all goals are green; on from the next place', async () => {

@@ -108,9 +108,7 @@ for (const language of languages) {
       const facts = { move: 1, from: '\\d', to: '\\d', how: '.+', stars: '\\d' }
       await expect(page.locator('.q [aria-live]')).toHaveText(new RegExp(child.word('q.said.move', facts)))
       expect(await axeFindings(page)).toEqual([])
-      await learner.hurries()
-      await child.presses('q.play')
-      await expect(child.button('q.playNew')).toBeVisible()
+      await learner.learnsToTheEnd()
       await child.presses('lab.stop')
       await learner.turnsTo('inside')
       for (const level of ['starter', 'expert']) {

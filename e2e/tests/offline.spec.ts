@@ -1,3 +1,4 @@
+import { globSync } from 'node:fs'
 import type { Page } from '@playwright/test'
 import { flags } from '../browser.ts'
 import { findChromium } from '../chromium.mjs'
@@ -74,6 +75,9 @@ for (const language of languages) {
       await shelf.seesNames(child.word('home.friendship'))
       await page.goto('/about')
       await expect(page.getByRole('heading', { level: 1 })).toHaveText(child.word('parts.about'))
+      await page.goto('/materials/card/friendship')
+      await expect(page.locator('.material[aria-busy="false"]')).toBeVisible()
+      await expect(page.getByRole('heading', { level: 1 })).toHaveText(child.word('home.friendship'))
       await page.goto('/no/such/page')
       await expect(page.getByRole('heading', { level: 1 })).toContainText(child.word('home.title'))
     })
@@ -188,6 +192,18 @@ for (const language of languages) {
     })
   })
 }
+
+test('the page of the lab is the same file for every card: one is kept for all', async ({ house }) => {
+  const cards = globSync('*/*', { cwd: new URL('../../content/cards/', import.meta.url) })
+  const names = ['free', ...cards.map((folder) => folder.replace(/^.*\/\d+-/, ''))]
+  const pages = await Promise.all(
+    names.map(async (name) => {
+      const answer = await fetch(`${house}/lab/${name}`)
+      return answer.ok ? answer.text() : `${name}: ${answer.status}`
+    }),
+  )
+  expect(new Set(pages).size).toBe(1)
+})
 
 test('what is kept for times without a network comes after the page, and is at most 1.6 MB on the wire', async ({
   child,

@@ -1,12 +1,60 @@
 import { xmlTree } from '../../packages/programs/testing/xml-tree.ts'
-import { leftEye, leftWheel } from '../child.ts'
+import { leftEye, leftWheel, type Child } from '../child.ts'
 import { Comer, openRobertaFile } from '../child-open-roberta.ts'
+import { RobotHands } from '../child-robot.ts'
 import { expect, test } from '../house.ts'
+import { freeProgram } from '../projects.ts'
 import { languages } from '../words.ts'
 
 const friendship = openRobertaFile('thesis/friendship')
 const action = openRobertaFile('programs/upstream__xNN__action')
+/** Its start stands at 554, 49, its functions further down on the left. */
+const far = openRobertaFile('programs/upstream__xNN__text_colours_messages_functions')
 const block = '<block type="a" id="b"></block>'
+
+/** A configuration with things that Bo has not. */
+const plugged = (place: string, type: string, fields: { readonly [name: string]: string } = {}, id = place) =>
+  `<value name="${place}"><block type="robBrick_${type}" id="${id}">${Object.entries(fields)
+    .map(([name, value]) => `<field name="${name}">${value}</field>`)
+    .join('')}</block></value>`
+const motor = (MOTOR_REGULATION: string, MOTOR_REVERSE: string, MOTOR_DRIVE?: string) => ({
+  ...{ MOTOR_REGULATION, MOTOR_REVERSE },
+  ...(MOTOR_DRIVE && { MOTOR_DRIVE }),
+})
+const withPlugs = (...values: readonly string[]) =>
+  action.replace(
+    /(<block type="robBrick_EV3-Brick"[^>]*>)[^]*?(<\/block>\s*<\/instance>)/,
+    (_, brick: string, end: string) =>
+      `${brick}<field name="WHEEL_DIAMETER">5.6</field><field name="TRACK_WIDTH">18</field>${values.join('')}${end}`,
+  )
+const plugs = withPlugs(
+  plugged('S4', 'irseeker'),
+  plugged('MB', 'motor_big', motor('TRUE', 'ON', 'LEFT')),
+  plugged('MC', 'motor_big', motor('TRUE', 'OFF', 'RIGHT')),
+  plugged('MD', 'motor_middle', motor('FALSE', 'OFF')),
+)
+
+/** Bo drives straight ahead, forever. */
+const ahead = () =>
+  freeProgram('Ahead', (make) => [
+    make.forever(
+      make.block('robActions_motorDiff_on', {
+        fields: { DIRECTION: 'FOREWARD' },
+        values: { POWER: make.number(30) },
+      }),
+    ),
+  ])
+
+/** Opens that file, and what is plugged into its robot. */
+async function rebuildsPlugs(child: Child) {
+  const comer = new Comer(child)
+  const bo = new RobotHands(child)
+  await child.opensLab('free')
+  await comer.opens('Plugs.xml', plugs)
+  await comer.seesProgram('Plugs')
+  await bo.opens('build')
+  return { comer, bo }
+}
 
 /** Files that are not opened, and what is said about each. */
 const refused = [
@@ -59,6 +107,81 @@ for (const language of languages) {
       await comer.opens('again.xml', text)
       await comer.seesProgram('again')
       await child.seesWeight(leftEye, leftWheel, 0.8)
+    })
+
+    test('a file whose start stands far away on its paper opens there, and again after a reload', async ({
+      child,
+      page,
+    }) => {
+      const comer = new Comer(child)
+      await child.opensLab('free')
+      await comer.opens('Far.xml', far)
+      await comer.seesProgram('Far')
+      const start = page.locator('.blocklyBlockCanvas > .blocklyDraggable').getByText(/^(when|wenn)$/)
+      await expect(start.first()).toBeInViewport()
+      await child.seesSaved()
+      await child.reloads()
+      await expect(start.first()).toBeInViewport()
+      expect(xmlTree((await comer.saves()).text)).toEqual(xmlTree(far))
+    })
+
+    test('what a file’s configuration has plugged in is shown with the robot, and written back', async ({
+      child,
+      page,
+    }) => {
+      const { comer, bo } = await rebuildsPlugs(child)
+      await bo.seesAtPort('4', 'irseeker')
+      await expect(bo.motor('A')).toContainText(bo.word('empty'))
+      await expect(bo.motor('B')).toContainText(bo.word('plug.motor_big'))
+      await expect(bo.motor('B')).toContainText(bo.word('leftWheel'))
+      await expect(bo.motor('C')).toContainText(bo.word('rightWheel'))
+      await bo.motor('D').getByRole('button').click()
+      await expect(bo.setting('plugged').locator('option:checked')).toHaveText(bo.word('plug.motor_middle'))
+      await expect(bo.setting('power').locator('option:checked')).toHaveText(bo.word('unregulated'))
+      await expect(bo.dialog).toContainText(bo.word('help.motor_middle'))
+      await page.keyboard.press('Escape')
+      const { text } = await comer.saves()
+      expect(xmlTree(text)).toEqual(xmlTree(plugs))
+    })
+
+    test('every setting of a motor can be changed, one step each, and stands in the file', async ({
+      child,
+    }) => {
+      const { comer, bo } = await rebuildsPlugs(child)
+      await bo.sets('B', 'turns', 'forwards')
+      await bo.sets('B', 'power', 'unregulated')
+      await bo.sets('A', 'plugged', 'plug.motor_big')
+      await bo.sets('A', 'wheel', 'rightWheel')
+      await bo.sets('A', 'turns', 'backwards')
+      await bo.sets('D', 'plugged', 'plug.actor')
+      await bo.sets('C', 'plugged', 'nothing')
+      await expect(bo.motor('C')).toContainText(bo.word('empty'))
+      await bo.dialog.getByRole('button', { name: child.word('lab.undo') }).click()
+      await expect(bo.motor('C')).toContainText(bo.word('plug.motor_big'))
+      await bo.closes()
+      const { text } = await comer.saves()
+      const changed = withPlugs(
+        plugged('S4', 'irseeker'),
+        plugged('MA', 'motor_big', motor('TRUE', 'ON', 'RIGHT'), 'motorA'),
+        plugged('MB', 'motor_big', motor('FALSE', 'OFF', 'LEFT')),
+        plugged('MC', 'motor_big', motor('TRUE', 'OFF', 'NONE')),
+        plugged('MD', 'actor', {}, 'motorD'),
+      )
+      expect(xmlTree(text)).toEqual(xmlTree(changed))
+    })
+
+    test('a left motor that turns backwards lets Bo drive the other way', async ({ child }) => {
+      const bo = new RobotHands(child)
+      await child.opensLab('free')
+      await child.opensProject('Ahead', ahead())
+      await bo.opens('build')
+      await bo.sets('C', 'turns', 'backwards')
+      await expect(bo.dialog).toContainText(bo.word('otherWay'))
+      await bo.closes()
+      await bo.opens('senses')
+      await child.pressesStart()
+      for (const port of ['B', 'C']) await expect(bo.sense('motor', port)).toHaveText(/^[−-]30 %/)
+      await child.pressesStop()
     })
 
     test('what is not opened is named, and the open project stays as it was', async ({ child }) => {

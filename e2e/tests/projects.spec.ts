@@ -320,6 +320,7 @@ for (const language of languages) {
       await shelf.opensFile('x.json', '{"botgartenHome":9,"projects":[]}')
       await shelf.isTold('problem.newerVersion.title', 'problem.newerVersion.text', { version: 9 })
       await shelf.opensFile('x.json', '{"botgartenHome":1,"projects":[')
+      await shelf.isToldOfAnEarlierClosing('problem.notJson.title')
       await shelf.isTold('problem.notJson.title', 'problem.notJson.text')
       file.projects.push({ id: 'x', changed: 1, project: { botgarten: 1 } })
       await shelf.opensFile('x.json', JSON.stringify(file))

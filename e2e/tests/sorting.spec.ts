@@ -1,5 +1,6 @@
 import { axeFindings } from '../child-cards.ts'
 import { SortingHands, sortingProject } from '../child-sorting.ts'
+import { TimeHands } from '../child-time.ts'
 import { expect, test } from '../house.ts'
 import { languages } from '../words.ts'
 
@@ -172,6 +173,7 @@ for (const language of languages) {
         await child.opensLab(card)
         await child.opensProject('Mine', sortingProject(card, 'solution'))
         await child.pressesStart()
+        await new TimeHands(child).hurries()
         await child.seesCheck(card, 'shows', true, 60_000)
         await child.pressesStop()
       }
@@ -185,6 +187,7 @@ for (const language of languages) {
       await child.opensLab('new-colours')
       await child.opensProject('Mine', sortingProject('new-colours', 'solution'))
       await child.pressesStart()
+      await new TimeHands(child).hurries()
       await child.seesCheck('new-colours', 'shows', true, 60_000)
       await child.presses('lab.menu')
       await child.presses('robot.collected')

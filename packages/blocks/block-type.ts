@@ -142,8 +142,9 @@ export type ExpertType =
   | 'robActions_change_weight'
   | 'robActions_change_bias'
 
-/** What learning by trying and sorting need. */
+/** What deeper networks, learning by trying and sorting need. */
 export type LearningType =
+  | 'ai_nn_hidden_layer'
   | 'ai_q_apply_learning_rule'
   | 'ai_q_barrier_mountain'
   | 'ai_q_draw_the_best_way'

@@ -45,7 +45,7 @@ import { robSensors_timer_reset } from './sensors/robSensors_timer_reset.ts'
 import { robSensors_touch_getSample } from './sensors/robSensors_touch_getSample.ts'
 import { robSensors_ultrasonic_getSample } from './sensors/robSensors_ultrasonic_getSample.ts'
 import { text } from './text/text.ts'
-import { toolbox, type ToolboxCategory } from './toolbox.ts'
+import { onShelf, toolbox, type ToolboxCategory } from './toolbox.ts'
 import type { Definition } from './types.ts'
 
 /** What the cards need; a name of `CoreType` without its definition does not compile. */
@@ -111,12 +111,11 @@ export function addBlocks(
   shelf: readonly ToolboxCategory[] = [],
 ): void {
   Object.assign(definitions, more)
-  const known = new Set(toolbox.map(({ category }) => category))
-  toolbox.push(...shelf.filter(({ category }) => !known.has(category)))
+  toolbox.splice(0, Infinity, ...shelf.reduce(onShelf, toolbox))
 }
 
 /** Is it a block of the learning pack (`@botgarten/blocks/learning`), loaded or not? */
-export const isOfLearning = (type: string): boolean => /^(ai_q_|rl_|ai_sorting_)/.test(type)
+export const isOfLearning = (type: string): boolean => /^(ai_q_|rl_|ai_sorting_|ai_nn_hidden)/.test(type)
 
 /** Is it a block that is loaded? Files may hold others; they are kept and cannot run. */
 export const isBlockType = (type: string): type is BlockType => Object.hasOwn(definitions, type)

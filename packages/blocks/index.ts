@@ -1,6 +1,14 @@
 export type { BlockType } from './block-type.ts'
 export { addBlocks, definitions, isBlockType, isOfLearning } from './definitions.ts'
 export { entryOf, isKind, kinds, listOf } from './parts/kinds.ts'
+export {
+  hiddenIn,
+  hiddenType,
+  inputListOf,
+  mostInLayer,
+  mostNeurons,
+  type HiddenLayer,
+} from './parts/layers.ts'
 export { filledRows, plugged, rowCount, rowName } from './parts/rows.ts'
 export { emptySorting } from './parts/empty-sorting.ts'
 export { nothing } from './parts/texts.ts'

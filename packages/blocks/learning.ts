@@ -1,5 +1,8 @@
-// Blocks for learning by trying and for sorting: brought before a program that uses them is opened.
-import { number, text } from './parts/examples.ts'
+// Blocks for deeper networks, for learning by trying and for sorting: brought before a program that uses them is opened.
+import { knowCurves } from '@botgarten/learning/neural-network'
+import { curves } from '@botgarten/learning/neural-network/curves'
+import { ai_nn_hidden_layer } from './network/ai_nn_hidden_layer.ts'
+import { hiddenLayer, number, text } from './parts/examples.ts'
 import {
   barrier,
   drawWay,
@@ -25,7 +28,11 @@ import type { LearningType } from './block-type.ts'
 import type { ToolboxCategory } from './toolbox.ts'
 import type { Definition, Template } from './types.ts'
 
+// Whoever knows deeper networks knows all that their neurons do.
+knowCurves(curves)
+
 export const learning: { readonly [T in LearningType]: Definition } = {
+  ai_nn_hidden_layer,
   ai_q_apply_learning_rule,
   ai_q_barrier_mountain,
   ai_q_draw_the_best_way,
@@ -53,6 +60,7 @@ const sorting: readonly Template[] = [
 
 /** What a child finds of them. */
 export const learningToolbox: readonly ToolboxCategory[] = [
+  { category: 'network', blocks: [hiddenLayer(3)] },
   { category: 'q-learning', blocks: trying },
   { category: 'sorting', blocks: sorting },
 ]

@@ -1,6 +1,6 @@
 import { number, text } from './parts/examples.ts'
 import { learningToolbox } from './learning.ts'
-import { coreToolbox, type ToolboxCategory } from './toolbox.ts'
+import { onShelf, coreToolbox, type ToolboxCategory } from './toolbox.ts'
 import type { ExpertType } from './block-type.ts'
 import type { Block, Category, Template } from './types.ts'
 
@@ -36,7 +36,7 @@ const more: { readonly [category in Category]?: readonly Template[] } = {
   control: [
     block('controls_whileUntil', { MODE: 'UNTIL' }),
     block('robControls_for', { VAR: 'i' }, { FROM: number(1), TO: number(10), BY: number(1) }),
-    block('robControls_forEach', { TYPE: 'Number', VAR: 'item' }, {}, { list_type: 'Number' }),
+    block('robControls_forEach', { TYPE: 'Number', VAR: 'x' }, {}, { list_type: 'Number' }),
     block('controls_flow_statements', { FLOW: 'BREAK' }),
     block('robControls_wait_for', {}, { WAIT0: compare }),
     block('robControls_wait'),
@@ -68,11 +68,11 @@ const more: { readonly [category in Category]?: readonly Template[] } = {
     block('robActions_play_setVolume', {}, { VOLUME: number(50) }),
     block('robActions_play_getVolume'),
     block('robActions_setLanguage', { LANGUAGE: 'GERMAN' }),
-    block('robActions_sayText', {}, { OUT: text('Hallo') }),
+    block('robActions_sayText', {}, { OUT: text('Bo') }),
     block(
       'robActions_sayText_parameters',
       {},
-      { OUT: text('Hallo'), VOICESPEED: number(30), VOICEPITCH: number(50) },
+      { OUT: text('Bo'), VOICESPEED: number(30), VOICEPITCH: number(50) },
     ),
   ],
   sensors: [
@@ -170,14 +170,14 @@ const newOnes: readonly ToolboxCategory[] = [
     blocks: [
       block('robCommunication_startConnection', {}, { ADDRESS: text('Bo 2') }),
       block('robCommunication_waitForConnection'),
-      block('robCommunication_sendBlock', text_, { sendData: text('Hallo') }, { datatype: 'String' }),
+      block('robCommunication_sendBlock', text_, { sendData: text('Bo') }, { datatype: 'String' }),
       block('robCommunication_receiveBlock', text_, {}, { datatype: 'String' }),
     ],
   },
 ]
 
 /** What the playgrounds bring stands at the end. */
-const plain = [...coreToolbox, ...learningToolbox]
+const plain = learningToolbox.reduce(onShelf, coreToolbox)
 const last: readonly Category[] = ['network', 'q-learning', 'sorting']
 
 const withMore = ({ category, blocks }: ToolboxCategory): ToolboxCategory => ({

@@ -37,7 +37,7 @@ const action: readonly Template[] = [
   block('robActions_motorDiff_turn_for', { DIRECTION: 'RIGHT' }, { POWER: number(30), DEGREE: number(20) }),
   block('robActions_motorDiff_stop'),
   block('robActions_motor_on', { MOTORPORT: 'B' }, { POWER: number(30) }),
-  block('robActions_display_text', {}, { OUT: text('Hallo'), COL: number(0), ROW: number(0) }),
+  block('robActions_display_text', {}, { OUT: text('Bo'), COL: number(0), ROW: number(0) }),
   block('robActions_display_clear'),
   block('actions_bricklight_on_ev3', { COLOUR: 'GREEN', MODE: 'ON' }),
   block('actions_bricklight_off_ev3', { MODE: 'OFF' }),
@@ -85,7 +85,7 @@ const neurons: readonly Template[] = [
   block('ai_nn_input_node_coloursensor_rgb_channel', { COLOUR: '#FF0000', SENSORPORT: '1' }),
   motorNeuron('C'),
   block('ai_nn_output_node_led', { OUTPUTNODE: '#00642E' }),
-  block('ai_nn_output_node_text', { OUTPUTNODE: 'Hallo' }),
+  block('ai_nn_output_node_text', { OUTPUTNODE: 'Bo' }),
   block('ai_nn_output_node_sound'),
   ...Object.values(network([distanceNeuron('2')], [motorNeuron('C')]).values ?? {}),
 ]
@@ -106,6 +106,18 @@ export const coreToolbox: readonly ToolboxCategory[] = [
   { category: 'text', blocks: [block('text', { TEXT: '' })] },
   { category: 'network', blocks: neurons },
 ]
+
+/** A shelf with one row more, or with more in a row that is there. */
+export function onShelf(
+  shelf: readonly ToolboxCategory[],
+  more: ToolboxCategory,
+): readonly ToolboxCategory[] {
+  const at = shelf.findIndex(({ category }) => category === more.category)
+  const row = shelf[at]
+  if (!row) return [...shelf, more]
+  const fresh = more.blocks.filter((block) => !row.blocks.includes(block))
+  return shelf.with(at, { ...row, blocks: [...row.blocks, ...fresh] })
+}
 
 /** What is loaded of it all: `addBlocks` puts more on the shelf. */
 export const toolbox: ToolboxCategory[] = [...coreToolbox]

@@ -322,6 +322,8 @@ export interface Look {
   /** The block has another shape while `when` holds. */
   readonly also?: { readonly shape: Shape; readonly when: When }
   readonly typed?: Typed
+  /** A layer between inputs and outputs, drawn with a frame of its own. */
+  readonly layer?: 'hidden'
   readonly icon?: 'play' | 'network' | 'repeat' | 'map' | 'gear'
   readonly fields: readonly FieldLook[]
   readonly inputs: readonly InputLook[]

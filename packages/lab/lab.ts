@@ -291,5 +291,6 @@ class OneLab implements Lab {
   view = (robot?: string) =>
     viewOf(this.#run, this.#run.inPast ? 'paused' : this.#phase, this.#robotAt(robot), this.#other !== null)
   document = () => this.#document
+  floor = () => this.#floor
   hash = () => hex(this.#run.hash)
 }

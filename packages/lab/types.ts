@@ -185,6 +185,8 @@ export interface Lab {
   view(robot?: string): View
   /** The document with the weights and start poses of the present. */
   document(): Document
+  /** The floor as sensors see it at present. */
+  floor(): Floor
   /** 16 hexadecimal digits over x, y, heading (float64) of all robots at every tick of this run, up to the moment that is shown. */
   hash(): string
 }

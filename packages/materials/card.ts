@@ -17,10 +17,14 @@ const check: v.GenericSchema<unknown, Check> = v.pipe(
   ),
 )
 
+const playground = v.picklist(['network', 'drive', 'q-learning', 'sorting'])
+
 const card = v.strictObject({
   id: v.pipe(v.string(), v.regex(/^[a-z][a-z0-9-]*$/)),
   code: v.string(),
-  playground: v.picklist(['network', 'drive', 'q-learning', 'sorting']),
+  playground,
+  bed: v.exactOptional(playground),
+  group: v.exactOptional(v.picklist(['repair'])),
   grades: v.tuple([v.number(), v.number()]),
   minutes: v.number(),
   starts: v.pipe(v.array(pose), v.minLength(1)),
@@ -40,6 +44,13 @@ const card = v.strictObject({
   world: v.string(),
   checks: v.pipe(v.array(check), v.minLength(1)),
   next: v.nullable(v.string()),
+  beside: v.exactOptional(
+    v.strictObject({
+      card: v.string(),
+      pose,
+      weights: v.record(v.string(), v.record(v.string(), v.record(v.string(), v.number()))),
+    }),
+  ),
 })
 
 /** Reads `card.json`. @throws ValiError that names the place where the file is wrong. */

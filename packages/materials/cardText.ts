@@ -1,5 +1,6 @@
 import type { Nodes, Root, RootContent } from 'mdast'
 import { fromMarkdown } from 'mdast-util-from-markdown'
+import { plainNode, plainOf } from './markdown.ts'
 import type { CardText, MarkdownNode } from './types.ts'
 
 /**
@@ -18,7 +19,7 @@ export function readCardText(markdown: string): CardText {
   if (title?.type !== 'heading' || title.depth !== 1)
     throw new SyntaxError('The first line must be "# Title".')
   return {
-    title: plain(title),
+    title: plainOf(title),
     story: section('Story'),
     goal: goalOf(sections.get('Goal')),
     checks: checksOf(sections.get('Checks')),
@@ -32,7 +33,7 @@ function sectionsOf(root: Root): Map<string, RootContent[]> {
   let open: RootContent[] = []
   for (const node of root.children.slice(1)) {
     if (node.type !== 'heading') open.push(node)
-    else sections.set(plain(node), (open = []))
+    else sections.set(plainOf(node), (open = []))
   }
   return sections
 }
@@ -43,7 +44,7 @@ function goalOf(nodes: readonly RootContent[] | undefined): CardText['goal'] {
   const call = paragraph?.type === 'paragraph' ? paragraph.children[0] : undefined
   if (paragraph?.type !== 'paragraph' || call?.type !== 'strong')
     throw new SyntaxError('The section "Goal" must be "**Call** Sentence."')
-  return { call: plain(call), sentence: paragraph.children.slice(1).map(plain).join('').trim() }
+  return { call: plainOf(call), sentence: paragraph.children.slice(1).map(plainOf).join('').trim() }
 }
 
 /** A list of `id: what is to be seen`. */
@@ -52,28 +53,15 @@ function checksOf(nodes: readonly RootContent[] | undefined): CardText['checks']
   if (list?.type !== 'list') throw new SyntaxError('The section "Checks" must be a list of "id: words".')
   return Object.fromEntries(
     list.children.map((item) => {
-      const [, id, words] = /^(\w+): (.+)$/.exec(plain(item)) ?? []
-      if (!id || !words) throw new SyntaxError(`The check "${plain(item)}" must be "id: words".`)
+      const [, id, words] = /^(\w+): (.+)$/.exec(plainOf(item)) ?? []
+      if (!id || !words) throw new SyntaxError(`The check "${plainOf(item)}" must be "id: words".`)
       return [id, words]
     }),
   )
 }
 
-const plain = (node: Nodes): string =>
-  'value' in node ? node.value : 'children' in node ? node.children.map(plain).join('') : ''
-
 function allowed(node: Nodes): MarkdownNode {
-  switch (node.type) {
-    case 'text':
-      return { type: 'text', value: node.value }
-    case 'strong':
-    case 'emphasis':
-    case 'paragraph':
-    case 'listItem':
-      return { type: node.type, children: node.children.map(allowed) }
-    case 'list':
-      return { type: 'list', ordered: node.ordered ?? false, children: node.children.map(allowed) }
-    default:
-      throw new SyntaxError(`Line ${node.position?.start.line}: "${node.type}" is not allowed in a card.`)
-  }
+  const found = plainNode(node, allowed)
+  if (found) return found
+  throw new SyntaxError(`Line ${node.position?.start.line}: "${node.type}" is not allowed in a card.`)
 }

@@ -56,6 +56,16 @@ describe.each(folders)('the card in %s', (folder) => {
     if (card.next !== null) expect(ids).toContain(card.next)
   })
 
+  it('a card beside it is its equal in blocks; its weights solve it, from where its robot starts', () => {
+    if (!card.beside) return
+    const other = folders[ids.indexOf(card.beside.card)]!
+    const { programs, brains } = read(other, 'solution.json') as CardProgram
+    expect(programs).toEqual((read(folder, 'solution.json') as CardProgram).programs)
+    const weights = Object.entries(brains).map(([id, brain]) => [id, brain.weights])
+    expect(card.beside.weights).toEqual(Object.fromEntries(weights))
+    expect(card.beside.pose).toEqual(readCard(read(other, 'card.json')).starts[0])
+  })
+
   it.each(languages)('has all its words in "%s"', (language) => {
     const { title, hints, checks } = readCardText(readFileSync(join(folder, `${language}.md`), 'utf8'))
     expect(title.length).toBeGreaterThan(0)

@@ -1,5 +1,6 @@
 import type { Nodes } from 'mdast'
 import { fromMarkdown } from 'mdast-util-from-markdown'
+import { childrenOf, plainNode } from './markdown.ts'
 import type { FreeText } from './types.ts'
 
 type FreeNode = FreeText[number]
@@ -14,30 +15,16 @@ const goodAddress = /^(https?:\/\/|mailto:|tel:)/i
 export const readFreeText = (markdown: string): FreeText =>
   fromMarkdown(markdown).children.flatMap((node) => shown(node))
 
-const shownInside = (node: Nodes): FreeNode[] => ('children' in node ? node.children.flatMap(shown) : [])
+const shownInside = (node: Nodes): FreeNode[] => childrenOf(node).flatMap(shown)
 
 function shown(node: Nodes): FreeNode[] {
-  switch (node.type) {
-    case 'text':
-      return [{ type: 'text', value: node.value }]
-    case 'inlineCode':
-    case 'code':
-      return [{ type: 'text', value: node.value }]
-    case 'break':
-      return [{ type: 'text', value: '\n' }]
-    case 'strong':
-    case 'emphasis':
-    case 'paragraph':
-    case 'listItem':
-    case 'heading':
-      return [{ type: node.type, children: shownInside(node) }]
-    case 'list':
-      return [{ type: 'list', ordered: node.ordered ?? false, children: shownInside(node) }]
-    case 'link':
-      return goodAddress.test(node.url)
-        ? [{ type: 'link', href: node.url, children: shownInside(node) }]
-        : shownInside(node)
-    default:
-      return shownInside(node)
-  }
+  if (node.type === 'inlineCode' || node.type === 'code') return [{ type: 'text', value: node.value }]
+  if (node.type === 'break') return [{ type: 'text', value: '\n' }]
+  if (node.type === 'heading') return [{ type: 'heading', children: shownInside(node) }]
+  if (node.type === 'link')
+    return goodAddress.test(node.url)
+      ? [{ type: 'link', href: node.url, children: shownInside(node) }]
+      : shownInside(node)
+  const found = plainNode(node, shown)
+  return found ? [found] : shownInside(node)
 }

@@ -1,4 +1,5 @@
 import type { Check } from '@botgarten/lab'
+import type { Weights } from '@botgarten/learning/neural-network'
 import type { Project } from '@botgarten/programs'
 import type { Pose, World } from '@botgarten/simulation'
 
@@ -8,6 +9,10 @@ export interface Card {
   /** Printed on the card: way of learning and number, "NN 5"; a number alone on the first cards. */
   readonly code: string
   readonly playground: Playground
+  /** Where it lies on the home page, if not where its playground does: "if, then" lies among the networks and has none. */
+  readonly bed?: Playground
+  /** Cards that lie together in their bed, under a word of their own. */
+  readonly group?: Group
   /** Youngest and oldest grade. */
   readonly grades: readonly [number, number]
   readonly minutes: number
@@ -20,10 +25,23 @@ export interface Card {
   readonly checks: readonly Check[]
   /** Id of the card that comes next. */
   readonly next: string | null
+  /** The same blocks with the weights of another card, as a second robot beside the first. */
+  readonly beside?: Beside
+}
+
+/** Weights that solve another card with the same blocks, and where its robot starts. */
+export interface Beside {
+  readonly card: string
+  readonly pose: Pose
+  /** By the id of the network's block. */
+  readonly weights: { readonly [network: string]: Weights }
 }
 
 /** What stands beside the world; `drive` and `sorting`: blocks alone. */
 export type Playground = 'network' | 'drive' | 'q-learning' | 'sorting'
+
+/** `repair`: brains that are wrong on purpose. */
+export type Group = 'repair'
 
 export type Need =
   | 'distanceSensors'

@@ -11,26 +11,31 @@ const BIG = 1e200
 const SMALL = 1e-200
 
 /** The angle of the point (x, y) in radians, −pi..pi: within 1 ulp, the same bits in every engine; zeros and infinities as in ECMAScript. */
-export function atan2(y: number, x: number): number {
+export const atan2 = (y: number, x: number): number => angleOf(y, x, 0)
+
+/** The same angle, of a point that lies a little further: `more` is what that adds to it. */
+export function angleOf(y: number, x: number, more: number): number {
   if (x !== x || y !== y) return NaN
   const up = y < 0 ? -y : y
   const right = x < 0 ? -x : x
   const west = x < 0 || (x === 0 && 1 / x < 0)
-  const angle = up > right ? steep(right, up, west) : flat(up, right, west)
+  const angle = up > right ? steep(right, up, west, more) : flat(up, right, west, more)
   return y < 0 || (y === 0 && 1 / y < 0) ? -angle : angle
 }
 
 /** Angle of a point nearer to the x axis. */
-function flat(up: number, right: number, west: boolean): number {
+function flat(up: number, right: number, west: boolean, more: number): number {
   if (right === 0) return west ? PI[0] : 0
   const q = right === Infinity ? (up === Infinity ? 1 : 0) : up / right
-  return west ? fromArctangent(PI[0], PI[1], -1, q, up, right) : fromArctangent(0, 0, 1, q, up, right)
+  return west
+    ? fromArctangent(PI[0], PI[1] + more, -1, q, up, right)
+    : fromArctangent(0, more, 1, q, up, right)
 }
 
 /** Angle of a point nearer to the y axis. */
-function steep(right: number, up: number, west: boolean): number {
+function steep(right: number, up: number, west: boolean, more: number): number {
   const q = up === Infinity ? 0 : right / up
-  return fromArctangent(HALF_PI[0], HALF_PI[1], west ? 1 : -1, q, right, up)
+  return fromArctangent(HALF_PI[0], HALF_PI[1] + more, west ? 1 : -1, q, right, up)
 }
 
 /** (hi + lo) + sign · atan(small / large), with q = small / large ≤ 1. */

@@ -29,16 +29,22 @@ function lnOf(x: number): Doubled {
   return add(multiply(single(exponent), ln2), multiply(multiply(single(2), s), series))
 }
 
-/** e to a sum of two doubles: Taylor's series of what is left beside a power of two. */
-function expOf(x: Doubled): number {
-  if (x.high > 709.79) return Infinity
-  if (x.high < -745.2) return 0
+/** e^x = 2^exponent · (1 + more): Taylor's series of what is left beside a power of two. */
+function partsOfExp(x: Doubled): { exponent: number; more: Doubled } {
   const exponent = Math.round(x.high / ln2.high)
   const rest = add(x, multiply(single(-exponent), ln2))
   let series = 0
   for (let n = 17; n >= 2; n--) series = (series * rest.high + 1) / n
-  const more = rest.low + rest.low * rest.high + series * rest.high * rest.high
-  return scaled(1 + (rest.high + more), exponent)
+  const tail = rest.low + rest.low * rest.high + series * rest.high * rest.high
+  return { exponent, more: sumOf(rest.high, tail) }
+}
+
+/** e to a sum of two doubles. */
+function expOf(x: Doubled): number {
+  if (x.high > 709.79) return Infinity
+  if (x.high < -745.2) return 0
+  const { exponent, more } = partsOfExp(x)
+  return scaled(1 + (more.high + more.low), exponent)
 }
 
 const scaled = (x: number, exponent: number) => {
@@ -60,6 +66,19 @@ export function log10(x: number): number {
 
 /** e to the power x, within 1 ulp. */
 export const exp = (x: number): number => (Number.isNaN(x) ? NaN : expOf(single(x)))
+
+/** The hyperbolic tangent (e^2x − 1) / (e^2x + 1), within 1 ulp. */
+export function tanh(x: number): number {
+  const size = Math.abs(x)
+  // Below it x³/3 is less than half of the last place.
+  if (!(size > 1e-8)) return x
+  if (size > 22) return Math.sign(x)
+  const { exponent, more } = partsOfExp(single(2 * size))
+  const two = powerOfTwo(exponent)
+  const grown = { high: more.high * two, low: more.low * two }
+  const quotient = divide(add(grown, sumOf(two, -1)), add(grown, sumOf(two, 1)))
+  return Math.sign(x) * quotient.high
+}
 
 /** x to the power y, within 1 ulp where the result is a normal number; what ECMA-262 and Java say in the corners. */
 export function pow(x: number, y: number): number {

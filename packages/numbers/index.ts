@@ -1,6 +1,6 @@
 export { sin, cos } from './sin-cos.ts'
 export { atan2 } from './atan2.ts'
 export { acos, asin, atan, tan } from './arc.ts'
-export { exp, ln, log10, pow } from './exp-ln.ts'
+export { exp, ln, log10, pow, tanh } from './exp-ln.ts'
 export { draw, fastDraw, fastStream, stream, type FastStream, type StreamState } from './random.ts'
 export { addToHash, hex, startHash, type Hash } from './hash.ts'

@@ -17,7 +17,7 @@ const NEAR_ZERO = 1e-6
 const TINY = 7.450580596923828e-9
 
 /** What is left of the last angle after whole quarter turns: the double and what it cannot hold. */
-const rest = new Float64Array(2)
+export const rest = new Float64Array(2)
 
 /** sin x, x in radians: within 1 ulp, the same bits in every engine; NaN for NaN and ±Infinity. */
 export function sin(x: number): number {
@@ -50,7 +50,7 @@ export function cos(x: number): number {
 }
 
 /** Takes whole quarter turns away; leaves the rest in `rest` and returns which quarter it was, 0..3. */
-function quarter(x: number): number {
+export function quarter(x: number): number {
   if (!(x > -HUGE && x < HUGE)) return quarterOfHuge(x, rest)
   const n = x * TWO_OVER_PI + ROUNDER - ROUNDER
   const first = x - n * P1
@@ -82,16 +82,19 @@ function sum(hi: number, lo: number): void {
 /** sin(x + tail) for |x| ≤ pi/4. */
 function sine(x: number, tail: number): number {
   const z = x * x
-  const cubed = z * x
-  const series = S2 + z * (S3 + z * (S4 + z * (S5 + z * S6)))
-  return x + (tail - 0.5 * z * tail + cubed * (S1 + z * series))
+  return x + (tail - 0.5 * z * tail + z * x * (S1 + z * sineSeries(z)))
 }
+
+export const sineSeries = (z: number): number => S2 + z * (S3 + z * (S4 + z * (S5 + z * S6)))
 
 /** cos(x + tail) for |x| ≤ pi/4. */
 function cosine(x: number, tail: number): number {
   const z = x * x
-  const series = z * z * (C1 + z * (C2 + z * (C3 + z * (C4 + z * (C5 + z * C6)))))
   const half = 0.5 * z
   const start = 1 - half
-  return start + (1 - start - half + (series - x * tail))
+  return start + (1 - start - half + (cosineAfter(z) - x * tail))
 }
+
+/** cos x − 1 + x²/2, z = x². */
+export const cosineAfter = (z: number): number =>
+  z * z * (C1 + z * (C2 + z * (C3 + z * (C4 + z * (C5 + z * C6)))))

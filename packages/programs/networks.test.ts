@@ -28,7 +28,7 @@ describe('networks', () => {
 
   it('gives an empty side where a layer is missing', () => {
     expect(networks(programOf([block('ai_neural_network')]))).toEqual([
-      { id: 'ai_neural_network', inputs: [], outputs: [] },
+      { id: 'ai_neural_network', inputs: [], hidden: [], outputs: [] },
     ])
   })
 })

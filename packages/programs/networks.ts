@@ -1,4 +1,4 @@
-import { definitions, filledRows, isBlockType, plugged } from '@botgarten/blocks'
+import { definitions, filledRows, hiddenIn, inputListOf, isBlockType, plugged } from '@botgarten/blocks'
 import type { Block, NeuronLook } from '@botgarten/blocks'
 import type { NetworkOutline, NeuronOutline, Program } from './types.ts'
 
@@ -15,7 +15,8 @@ function networksIn(block: Block): NetworkOutline[] {
 
 const outline = (block: Block): NetworkOutline => ({
   id: block.id,
-  inputs: neuronsIn(plugged(block, 'INPUT_LAYER'), 'input'),
+  inputs: neuronsIn(inputListOf(block), 'input'),
+  hidden: hiddenIn(block),
   outputs: neuronsIn(plugged(block, 'OUTPUT_LAYER'), 'output'),
 })
 

@@ -9,7 +9,7 @@ import type {
   SortingMemory,
   Value,
 } from '@botgarten/blocks'
-import type { Brain } from '@botgarten/learning/neural-network'
+import type { Activation, Brain } from '@botgarten/learning/neural-network'
 import type { Settings } from '@botgarten/learning/q-learning'
 import type { StreamState } from '@botgarten/numbers'
 import type { World } from '@botgarten/simulation'
@@ -82,7 +82,16 @@ export interface Assertions {
 export interface NetworkOutline {
   readonly id: string
   readonly inputs: readonly NeuronOutline[]
+  /** From the inputs to the outputs. */
+  readonly hidden: readonly HiddenOutline[]
   readonly outputs: readonly NeuronOutline[]
+}
+
+/** A hidden layer: the id of its block, how many neurons, and what becomes of their sums. */
+export interface HiddenOutline {
+  readonly id: string
+  readonly neurons: number
+  readonly activation: Activation
 }
 
 export interface NeuronOutline {

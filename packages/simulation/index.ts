@@ -2,6 +2,15 @@ export type * from './types.ts'
 export { degreesOf, radiansOf } from './angles.ts'
 export { rollsOn } from './body/late.ts'
 export { encoder, isPressed, pressKey, resetEncoder, resetGyro, resetTimer, timer } from './body/panel.ts'
+export {
+  isSameMotor,
+  isSameMotors,
+  motorAt,
+  motorPorts,
+  withMotor,
+  withMotors,
+  withWheel,
+} from './body/plugged.ts'
 export { placeFor, withoutSensor, withSensor } from './body/places.ts'
 export {
   arrived,

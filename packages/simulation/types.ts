@@ -52,7 +52,7 @@ export interface Line {
 export type SensorPort = '1' | '2' | '3' | '4'
 export type MotorPort = 'A' | 'B' | 'C' | 'D'
 export type SensorKind =
-  'ultrasonic' | 'colour' | 'touch' | 'gyro' | 'infrared' | 'sound' | 'compass' | 'position'
+  'ultrasonic' | 'colour' | 'touch' | 'gyro' | 'infrared' | 'sound' | 'compass' | 'position' | 'irseeker'
 /** The keys on the robot's own panel. */
 export type RobotKey = 'enter' | 'up' | 'down' | 'left' | 'right' | 'escape'
 
@@ -62,6 +62,17 @@ export interface SensorPlace {
   readonly x: Cm
   readonly y: Cm
   readonly angle: Degrees
+  /** Whose it is; LEGO's where nothing is said. It reads alike. */
+  readonly maker?: 'hitechnic'
+}
+
+/** What is plugged in at a motor port. Only large motors drive wheels. */
+export interface MotorPlug {
+  readonly kind: 'large' | 'medium' | 'other'
+  /** Turns the other way. Of the left wheel's motor: whoever drives, turns or curves goes the other way. */
+  readonly reversed?: true
+  /** Says nothing here; a real motor without it is slower under load. */
+  readonly unregulated?: true
 }
 
 export interface RobotConfig {
@@ -70,6 +81,8 @@ export interface RobotConfig {
   readonly sensors: { readonly [port in SensorPort]?: SensorPlace }
   /** Which motors drive the wheels. */
   readonly drive: { readonly left: MotorPort; readonly right: MotorPort }
+  /** What is plugged in, port by port. Not given: large motors drive the wheels, the other ports are empty. */
+  readonly motors?: { readonly [port in MotorPort]?: MotorPlug }
   /** Each reading is multiplied by a uniform draw from 1 ± noise/100. 0 = none. */
   readonly noise?: Percent
   /** So many ticks late do orders reach the motors and readings the program: a whole number, 0..60. 0 = at once. */

@@ -1,4 +1,7 @@
 import { spawn, spawnSync } from 'node:child_process'
+import { closeSync, mkdtempSync, openSync, readFileSync, rmSync } from 'node:fs'
+import { tmpdir } from 'node:os'
+import { join } from 'node:path'
 import { house } from './house.mjs'
 
 /** A sentence for the person at the keyboard, without a stack. */
@@ -43,6 +46,25 @@ export function npm(args, options = {}) {
   return process.platform === 'win32'
     ? run('npm.cmd', args, { shell: true, ...options })
     : run('npm', args, options)
+}
+
+/**
+ * The same, but it says nothing on our terminal.
+ * @param {readonly string[]} args
+ * @param {import('node:child_process').SpawnOptions} [options]
+ * @returns {Promise<{ code: number, said: string }>} its exit code and what it said
+ */
+export async function npmAside(args, options = {}) {
+  const folder = mkdtempSync(join(tmpdir(), 'botgarten-said-'))
+  const file = join(folder, 'said')
+  const out = openSync(file, 'w')
+  try {
+    const code = await npm(args, { ...options, stdio: ['ignore', out, out] })
+    return { code, said: readFileSync(file, 'utf8') }
+  } finally {
+    closeSync(out)
+    rmSync(folder, { recursive: true, force: true })
+  }
 }
 
 /**

@@ -14,5 +14,5 @@ export const robActions_display_clear: Definition = {
     robot.clearDisplay()
     return done
   },
-  example: [start, show(text('Hallo')), { type }],
+  example: [start, show(text('Bo')), { type }],
 }

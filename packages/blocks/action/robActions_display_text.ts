@@ -30,5 +30,5 @@ export const robActions_display_text: Definition = {
     robot.display(row, column, textOf(frame.got[0]))
     return done
   }),
-  example: [start, show(text('Hallo'))],
+  example: [start, show(text('Bo'))],
 }

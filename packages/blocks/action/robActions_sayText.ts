@@ -21,5 +21,5 @@ export const robActions_sayText: Definition = {
   words: words(type),
   acts: true,
   run: afterAsking([ask('OUT')], (frame, context) => speech(frame, context, 30, 50)),
-  example: [start, { type, values: { OUT: text('Hallo') } }],
+  example: [start, { type, values: { OUT: text('Bo') } }],
 }

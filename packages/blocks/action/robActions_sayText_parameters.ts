@@ -24,5 +24,5 @@ export const robActions_sayText_parameters: Definition = {
   run: afterAsking([ask('OUT'), ask('VOICESPEED'), ask('VOICEPITCH')], (frame, context) =>
     speech(frame, context, cut(numberAt(frame, 1), 0, 100), cut(numberAt(frame, 2), 0, 100)),
   ),
-  example: [start, { type, values: { OUT: text('Hallo'), VOICESPEED: number(30), VOICEPITCH: number(50) } }],
+  example: [start, { type, values: { OUT: text('Bo'), VOICESPEED: number(30), VOICEPITCH: number(50) } }],
 }

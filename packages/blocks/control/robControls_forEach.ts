@@ -51,10 +51,10 @@ export const robControls_forEach: Definition = {
     start,
     {
       type,
-      fields: { TYPE: 'Number', VAR: 'item' },
+      fields: { TYPE: 'Number', VAR: 'x' },
       mutation: { attrs: { list_type: 'Number' } },
       values: { LIST: someList },
-      statements: { DO: [show(variable('item'))] },
+      statements: { DO: [show(variable('x'))] },
     },
   ],
 }

@@ -18,5 +18,5 @@ export const text_comment: Definition = {
   words: words(type),
   acts: false,
   run: () => done,
-  example: [start, { type, fields: { TEXT: 'Hallo' } }, show(number(1))],
+  example: [start, { type, fields: { TEXT: 'Bo' } }, show(number(1))],
 }

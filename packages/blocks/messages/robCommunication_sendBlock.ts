@@ -34,7 +34,7 @@ export const robCommunication_sendBlock: Definition = {
       mutation: { attrs: { datatype: 'String' } },
       fields: { TYPE: 'String', PROTOCOL: 'BLUETOOTH', CHANNEL: '-1' },
       values: {
-        sendData: text('Hallo'),
+        sendData: text('Bo'),
         CONNECTION: { type: 'robCommunication_startConnection', values: { ADDRESS: text('Bo 2') } },
       },
     },

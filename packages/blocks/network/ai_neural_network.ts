@@ -2,6 +2,7 @@ import { distanceNeuron, motorNeuron, netProgram } from '../parts/examples.ts'
 import { rows, words } from '../parts/looks.ts'
 import { ask, done } from '../parts/next.ts'
 import { carryOutOrders } from '../parts/orders.ts'
+import { inputListOf } from '../parts/layers.ts'
 import { filledRows, plugged } from '../parts/rows.ts'
 import type { Block, Definition, Frame, InputLook, Next, Value } from '../types.ts'
 
@@ -15,10 +16,7 @@ const layer = (name: string, accepts: 'InputLayer' | 'OutputLayer'): InputLook =
   optional: true,
 })
 
-function isEmpty(block: Block, name: string): boolean {
-  const list = plugged(block, name)
-  return list === undefined || filledRows(list).length === 0
-}
+const isEmpty = (list: Block | undefined) => !list || filledRows(list).length === 0
 
 const isList = (value: Value | undefined): value is readonly Value[] => Array.isArray(value)
 
@@ -43,8 +41,8 @@ export const ai_neural_network: Definition = {
   words: words(type),
   acts: true,
   check(block) {
-    if (isEmpty(block, 'INPUT_LAYER')) return [{ problem: 'problem.noInputs', stops: true }]
-    return isEmpty(block, 'OUTPUT_LAYER') ? [{ problem: 'problem.noOutputs', stops: true }] : []
+    if (isEmpty(inputListOf(block))) return [{ problem: 'problem.noInputs', stops: true }]
+    return isEmpty(plugged(block, 'OUTPUT_LAYER')) ? [{ problem: 'problem.noOutputs', stops: true }] : []
   },
   /** Stages: 0 reads the inputs, 1 thinks and turns the outputs into orders, 2 carries them out. */
   run(block, frame, context) {

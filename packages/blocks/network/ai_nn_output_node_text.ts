@@ -12,5 +12,5 @@ export const ai_nn_output_node_text = outputNeuron({
   label: 'neuron.text',
   colour: 'actuator',
   run: (block, frame) => give({ order: 'text', text: field(block, 'OUTPUTNODE'), level: levelOf(frame) }),
-  example: netProgram([distanceNeuron('2')], [{ type, fields: { OUTPUTNODE: 'Hallo' } }]),
+  example: netProgram([distanceNeuron('2')], [{ type, fields: { OUTPUTNODE: 'Bo' } }]),
 })

@@ -2,7 +2,7 @@ import { netStart } from '../parts/net-examples.ts'
 import { show } from '../parts/examples.ts'
 import { field } from '../parts/fields.ts'
 import { rows, words } from '../parts/looks.ts'
-import { runNet } from '../parts/nets.ts'
+import { outputIn, runNet } from '../parts/nets.ts'
 import { fail } from '../parts/next.ts'
 import { assign, nameField, targetOf, variable } from '../parts/variables.ts'
 import type { Definition } from '../types.ts'
@@ -23,11 +23,7 @@ export const robActions_outputneuron: Definition = {
   acts: false,
   run(block, _frame, context) {
     if (!runNet(context)) return fail('noNetwork')
-    return assign(
-      context.memory,
-      targetOf(block, 'VALUE'),
-      context.memory.net().outputs[field(block, 'NAME')] ?? 0,
-    )
+    return assign(context.memory, targetOf(block, 'VALUE'), outputIn(context, field(block, 'NAME')))
   },
   example: [
     ...netStart,

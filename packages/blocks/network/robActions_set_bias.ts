@@ -1,11 +1,7 @@
+import { changeBias } from '../parts/change-net.ts'
 import { netStart } from '../parts/net-examples.ts'
 import { number } from '../parts/examples.ts'
-import { field } from '../parts/fields.ts'
 import { rows, value, words } from '../parts/looks.ts'
-import { biasIn } from '../parts/nets.ts'
-import { ask, done, fail } from '../parts/next.ts'
-import { numberAt } from '../parts/numbers.ts'
-import { afterAsking } from '../parts/steps.ts'
 import { nameField } from '../parts/variables.ts'
 import type { Definition } from '../types.ts'
 
@@ -22,12 +18,7 @@ export const robActions_set_bias: Definition = {
   },
   words: words(type),
   acts: false,
-  run: afterAsking([ask('VALUE')], (frame, context, block) => {
-    const name = field(block, 'NAME')
-    if (biasIn(context, name) === null) return fail('noSuchNeuron', { name })
-    context.memory.net().biases[name] = numberAt(frame, 0)
-    return done
-  }),
+  run: changeBias,
   example: [
     ...netStart,
     { type, fields: { NAME: 'n2' }, values: { VALUE: number(2) } },

@@ -1,12 +1,7 @@
-import { setWeight } from '../parts/nets.ts'
+import { changeWeight } from '../parts/change-net.ts'
 import { netStart } from '../parts/net-examples.ts'
 import { number } from '../parts/examples.ts'
-import { field } from '../parts/fields.ts'
 import { rows, value, words } from '../parts/looks.ts'
-import { weightIn } from '../parts/nets.ts'
-import { ask, done, fail } from '../parts/next.ts'
-import { numberAt } from '../parts/numbers.ts'
-import { afterAsking } from '../parts/steps.ts'
 import { nameField } from '../parts/variables.ts'
 import type { Definition } from '../types.ts'
 
@@ -24,13 +19,7 @@ export const robActions_set_weight: Definition = {
   },
   words: words(type),
   acts: false,
-  run: afterAsking([ask('VALUE')], (frame, context, block) => {
-    const from = field(block, 'FROM')
-    const to = field(block, 'TO')
-    if (weightIn(context, from, to) === null) return fail('noSuchNeuron', { name: `${from} → ${to}` })
-    setWeight(context, from, to, numberAt(frame, 0))
-    return done
-  }),
+  run: changeWeight,
   example: [
     ...netStart,
     { type, fields: { FROM: 'n1', TO: 'n2' }, values: { VALUE: number(2) } },

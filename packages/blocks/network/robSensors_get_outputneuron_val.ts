@@ -1,4 +1,5 @@
 import { netStart } from '../parts/net-examples.ts'
+import { outputIn } from '../parts/nets.ts'
 import { show } from '../parts/examples.ts'
 import { field } from '../parts/fields.ts'
 import { rows, words } from '../parts/looks.ts'
@@ -21,6 +22,6 @@ export const robSensors_get_outputneuron_val: Definition = {
   },
   words: words(type),
   acts: false,
-  run: (block, _frame, { memory }) => give(memory.net().outputs[field(block, 'NAME')] ?? 0),
+  run: (block, _frame, context) => give(outputIn(context, field(block, 'NAME'))),
   example: [...netStart, { type: 'robActions_NNstep' }, show({ type, fields: { NAME: 'n2' } })],
 }

@@ -40,9 +40,25 @@ const list = (listType: 'InputNode' | 'OutputNode', neurons: readonly Template[]
   values: Object.fromEntries(neurons.map((neuron, k) => [`ADD${k}`, neuron])),
 })
 
-export const network = (inputs: readonly Template[], outputs: readonly Template[]): Template => ({
+/** `hidden`: layers between them, from the inputs on. */
+export const network = (
+  inputs: readonly Template[],
+  outputs: readonly Template[],
+  ...hidden: readonly Template[]
+): Template => ({
   type: 'ai_neural_network',
-  values: { INPUT_LAYER: list('InputNode', inputs), OUTPUT_LAYER: list('OutputNode', outputs) },
+  values: {
+    INPUT_LAYER: hidden.reduce(
+      (before, layer) => ({ ...layer, values: { LAYER: before } }),
+      list('InputNode', inputs),
+    ),
+    OUTPUT_LAYER: list('OutputNode', outputs),
+  },
+})
+
+export const hiddenLayer = (neurons: number, activation = 'RELU'): Template => ({
+  type: 'ai_nn_hidden_layer',
+  fields: { NEURONS: String(neurons), ACTIVATION: activation },
 })
 
 export const distanceNeuron = (port: string): Template => ({
@@ -58,4 +74,5 @@ export const motorNeuron = (port: string): Template => ({
 export const netProgram = (
   inputs: readonly Template[],
   outputs: readonly Template[],
-): readonly Template[] => [start, forever(network(inputs, outputs))]
+  ...hidden: readonly Template[]
+): readonly Template[] => [start, forever(network(inputs, outputs, ...hidden))]

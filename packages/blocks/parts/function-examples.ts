@@ -8,11 +8,11 @@ const parameter = (name: string): Template => ({
   fields: { VAR: name, TYPE: 'Number' },
 })
 
-/** `doubled(x)` gives x + x. */
+/** `f(x)` gives x + x. */
 export const doubled: Template = {
   type: 'robProcedures_defreturn',
   mutation: { attrs: { declare: 'true', return_type: 'Number' } },
-  fields: { NAME: 'doubled', TYPE: 'Number' },
+  fields: { NAME: 'f', TYPE: 'Number' },
   statements: { ST: [parameter('x')], STACK: [] },
   values: {
     RETURN: {
@@ -25,15 +25,15 @@ export const doubled: Template = {
 
 export const showTwice: Template = show({
   type: 'robProcedures_callreturn',
-  mutation: { attrs: { name: 'doubled', output_type: 'Number' }, args: [{ name: 'x', type: 'Number' }] },
+  mutation: { attrs: { name: 'f', output_type: 'Number' }, args: [{ name: 'x', type: 'Number' }] },
   values: { ARG0: number(21) },
 })
 
-/** `say(n)` shows numbers above 0. */
+/** `f(n)` shows numbers above 0. */
 export const saying: Template = {
   type: 'robProcedures_defnoreturn',
   mutation: { attrs: { declare: 'true' } },
-  fields: { NAME: 'say' },
+  fields: { NAME: 'f' },
   statements: {
     ST: [parameter('n')],
     STACK: [
@@ -55,6 +55,6 @@ export const saying: Template = {
 
 export const sayIt: Template = {
   type: 'robProcedures_callnoreturn',
-  mutation: { attrs: { name: 'say' }, args: [{ name: 'n', type: 'Number' }] },
+  mutation: { attrs: { name: 'f' }, args: [{ name: 'n', type: 'Number' }] },
   values: { ARG0: number(5) },
 }

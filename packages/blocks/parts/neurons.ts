@@ -1,11 +1,11 @@
-import type { ReadMode, SensorKind } from '@botgarten/simulation'
+import type { ReadMode } from '@botgarten/simulation'
 import type { BlockType } from '../block-type.ts'
 import type { Block, Definition, FieldLook, Frame, Look, Value } from '../types.ts'
 import { sensorPortIn } from './fields.ts'
 import { rows, words } from './looks.ts'
 import { fail, give } from './next.ts'
 import { numberAt } from './numbers.ts'
-import { sensorAtPort } from './sensors.ts'
+import { sensorAtPort, type Missed } from './sensors.ts'
 
 const look = (type: BlockType, output: 'InputNode' | 'OutputNode', fields: readonly FieldLook[]): Look => ({
   category: 'network',
@@ -18,7 +18,7 @@ const look = (type: BlockType, output: 'InputNode' | 'OutputNode', fields: reado
 
 interface InputNeuron {
   readonly type: BlockType
-  readonly sensor: SensorKind
+  readonly sensor: Missed
   /** Field that names the port, and what stands before the port's number in it. */
   readonly port: string
   readonly prefix?: string

@@ -35,6 +35,6 @@ export function numberFunction(type: BlockType, operations: readonly Operation[]
       const work = works.get(field(block, 'OP', preset))
       return work === undefined ? fail('unknownChoice') : finite(work(numberAt(frame, 0)), frame)
     }),
-    example: [start, show({ type, fields: { OP: preset }, values: { NUM: number(1) } })],
+    example: [start, show({ type, fields: { OP: preset }, values: { NUM: number(2.25) } })],
   }
 }

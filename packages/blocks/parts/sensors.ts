@@ -6,7 +6,10 @@ import { fail, give } from './next.ts'
 type Check = readonly Omit<Finding, 'block'>[]
 type Fix = NonNullable<Finding['fixes']>[number]
 
-const problems: { readonly [kind in SensorKind]: string } = {
+/** Sensors that a program can miss: nobody misses one that sees nothing. */
+export type Missed = Exclude<SensorKind, 'irseeker'>
+
+const problems: { readonly [kind in Missed]: string } = {
   ultrasonic: 'problem.noDistanceSensor',
   colour: 'problem.noColourSensor',
   touch: 'problem.noTouchSensor',
@@ -43,7 +46,7 @@ function pluggingIn(field: string, prefix: string, kind: SensorKind, port: Senso
  * holds the port; `prefix`: of its value. Facts: `port`, `other` (the first right port).
  */
 export const sensorAtPort =
-  (kind: SensorKind, field: string, prefix = ''): NonNullable<Definition['check']> =>
+  (kind: Missed, field: string, prefix = ''): NonNullable<Definition['check']> =>
   (block: Block, context: CheckContext): Check => {
     const port = sensorPortIn(block, field)
     const has = port && context.sensors[port]?.kind

@@ -1,8 +1,9 @@
 import { forever, show, start } from '../parts/examples.ts'
 import { field, sensorPortIn } from '../parts/fields.ts'
-import { choice, hidden, rows, sensorPort, worded, words } from '../parts/looks.ts'
+import { choice, sensorPort, worded } from '../parts/looks.ts'
 import { fail, give } from '../parts/next.ts'
 import { sensorAtPort } from '../parts/sensors.ts'
+import { reading, sample } from '../parts/samples.ts'
 import type { Definition } from '../types.ts'
 
 const type = 'robSensors_compass_getSample'
@@ -12,22 +13,11 @@ const fromNorth = (degrees: number) => (degrees > 180 ? degrees - 360 : degrees)
 
 /** MODE COMPASS: direction in degrees clockwise, 0..360, 0 = up · MODE ANGLE: the same from −180 to 180. */
 export const robSensors_compass_getSample: Definition = {
-  type,
-  look: {
-    category: 'sensors',
-    shape: 'value',
-    output: 'Number',
-    fields: [
-      choice('MODE', [worded('COMPASS', 'direction'), worded('ANGLE', 'fromNorth')]),
-      sensorPort('1'),
-      hidden('SLOT'),
-    ],
-    inputs: [],
-    mutation: { mode: { field: 'MODE' } },
-    rows: rows(type, 1),
-  },
-  words: words(type),
-  acts: true,
+  ...sample(
+    type,
+    choice('MODE', [worded('COMPASS', 'direction'), worded('ANGLE', 'fromNorth')]),
+    sensorPort('1'),
+  ),
   check: sensorAtPort('compass', 'SENSORPORT'),
   run(block, _frame, { robot }) {
     const port = sensorPortIn(block, 'SENSORPORT')
@@ -35,5 +25,5 @@ export const robSensors_compass_getSample: Definition = {
     if (degrees === null) return fail('nothingToRead')
     return give(field(block, 'MODE', 'COMPASS') === 'ANGLE' ? fromNorth(Number(degrees)) : degrees)
   },
-  example: [start, forever(show({ type, fields: { MODE: 'COMPASS', SENSORPORT: '1', SLOT: '' } }))],
+  example: [start, forever(show(reading(type, 'COMPASS', '1')))],
 }

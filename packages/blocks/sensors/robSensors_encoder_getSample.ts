@@ -1,7 +1,8 @@
 import { forever, number, show, start } from '../parts/examples.ts'
 import { field, motorPortIn } from '../parts/fields.ts'
-import { choice, encoderPort, hidden, rows, worded, words } from '../parts/looks.ts'
+import { choice, encoderPort, worded } from '../parts/looks.ts'
 import { fail, give } from '../parts/next.ts'
+import { reading, sample } from '../parts/samples.ts'
 import type { Definition } from '../types.ts'
 
 const type = 'robSensors_encoder_getSample'
@@ -15,26 +16,15 @@ const scales: ReadonlyMap<string, (degrees: number, wheelDiameter: number) => nu
 
 /** How far a motor has turned since Start or since it was set back. */
 export const robSensors_encoder_getSample: Definition = {
-  type,
-  look: {
-    category: 'sensors',
-    shape: 'value',
-    output: 'Number',
-    fields: [
-      choice('MODE', [
-        worded('DEGREE', 'degrees'),
-        worded('ROTATION', 'turns'),
-        worded('DISTANCE', 'centimetres'),
-      ]),
-      encoderPort('B'),
-      hidden('SLOT'),
-    ],
-    inputs: [],
-    mutation: { mode: { field: 'MODE' } },
-    rows: rows(type, 1),
-  },
-  words: words(type),
-  acts: true,
+  ...sample(
+    type,
+    choice('MODE', [
+      worded('DEGREE', 'degrees'),
+      worded('ROTATION', 'turns'),
+      worded('DISTANCE', 'centimetres'),
+    ]),
+    encoderPort('B'),
+  ),
   run(block, _frame, { robot }) {
     const port = motorPortIn(block, 'SENSORPORT')
     const scale = scales.get(field(block, 'MODE', 'DEGREE'))
@@ -44,6 +34,6 @@ export const robSensors_encoder_getSample: Definition = {
   example: [
     start,
     { type: 'robActions_motor_on', fields: { MOTORPORT: 'B' }, values: { POWER: number(30) } },
-    forever(show({ type, fields: { MODE: 'DEGREE', SENSORPORT: 'B', SLOT: '' } })),
+    forever(show(reading(type, 'DEGREE', 'B'))),
   ],
 }

@@ -1,8 +1,9 @@
 import type { RobotKey } from '@botgarten/simulation'
 import { forever, lampIf, start } from '../parts/examples.ts'
 import { field } from '../parts/fields.ts'
-import { choice, hidden, rows, worded, words } from '../parts/looks.ts'
+import { choice, hidden, worded } from '../parts/looks.ts'
 import { fail, give } from '../parts/next.ts'
+import { reading, sample } from '../parts/samples.ts'
 import type { Definition } from '../types.ts'
 
 const type = 'robSensors_key_getSample'
@@ -19,33 +20,23 @@ const keys: ReadonlyMap<string, RobotKey | 'any'> = new Map([
 
 /** Is this key of the robot's panel pressed? */
 export const robSensors_key_getSample: Definition = {
-  type,
-  look: {
-    category: 'sensors',
-    shape: 'value',
-    output: 'Boolean',
-    fields: [
-      hidden('MODE', 'PRESSED'),
-      choice('SENSORPORT', [
-        worded('ENTER', 'keyEnter'),
-        worded('UP', 'keyUp'),
-        worded('DOWN', 'keyDown'),
-        worded('LEFT', 'keyLeft'),
-        worded('RIGHT', 'keyRight'),
-        worded('ESCAPE', 'keyEscape'),
-        worded('ANY', 'keyAny'),
-      ]),
-      hidden('SLOT'),
-    ],
-    inputs: [],
-    mutation: { mode: { field: 'MODE' } },
-    rows: rows(type, 1),
-  },
-  words: words(type),
-  acts: true,
+  ...sample(
+    type,
+    hidden('MODE', 'PRESSED'),
+    choice('SENSORPORT', [
+      worded('ENTER', 'keyEnter'),
+      worded('UP', 'keyUp'),
+      worded('DOWN', 'keyDown'),
+      worded('LEFT', 'keyLeft'),
+      worded('RIGHT', 'keyRight'),
+      worded('ESCAPE', 'keyEscape'),
+      worded('ANY', 'keyAny'),
+    ]),
+    'Boolean',
+  ),
   run(block, _frame, { robot }) {
     const key = keys.get(field(block, 'SENSORPORT', 'ENTER'))
     return key === undefined ? fail('unknownChoice') : give(robot.key(key))
   },
-  example: [start, forever(lampIf({ type, fields: { MODE: 'PRESSED', SENSORPORT: 'ENTER', SLOT: '' } }))],
+  example: [start, forever(lampIf(reading(type, 'PRESSED', 'ENTER')))],
 }

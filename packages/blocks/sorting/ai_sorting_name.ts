@@ -34,7 +34,7 @@ export const ai_sorting_name: Definition = {
     start,
     colourReading,
     find(1),
-    { type, values: { GROUP: number(1), NAME: text('Wiese') } },
+    { type, values: { GROUP: number(1), NAME: text('A') } },
     show(groupAs('NAME')),
   ],
 }

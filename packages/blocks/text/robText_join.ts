@@ -18,7 +18,7 @@ export const robText_join: Definition = {
     output: 'String',
     fields: [],
     inputs: [],
-    items: { prefix: 'ADD', min: 0, max: 99, accepts: kinds, fresh: text('Hallo') },
+    items: { prefix: 'ADD', min: 0, max: 99, accepts: kinds, fresh: text('Bo') },
     rows: rows(type, 1),
   },
   words: words(type),

@@ -19,5 +19,5 @@ export const text: Definition = {
   words: words(type),
   acts: false,
   run: (block) => give(field(block, 'TEXT')),
-  example: [start, show(textBlock('Hallo'))],
+  example: [start, show(textBlock('Bo'))],
 }

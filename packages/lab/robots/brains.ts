@@ -1,7 +1,9 @@
 import {
+  biasOf,
   emptyBrain,
   follow,
   forward,
+  hiddenId,
   layOut,
   weightsOf,
   type Brain,
@@ -16,9 +18,12 @@ export type Brains = { readonly [networkId: string]: Brain }
 /** Brains for every network block of these programs; their neurons follow the blocks, their weights stay (running.md 11). */
 export function brainsFor(programs: { readonly [id: string]: Program }, brains: Brains): Brains {
   const next: { [id: string]: Brain } = { ...brains }
-  for (const { id, inputs, outputs } of Object.values(programs).flatMap(networks)) {
+  for (const { id, inputs, hidden, outputs } of Object.values(programs).flatMap(networks)) {
     const ids = (neurons: typeof inputs) => neurons.map((neuron) => neuron.id)
-    next[id] = follow(brains[id] ?? emptyBrain, ids(inputs), ids(outputs))
+    const between = hidden.map(({ id, neurons, activation }) =>
+      Array.from({ length: neurons }, (_, k) => ({ id: hiddenId(id, k + 1), activation })),
+    )
+    next[id] = follow(brains[id] ?? emptyBrain, ids(inputs), ...between, ids(outputs))
   }
   return next
 }
@@ -48,10 +53,15 @@ export class RobotBrains {
     this.#nets.set(id, layOut(brain, weightsFor(brain, this.#placement)))
   }
 
-  /** A brain with the weights this robot drives with. */
+  /** A brain with the weights this robot drives with, and the biases among them in its neurons. */
   brain(id: string): { layers: Brain['layers']; weights: Weights } | undefined {
     const brain = this.#brains.get(id)
-    return brain && { layers: brain.layers, weights: weightsFor(brain, this.#placement) }
+    if (!brain) return undefined
+    const weights = weightsFor(brain, this.#placement)
+    const layers = brain.layers.map((layer) =>
+      layer.map((neuron) => ({ ...neuron, bias: biasOf(weights, neuron) })),
+    )
+    return { layers, weights }
   }
 
   /** One run of a network. Unknown networks give nothing. */

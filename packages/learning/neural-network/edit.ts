@@ -1,19 +1,37 @@
-import type { Brain, Neuron, Weights } from './types.ts'
+import type { Activation, Brain, Neuron, Weights } from './types.ts'
 
 /** A network without neurons. */
 export const emptyBrain: Brain = { kind: 'network', layers: [[], []], weights: {}, sets: {} }
 
+/** The name of the k-th neuron, k from 1, of a hidden layer's block (running.md 11). */
+export const hiddenId = (block: string, k: number): string => `${block}#${k}`
+
+/** A neuron as a block says it: by its id alone, or with the activation that the block chooses. */
+type Said = string | { readonly id: string; readonly activation: Activation }
+
 /**
  * The same brain for other neurons: layers become what the blocks say, weights stay where they are written
- * (running.md 11). Neurons that are already known keep their bias and activation.
+ * (running.md 11). Neurons that are already known keep their bias, and their activation where the block says none.
  */
-export function follow(brain: Brain, ...layers: readonly (readonly string[])[]): Brain {
+export function follow(brain: Brain, ...layers: readonly (readonly Said[])[]): Brain {
   const known = new Map(brain.layers.flat().map((neuron) => [neuron.id, neuron]))
-  const next = layers.map((ids) => ids.map((id) => known.get(id) ?? newNeuron(id)))
+  const next = layers.map((said, layer) => {
+    const fresh = usualIn(layer === layers.length - 1 ? brain.layers.at(-1) : undefined)
+    return said.map((one) => neuronFor(one, known, fresh))
+  })
   return sameLayers(brain.layers, next) ? brain : { ...brain, layers: next }
 }
 
-const newNeuron = (id: string): Neuron => ({ id, activation: 'identity', bias: 0 })
+function neuronFor(said: Said, known: ReadonlyMap<string, Neuron>, fresh: Activation): Neuron {
+  const { id, activation } = typeof said === 'string' ? { id: said, activation: undefined } : said
+  const before = known.get(id)
+  if (before && (activation === undefined || activation === before.activation)) return before
+  return { id, activation: activation ?? fresh, bias: before?.bias ?? 0 }
+}
+
+/** One more of those who share 100 shares with them; every other new neuron gives its sum. */
+const usualIn = (layer: readonly Neuron[] = []): Activation =>
+  layer.length > 0 && layer.every(({ activation }) => activation === 'softmax') ? 'softmax' : 'identity'
 
 const sameLayers = (a: Brain['layers'], b: Brain['layers']) =>
   a.length === b.length &&
@@ -36,12 +54,13 @@ export function withWeight(brain: Brain, from: string, to: string, weight: numbe
 /** The same brain with every weight 0, on the knobs or in a named set. */
 export const withoutWeights = (brain: Brain, set = ''): Brain => withWeights(brain, {}, set)
 
-/** Duplicated neurons get the weights of their originals, in and out (running.md 11), in every set. */
+/** Duplicated neurons, and those of duplicated hidden layers, get the weights of their originals, in and out (running.md 11), in every set. */
 export function copyWeights(
   brain: Brain,
   pairs: readonly { readonly from: string; readonly to: string }[],
 ): Brain {
-  const copyOf = new Map(pairs.map(({ from, to }) => [from, to]))
+  const copies = new Map(pairs.map(({ from, to }) => [from, to]))
+  const copyOf = (id: string) => copies.get(id) ?? hiddenCopy(id, copies)
   const sets = Object.entries(brain.sets).map(([name, weights]) => [name, copied(weights, copyOf)])
   return {
     ...brain,
@@ -50,29 +69,25 @@ export function copyWeights(
   }
 }
 
-function copied(all: Weights, copyOf: ReadonlyMap<string, string>): Weights {
+function hiddenCopy(id: string, copies: ReadonlyMap<string, string>): string | undefined {
+  const at = id.lastIndexOf('#')
+  const block = at > 0 ? copies.get(id.slice(0, at)) : undefined
+  return block === undefined ? undefined : block + id.slice(at)
+}
+
+function copied(all: Weights, copyOf: (id: string) => string | undefined): Weights {
   const weights: { [from: string]: { [to: string]: number } } = {}
   for (const [from, row] of Object.entries(all)) {
     const grown = { ...row }
     for (const [to, weight] of Object.entries(row)) {
-      const copy = copyOf.get(to)
+      const copy = copyOf(to)
       if (copy !== undefined) grown[copy] = weight
     }
     weights[from] = grown
   }
-  for (const [original, copy] of copyOf) if (weights[original]) weights[copy] = { ...weights[original] }
+  for (const original of Object.keys(all)) {
+    const copy = copyOf(original)
+    if (copy !== undefined) weights[copy] = { ...weights[original] }
+  }
   return weights
-}
-
-/** Weights of the links that exist, nothing else: what is written into a file. */
-export function pruneWeights(brain: Brain): Weights {
-  const pruned: { [from: string]: { [to: string]: number } } = {}
-  brain.layers.slice(1).forEach((layer, index) => {
-    for (const from of brain.layers[index] ?? [])
-      for (const to of layer) {
-        const weight = brain.weights[from.id]?.[to.id]
-        if (weight) (pruned[from.id] ??= {})[to.id] = weight
-      }
-  })
-  return pruned
 }

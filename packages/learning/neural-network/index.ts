@@ -1,12 +1,15 @@
+export { activations } from './types.ts'
 export type * from './types.ts'
-export { forward, layOut, trace, weightOf, type Net } from './network.ts'
+export { knowCurves, type Curves } from './activations.ts'
+export { biasOf, biasRow, forward, layOut, trace, weightOf, type Net } from './network.ts'
 export {
   copyWeights,
   emptyBrain,
   follow,
-  pruneWeights,
+  hiddenId,
   weightsOf,
   withoutWeights,
   withWeight,
   withWeights,
 } from './edit.ts'
+export { pruneWeights, withActivation } from './keep.ts'

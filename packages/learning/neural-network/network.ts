@@ -1,9 +1,8 @@
-import type { Activation, Brain, Neuron, NetTrace, Term, Weights } from './types.ts'
+import { activate } from './activations.ts'
+import type { Brain, Neuron, NetTrace, Term, Weights } from './types.ts'
 
-/** Each activation beside its name. Works on the sum, in the units of the sum. */
-const activations: { readonly [name in Activation]: (sum: number) => number } = {
-  identity: (sum) => sum,
-}
+/** Row of a weight table that holds biases: a bias is the weight of a link from what is always 1. */
+export const biasRow = '#bias'
 
 /** A brain laid out for running: `weights[layer][to][from]`, one row a neuron of the layer after the inputs. */
 export interface Net {
@@ -11,6 +10,7 @@ export interface Net {
   readonly layers: readonly {
     readonly neurons: readonly Neuron[]
     readonly weights: readonly Float64Array[]
+    readonly biases: Float64Array
     /** Where the layer writes its outputs; used again in every run. */
     readonly out: number[]
   }[]
@@ -19,12 +19,17 @@ export interface Net {
 /** The weight of a link, 0 where none is written. */
 export const weightOf = (weights: Weights, from: string, to: string): number => weights[from]?.[to] ?? 0
 
+/** The bias of a neuron: as the weights say, else its own. */
+export const biasOf = (weights: Weights, { id, bias }: Pick<Neuron, 'id' | 'bias'>): number =>
+  weights[biasRow]?.[id] ?? bias
+
 /** Lays a brain out for running. `weights` stands in for the brain's own, for example one of its named sets. */
 export function layOut(brain: Brain, weights: Weights = brain.weights): Net {
   const layers = brain.layers.slice(1).map((neurons, index) => {
     const before = brain.layers[index] ?? []
     const row = (to: Neuron) => Float64Array.from(before, (from) => weightOf(weights, from.id, to.id))
-    return { neurons, weights: neurons.map(row), out: neurons.map(() => 0) }
+    const biases = Float64Array.from(neurons, (neuron) => biasOf(weights, neuron))
+    return { neurons, weights: neurons.map(row), biases, out: neurons.map(() => 0) }
   })
   return { inputs: brain.layers[0]?.length ?? 0, layers }
 }
@@ -35,11 +40,9 @@ export function layOut(brain: Brain, weights: Weights = brain.weights): Net {
  */
 export function forward(net: Net, inputs: readonly number[]): readonly number[] {
   let values = inputs
-  for (const { neurons, weights, out } of net.layers) {
-    for (let to = 0; to < neurons.length; to++) {
-      const neuron = neurons[to]!
-      out[to] = activations[neuron.activation](neuron.bias + weightedSum(weights[to]!, values))
-    }
+  for (const { neurons, weights, biases, out } of net.layers) {
+    for (let to = 0; to < neurons.length; to++) out[to] = biases[to]! + weightedSum(weights[to]!, values)
+    activate(neurons, out)
     values = out
   }
   return values
@@ -51,9 +54,10 @@ function weightedSum(weights: Float64Array, values: readonly number[]): number {
   return sum
 }
 
-/** The same run, opened: every product, every sum, every output. */
+/** The same run, opened: every product, every bias, every sum, every output. */
 export function trace(brain: Brain, inputs: readonly number[], weights: Weights = brain.weights): NetTrace {
   const terms: Term[] = []
+  const biases: { [id: string]: number } = {}
   const sums: { [id: string]: number } = {}
   const outputs: { [id: string]: number } = {}
   brain.layers[0]?.forEach((neuron, index) => (outputs[neuron.id] = inputs[index] ?? 0))
@@ -64,11 +68,14 @@ export function trace(brain: Brain, inputs: readonly number[], weights: Weights 
         term(from.id, to.id, outputs[from.id] ?? 0, weightOf(weights, from.id, to.id)),
       )
       terms.push(...into)
-      sums[to.id] = to.bias + into.reduce((sum, { product }) => sum + product, 0)
-      outputs[to.id] = activations[to.activation](sums[to.id]!)
+      biases[to.id] = biasOf(weights, to)
+      sums[to.id] = biases[to.id]! + into.reduce((sum, { product }) => sum + product, 0)
     }
+    const values = layer.map(({ id }) => sums[id]!)
+    activate(layer, values)
+    layer.forEach(({ id }, k) => (outputs[id] = values[k]!))
   })
-  return { terms, sums, outputs }
+  return { terms, biases, sums, outputs }
 }
 
 const term = (from: string, to: string, input: number, weight: number): Term => ({

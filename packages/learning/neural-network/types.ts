@@ -2,14 +2,21 @@
 export interface Neuron {
   readonly id: string
   readonly activation: Activation
-  /** Added to the weighted sum before the activation, in the units of the sum. */
+  /** Added to the weighted sum before the activation, in the units of the sum, unless the weights say another one. */
   readonly bias: number
 }
 
-/** `identity`: output = sum. */
-export type Activation = 'identity'
+/**
+ * What becomes of a neuron's sum s. `identity`: s · `relu`: s above 0, else 0 · `threshold`: 100 above 0, else 0 ·
+ * `sigmoid`, `tanh`: of s ÷ 100, times 100 · `softmax`: the neurons of a layer that have it share 100 ("which of these").
+ */
+export type Activation = (typeof activations)[number]
+export const activations = ['identity', 'relu', 'sigmoid', 'tanh', 'threshold', 'softmax'] as const
 
-/** `weights[from][to]`, 0 where nothing is written. Links of removed neurons stay written, so that undo finds them. */
+/**
+ * `weights[from][to]`, 0 where nothing is written. Links of removed neurons stay written, so that undo finds them.
+ * The row `#bias` (`biasRow`) holds biases that were set by hand; they stand in for the neuron's own.
+ */
 export type Weights = { readonly [fromId: string]: { readonly [toId: string]: number } }
 
 /** A feed-forward, fully connected network: layers from input to output. Plain frozen data. */
@@ -33,6 +40,8 @@ export interface Term {
 /** One run of a network, opened: every term, every neuron's sum before its activation, every output after it. */
 export interface NetTrace {
   readonly terms: readonly Term[]
+  /** What each neuron behind the inputs adds to its terms: sum = bias + Σ products, to the last bit. */
+  readonly biases: { readonly [neuronId: string]: number }
   readonly sums: { readonly [neuronId: string]: number }
   readonly outputs: { readonly [neuronId: string]: number }
 }

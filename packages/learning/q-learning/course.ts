@@ -19,6 +19,8 @@ export interface Limits {
 export interface Episode {
   readonly reward: number
   readonly moves: number
+  /** Its last move, counted from the beginning. */
+  readonly end: number
   readonly atGoal: boolean
   /** Sections of the best way then; null: there was none. */
   readonly best: number | null
@@ -146,6 +148,7 @@ export class Course {
     this.episodes.push({
       reward: (goals - this.#before.goals) * (world.task.goalReward ?? 50),
       moves: moves - this.#before.moves,
+      end: moves,
       atGoal,
       best: way ? way.length - 1 : null,
     })

@@ -11,7 +11,7 @@ import math
 import random
 from pathlib import Path
 
-from mpmath import acos, asin, atan, exp, ln, mp, mpf, power, tan
+from mpmath import acos, asin, atan, exp, ln, mp, mpf, power, tan, tanh
 
 mp.prec = 1400
 random.seed(20261121)
@@ -48,6 +48,14 @@ def rows():
     pairs += [(double(-300, 300), random.uniform(-1, 1)) for _ in range(100)]
     for x, y in pairs:
         yield row("pow", power, x, y)
+    for x in [1.0, -1.0, 1e-9, 18.7, 21.9, 23.0] + [double(-40, 4) for _ in range(100)] + [random.uniform(-1, 1) for _ in range(100)]:
+        yield row("tanh", tanh, x)
+    for _ in range(60):
+        x = math.copysign(1 - double(-50, -2), random.uniform(-1, 1))
+        yield row("asin", asin, x)
+        yield row("acos", acos, x)
+        yield row("tan", tan, random.uniform(-1000, 1000))
+        yield row("tan", tan, double(-30, -2))
     for _ in range(150):
         x = random.uniform(-1, 1)
         yield row("asin", asin, x)

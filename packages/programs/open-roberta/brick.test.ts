@@ -1,8 +1,17 @@
 import { readFileSync } from 'node:fs'
-import type { World } from '@botgarten/simulation'
+import {
+  cardConfig,
+  motorPorts,
+  withMotors,
+  type MotorPlug,
+  type RobotConfig,
+  type SensorPlace,
+  type World,
+} from '@botgarten/simulation'
+import fc from 'fast-check'
 import { expect, it } from 'vitest'
 import { xmlTree } from '../testing/xml-tree.ts'
-import { robotIn } from './brick.ts'
+import { robotIn, withRobot } from './brick.ts'
 import { fileFrom, projectFrom, readOpenRoberta } from './index.ts'
 
 const garden = JSON.parse(
@@ -18,7 +27,7 @@ const sensors = [
   ['gyro', 'gyro'],
   ['sound', 'sound'],
   ['compass', 'compass'],
-  ['irseeker', undefined],
+  ['irseeker', 'irseeker'],
   ['htcolour', 'colour'],
 ] as const
 
@@ -70,4 +79,56 @@ it('a block of a configuration that nobody knows stays in it', () => {
   const text = file(value('S2', block('nose', 's2', field('SMELL', 'a &amp; b'))))
   expect(robotIn(readOpenRoberta(text).config).sensors).toEqual({})
   expect(xmlTree(fileFrom(projectFrom(text, 'x', garden), 'bo'))).toEqual(xmlTree(text))
+})
+
+const settings = {
+  reversed: fc.constantFrom<true | undefined>(true, undefined),
+  unregulated: fc.constantFrom<true | undefined>(true, undefined),
+}
+const motorOf = (...kinds: readonly MotorPlug['kind'][]): fc.Arbitrary<MotorPlug> =>
+  fc.record({ kind: fc.constantFrom(...kinds), ...settings }).map(({ kind, reversed, unregulated }) => ({
+    kind,
+    ...(kind !== 'other' && reversed && { reversed }),
+    ...(kind !== 'other' && unregulated && { unregulated }),
+  }))
+const place = { x: fc.integer({ min: -6, max: 10 }), y: fc.integer({ min: -6, max: 6 }) }
+const sensor: fc.Arbitrary<SensorPlace> = fc
+  .record({
+    kind: fc.constantFrom('ultrasonic' as const, 'colour' as const, 'touch' as const, 'irseeker' as const),
+    ...place,
+    angle: fc.integer({ min: -175, max: 180 }),
+    hitechnic: fc.boolean(),
+  })
+  .map(({ hitechnic, ...one }) =>
+    one.kind === 'colour' && hitechnic ? { ...one, maker: 'hitechnic' as const } : one,
+  )
+/** Wheels are driven by large motors; at the other ports is anything, or nothing. */
+const robots: fc.Arbitrary<RobotConfig> = fc
+  .record({
+    ports: fc.shuffledSubarray([...motorPorts], { minLength: 4 }),
+    wheels: fc.tuple(motorOf('large'), motorOf('large')),
+    others: fc.array(motorOf('large', 'medium', 'other'), { maxLength: 2 }),
+    sensors: fc.dictionary(fc.constantFrom('1', '2', '3', '4'), sensor),
+    wheelDiameter: fc.integer({ min: 30, max: 120 }).map((mm) => mm / 10),
+    trackWidth: fc.integer({ min: 14, max: 26 }),
+  })
+  .map(({ ports, wheels, others, sensors, ...size }) => {
+    const [left, right] = [ports[0]!, ports[1]!]
+    const plugged = [...wheels, ...others].map((plug, k) => [ports[k]!, plug])
+    return withMotors(
+      { ...cardConfig, ...size, sensors: { ...sensors }, drive: { left, right } },
+      Object.fromEntries(plugged) as NonNullable<RobotConfig['motors']>,
+    )
+  })
+
+it('a robot of any build is in the file as it is, whatever robot the file had before', () => {
+  const empty = { stacks: [], config: { stacks: [] } }
+  fc.assert(
+    fc.property(robots, robots, (before, after) => {
+      const file = withRobot(withRobot(empty, before), after)
+      expect(robotIn(file.config)).toEqual(after)
+      expect(withRobot(file, after)).toBe(file)
+    }),
+    { seed: 11, numRuns: 300 },
+  )
 })

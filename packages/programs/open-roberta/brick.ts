@@ -1,25 +1,13 @@
 import type { Block } from '@botgarten/blocks'
-import { cardConfig, defaultConfig, placeFor } from '@botgarten/simulation'
-import type { MotorPort, RobotConfig, SensorKind, SensorPlace, SensorPort } from '@botgarten/simulation'
+import { partOf, parts } from '@botgarten/blocks/configuration'
+import { cardConfig, defaultConfig, isSameMotors, motorPorts, placeFor } from '@botgarten/simulation'
+import type { RobotConfig, SensorKind, SensorPlace, SensorPort } from '@botgarten/simulation'
 import * as v from 'valibot'
 import type { Program } from '../types.ts'
+import { motorFor, motorsIn, sidesIn } from './motors.ts'
 
 const brickType = 'robBrick_EV3-Brick'
-const typeOf = {
-  ultrasonic: 'robBrick_ultrasonic',
-  colour: 'robBrick_colour',
-  touch: 'robBrick_touch',
-  gyro: 'robBrick_gyro',
-  infrared: 'robBrick_infrared',
-  sound: 'robBrick_sound',
-  compass: 'robBrick_compass',
-} as const satisfies { readonly [kind in Exclude<SensorKind, 'position'>]: string }
-const kindOf = new Map<string, SensorKind>([
-  ...Object.entries(typeOf).map(([kind, type]) => [type, kind as SensorKind] as const),
-  ['robBrick_htcolour', 'colour'],
-])
 const sensorPorts: readonly SensorPort[] = ['1', '2', '3', '4']
-const motorPorts: readonly MotorPort[] = ['A', 'B', 'C', 'D']
 
 type Config = Program['config']
 const brickIn = ({ stacks }: Config) =>
@@ -33,10 +21,8 @@ export function robotIn(config: Config): RobotConfig {
     wheelDiameter: lengthIn(brick, 'WHEEL_DIAMETER') ?? defaultConfig.wheelDiameter,
     trackWidth: lengthIn(brick, 'TRACK_WIDTH') ?? defaultConfig.trackWidth,
     sensors: sensorsIn(brick),
-    drive: {
-      left: motorOf(brick, 'LEFT') ?? defaultConfig.drive.left,
-      right: motorOf(brick, 'RIGHT') ?? defaultConfig.drive.right,
-    },
+    drive: sidesIn(brick),
+    ...motorsIn(brick),
   }
 }
 
@@ -45,23 +31,30 @@ function lengthIn({ fields }: Block, name: string): number | undefined {
   return length > 0 && length <= 100 ? length : undefined
 }
 
-const motorOf = ({ values }: Block, side: string) =>
-  motorPorts.find((port) => values?.[`M${port}`]?.fields?.['MOTOR_DRIVE'] === side)
-
 function sensorsIn(brick: Block): RobotConfig['sensors'] {
   const found = sensorPorts.flatMap((port) => {
     const block = brick.values?.[`S${port}`]
-    const kind = block && block.disabled !== true ? kindOf.get(block.type) : undefined
-    return block && kind ? [{ port, kind, place: placeIn(block, kind) }] : []
+    const is = block && block.disabled !== true ? sensorOf(block) : undefined
+    return block && is ? [{ port, ...is, place: placeIn(block, is.kind) }] : []
   })
   const eyes = found.filter(({ kind, place }) => kind === 'ultrasonic' && !place).map(({ port }) => port)
   let sensors: RobotConfig['sensors'] = {}
-  for (const { port, kind, place } of found) {
+  for (const { port, kind, place, ...maker } of found) {
     const pair = eyes.length === 2 && eyes.includes(port) ? twoEyes[eyes.indexOf(port)] : undefined
-    sensors = { ...sensors, [port]: place ?? pair ?? placeFor(kind, { ...defaultConfig, sensors }) }
+    const spot = place ?? pair ?? placeFor(kind, { ...defaultConfig, sensors })
+    sensors = { ...sensors, [port]: { ...spot, ...maker } }
   }
   return sensors
 }
+
+/** Which sensor a block is; undefined where it is none, or nobody knows it. */
+function sensorOf({ type }: Block): Pick<SensorPlace, 'kind' | 'maker'> | undefined {
+  const is = partOf(type)?.is
+  return is && 'sensor' in is ? { kind: is.sensor, ...(is.maker && { maker: is.maker }) } : undefined
+}
+
+const typeOf = ({ kind, maker }: SensorPlace) =>
+  parts.find(({ is }) => 'sensor' in is && is.sensor === kind && is.maker === maker)?.type
 
 /** Two eyes look to the left and to the right, as on the cards. */
 const twoEyes = [cardConfig.sensors[2], cardConfig.sensors[3]] as const
@@ -103,10 +96,11 @@ const isSame = (a: RobotConfig, b: RobotConfig) =>
   a.trackWidth === b.trackWidth &&
   a.drive.left === b.drive.left &&
   a.drive.right === b.drive.right &&
+  isSameMotors(a, b) &&
   sensorPorts.every((port) => isSamePlace(a.sensors[port], b.sensors[port]))
 
 const isSamePlace = (a: SensorPlace | undefined, b: SensorPlace | undefined) =>
-  a?.kind === b?.kind && a?.x === b?.x && a?.y === b?.y && a?.angle === b?.angle
+  a?.kind === b?.kind && a?.maker === b?.maker && a?.x === b?.x && a?.y === b?.y && a?.angle === b?.angle
 
 function brickFor(brick: Block, robot: RobotConfig): Block {
   const before = sensorsIn(brick)
@@ -119,7 +113,9 @@ function brickFor(brick: Block, robot: RobotConfig): Block {
     if (sensor) values[`S${port}`] = sensor
   }
   for (const port of motorPorts) {
-    const motor = motorFor(port, robot.drive, values[`M${port}`])
+    const { [`M${port}`]: old } = values
+    delete values[`M${port}`]
+    const motor = motorFor(port, robot, old)
     if (motor) values[`M${port}`] = motor
   }
   const fields = {
@@ -138,21 +134,9 @@ const inOrder = (values: { readonly [name: string]: Block }) =>
   )
 
 function sensorFor(port: SensorPort, place: SensorPlace | undefined, old: Block | undefined): Block | null {
-  if (!place || place.kind === 'position') return null
-  const { kind, ...spot } = place
-  const same = old && kindOf.get(old.type) === kind
-  return {
-    ...(same ? old : { id: `sensor${port}`, type: typeOf[place.kind] }),
-    data: JSON.stringify(spot),
-  }
-}
-
-/** Only motors that drive or drove a wheel change. */
-function motorFor(port: MotorPort, drive: RobotConfig['drive'], old: Block | undefined): Block | undefined {
-  const side = port === drive.left ? 'LEFT' : port === drive.right ? 'RIGHT' : 'NONE'
-  const before = old?.fields?.['MOTOR_DRIVE'] ?? 'NONE'
-  if (side === before) return old
-  const block = old ?? { id: `motor${port}`, type: 'robBrick_motor_big' }
-  const preset = { MOTOR_REGULATION: 'TRUE', MOTOR_REVERSE: 'OFF' }
-  return { ...block, fields: { ...preset, ...old?.fields, MOTOR_DRIVE: side } }
+  const type = place && typeOf(place)
+  if (!type) return null
+  const { kind: _kind, maker: _maker, ...spot } = place
+  const same = old?.type === type
+  return { ...(same ? old : { id: `sensor${port}`, type }), data: JSON.stringify(spot) }
 }

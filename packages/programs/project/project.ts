@@ -20,9 +20,6 @@ export function parseProject(source: unknown): Project {
   return result.output
 }
 
-/** One line of JSON. What `parseProject` made comes back from it the same. */
-export const writeProject = (project: Project): string => JSON.stringify(project)
-
 function dataIn(text: string): unknown {
   refuseBigText(text)
   try {

@@ -29,8 +29,19 @@ const sensorKind = v.picklist([
   'sound',
   'compass',
   'position',
+  'irseeker',
 ])
-const sensor = v.object({ kind: sensorKind, x: cm, y: cm, angle: finite })
+const sensor = v.object({
+  ...{ kind: sensorKind, x: cm, y: cm, angle: finite },
+  maker: v.exactOptional(v.literal('hitechnic')),
+})
+const motor = v.exactOptional(
+  v.object({
+    kind: v.picklist(['large', 'medium', 'other']),
+    reversed: v.exactOptional(v.literal(true)),
+    unregulated: v.exactOptional(v.literal(true)),
+  }),
+)
 const strength = v.pipe(finite, v.minValue(0.5), v.maxValue(1))
 
 const config = v.object({
@@ -43,6 +54,7 @@ const config = v.object({
     4: v.exactOptional(sensor),
   }),
   drive: v.object({ left: motorPort, right: motorPort }),
+  motors: v.exactOptional(v.object({ A: motor, B: motor, C: motor, D: motor })),
   noise: v.exactOptional(v.pipe(finite, v.minValue(0), v.maxValue(100))),
   delay: v.exactOptional(v.pipe(finite, v.integer(), v.minValue(0), v.maxValue(60))),
   strength: v.exactOptional(v.object({ left: strength, right: strength })),

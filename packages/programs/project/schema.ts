@@ -1,12 +1,12 @@
 import * as v from 'valibot'
-import type { Brain } from '@botgarten/learning/neural-network'
+import { activations, type Brain } from '@botgarten/learning/neural-network'
 import type { Learned, Project } from '../types.ts'
 import { finite, idSchema, programSchema, recordOf, textSchema } from './schema-program.ts'
 import { assetsSchema } from './schema-assets.ts'
 import { worldSchema } from './schema-world.ts'
 
 const weights = recordOf(recordOf(finite))
-const neuron = v.object({ id: idSchema, activation: v.literal('identity'), bias: finite })
+const neuron = v.object({ id: idSchema, activation: v.picklist(activations), bias: finite })
 
 export const brainSchema: v.GenericSchema<Brain> = v.object({
   kind: v.literal('network'),

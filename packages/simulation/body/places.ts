@@ -33,6 +33,7 @@ const spots: { readonly [kind in SensorKind]: readonly Spot[] } = {
   sound: inside,
   compass: inside,
   position: inside,
+  irseeker: eyes,
 }
 
 /** Sensors nearer than this lie on each other. A bumper is a bar: other sensors may sit on it. */

@@ -50,7 +50,7 @@ export const motorTurned = (sim: Simulation, robot: number, port: MotorPort): bo
 
 /**
  * Sets both wheels. With `degrees` the faster wheel turns that far (backwards when negative), the other in proportion,
- * and the move ends by itself; without, they turn until set again.
+ * and the move ends by itself; without, they turn until set again. With a reversed left motor both turn the other way.
  */
 export function startMove(
   sim: Simulation,
@@ -59,7 +59,7 @@ export function startMove(
 ): void {
   const state = robotOf(sim, robot)
   const drive = driveOf(sim, robot)
-  const sign = (order.degrees ?? 0) < 0 ? -1 : 1
+  const sign = (order.degrees ?? 0) < 0 !== isBackToFront(sim, robot) ? -1 : 1
   const left = held(order.left * sign)
   const right = held(order.right * sign)
   state.motors[drive.left].percent = left
@@ -67,6 +67,12 @@ export function startMove(
   state.motors[drive.left].left = state.motors[drive.right].left = null
   state.move = null
   if (order.degrees !== undefined) limit(sim, robot, Math.abs(order.degrees) || 0)
+}
+
+/** Open Roberta asks the left wheel's motor alone. */
+function isBackToFront(sim: Simulation, robot: number): boolean {
+  const { motors, drive } = sim.world.robots[robot]!.config
+  return motors?.[drive.left]?.reversed === true
 }
 
 function limit(sim: Simulation, robot: number, degrees: Degrees): void {

@@ -48,6 +48,7 @@ export const MODES_OF: { readonly [kind in SensorKind]: readonly ReadMode[] } = 
   sound: ['sound'],
   compass: ['compass'],
   position: ['x', 'y', 'heading'],
+  irseeker: [],
 }
 
 export function createReadings(scene: Scene, floor: Floor): Readings {

@@ -65,6 +65,10 @@ export function sense(sight: Sight, robot: number, port: number, sensor: Sensor)
       break
     case 'position':
       feelPlace(own, factor, values)
+      break
+    // It looks for a beacon, and no world has one.
+    case 'irseeker':
+      break
   }
 }
 

@@ -5,21 +5,25 @@ import { version } from '$app/env'
 import { assets, immutable, prerendered } from '$app/manifest'
 import { self } from '$app/service-worker'
 import { isPast, storeOf } from './stores.ts'
-import { wayOf } from './way.ts'
+import { oneOf, wayOf } from './way.ts'
 
 const scope = new URL('./', self.location.href)
 const addressOf = ({ path }: { readonly path: string }) => new URL(path.replace(/^\//, ''), scope).href
 const own = {
   scope: scope.href,
   pages: new Set(prerendered.map(addressOf)),
-  files: new Set([...immutable, ...assets].map(addressOf)),
+  // Who installs the lab is given its icons then; nobody asks a page for a notice.
+  files: new Set(
+    [...immutable, ...assets.filter(({ path }) => !/icon-.*png$|NOTICE/.test(path))].map(addressOf),
+  ),
 }
 const store = storeOf(version)
 
 /** Everything, or nothing: an install that misses a part is tried again with the next visit. */
 async function keepAll(): Promise<void> {
   const kept = await caches.open(store)
-  const asked = [...immutable.map(addressOf), ...assets.map(addressOf), ...prerendered.map(addressOf)].map(
+  const pages = new Set([...own.pages].map((page) => oneOf(page, own)))
+  const asked = [...own.files, ...pages].map(
     // What has no hash in its name is asked for anew.
     (address) => new Request(address, address.includes('/immutable/') ? {} : { cache: 'reload' }),
   )

@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest'
-import { wayOf } from './way.ts'
+import { oneOf, wayOf } from './way.ts'
 
 const scope = 'https://school.example/bot/'
 const own = {
@@ -19,6 +19,22 @@ test('parts and pages of this version are kept ones, whatever they are asked wit
 test('a page is found with and without a slash at its end', () => {
   expect(way('lab/fear/')).toEqual({ kind: 'moved', address: `${scope}lab/fear` })
   expect(way('about?a=1#there')).toEqual({ kind: 'moved', address: `${scope}about/?a=1` })
+})
+
+test('one page is kept for all cards', () => {
+  const pages = new Set([scope, `${scope}lab/free`, `${scope}lab/fear`])
+  expect(oneOf(`${scope}lab/fear`, { scope, pages })).toBe(`${scope}lab/free`)
+  expect(oneOf(scope, { scope, pages })).toBe(scope)
+  const asked = { url: `${scope}lab/fear?p=1`, mode: 'navigate', method: 'GET' }
+  expect(wayOf(asked, { ...own, pages })).toEqual({ kind: 'kept', address: `${scope}lab/free` })
+  expect(wayOf({ ...asked, url: `${scope}lab/nosuchcard` }, { ...own, pages }).kind).toBe('home')
+})
+
+test('one page is kept for all learning materials, beside the library', () => {
+  const library = `${scope}materials/`
+  const [plan, sheet] = [`${library}curriculum/plan`, `${library}sheet/flow`]
+  const pages = new Set([library, plan, sheet])
+  expect([library, plan, sheet].map((page) => oneOf(page, { scope, pages }))).toEqual([library, plan, plan])
 })
 
 test('what the operator writes is asked for anew', () =>

@@ -22,11 +22,23 @@ interface Own {
   readonly files: ReadonlySet<string>
 }
 
+/** Folders whose pages are all the same file (offline.spec.ts and materials.spec.ts compare them). */
+const shells = ['lab/', 'materials/']
+
+/** Of pages that are the same file, as the lab's for every card, one is kept for all of them. */
+export function oneOf(page: string, { scope, pages }: Pick<Own, 'scope' | 'pages'>): string {
+  const isIn = (shell: string) => (address: string) =>
+    address.startsWith(scope + shell) && address !== scope + shell
+  const shell = shells.find((one) => isIn(one)(page))
+  return shell ? [...pages].find(isIn(shell))! : page
+}
+
 /** What whoever runs the lab writes may change while the version stays. */
 const changing = ['operator.md']
 
 /** Decides about a request. Pages are found with and without a slash at their end, whatever stands behind the `?`. */
-export function wayOf({ url, method, mode }: Asked, { scope, pages, files }: Own): Way {
+export function wayOf({ url, method, mode }: Asked, own: Own): Way {
+  const { scope, pages, files } = own
   const address = url.replace(/[?#].*$/, '')
   if (method !== 'GET' || !url.startsWith(scope)) return { kind: 'server' }
   if (changing.some((name) => address === `${scope}${name}`)) return { kind: 'newest' }
@@ -35,6 +47,6 @@ export function wayOf({ url, method, mode }: Asked, { scope, pages, files }: Own
   const page = [address, address.replace(/\/$/, ''), `${address}/`].find((one) => pages.has(one))
   if (!page) return { kind: 'home' }
   return page === address
-    ? { kind: 'kept', address }
+    ? { kind: 'kept', address: oneOf(page, own) }
     : { kind: 'moved', address: page + (/\?[^#]*/.exec(url)?.[0] ?? '') }
 }

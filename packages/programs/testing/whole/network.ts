@@ -34,8 +34,11 @@ export function* network(twin: WholeTwin, block: Block): Steps<void> {
   if (of('_sound').length > 0) robot.tone((best(of('_sound'))?.level ?? 0) * 5, null)
 }
 
-function* layer(_twin: WholeTwin, block: Block, name: string): Steps<readonly Block[]> {
+function* layer(twin: WholeTwin, block: Block, name: string): Steps<readonly Block[]> {
   yield 'block'
+  const first = block.values?.[name]
+  // What a hidden layer makes of it is the network's own affair.
+  if (first?.type === 'ai_nn_hidden_layer') return yield* layer(twin, first, 'LAYER')
   return Object.values(block.values?.[name]?.values ?? {}).filter(({ disabled }) => disabled !== true)
 }
 

@@ -27,6 +27,20 @@ const neurons = (of: readonly Any[], list_type: string): Any =>
       mutation: { attrs: { items: String(rows.length), list_type } },
       values: Object.fromEntries(rows.map(([row, disabled], k) => [`ADD${k}`, { ...row, disabled }])),
     }))
+/** Of ten networks one or two have hidden layers. */
+const hidden = fc.oneof(
+  { weight: 5, arbitrary: fc.constant([]) },
+  { weight: 1, arbitrary: fc.array(fc.constantFrom('RELU', 'TANH'), { minLength: 1, maxLength: 2 }) },
+)
+const behind = (first: Template, activations: readonly string[]): Template =>
+  activations.reduce<Template>(
+    (LAYER, ACTIVATION) => ({
+      type: 'ai_nn_hidden_layer',
+      fields: { NEURONS: '2', ACTIVATION },
+      values: { LAYER },
+    }),
+    first,
+  )
 const net = fc
   .tuple(
     neurons(
@@ -50,10 +64,11 @@ const net = fc
       ],
       'OutputNode',
     ),
+    hidden,
   )
-  .map(([INPUT_LAYER, OUTPUT_LAYER]): Template => ({
+  .map(([first, OUTPUT_LAYER, activations]): Template => ({
     type: 'ai_neural_network',
-    values: { INPUT_LAYER, OUTPUT_LAYER },
+    values: { INPUT_LAYER: behind(first, activations), OUTPUT_LAYER },
   }))
 
 /** Blocks of a row that hold no others. `calls`: may they call functions? */

@@ -1,5 +1,5 @@
 import type { Project } from '@botgarten/programs'
-import type { Card, CardProgram, CardText, WorldFile } from '@botgarten/materials'
+import type { Card, CardProgram, CardText, Playground, WorldFile } from '@botgarten/materials'
 
 /** Everything of a card that the lab shows and runs. */
 export interface LoadedCard {
@@ -14,7 +14,7 @@ export interface LoadedCard {
 type Files<File> = { readonly [path: string]: () => Promise<File> }
 
 /** What pages that do not run a card know of it. */
-type CardHead = Pick<Card, 'id' | 'code' | 'playground'> & { readonly starts: number }
+type CardHead = Pick<Card, 'id' | 'code' | 'group'> & { readonly bed: Playground; readonly starts: number }
 
 const heads = import.meta.glob<CardHead>('../../../../../content/cards/*/*/card.json', {
   import: 'default',
@@ -64,7 +64,7 @@ const endingWith = <File>(files: Files<File>, end: string) =>
   Object.entries(files).find(([path]) => path.endsWith(end))?.[1]
 
 /** A world of the content. @throws Error for a name that is not there: a mistake in the content. */
-async function loadWorld(name: string): Promise<WorldFile> {
+export async function loadWorld(name: string): Promise<WorldFile> {
   const file = endingWith(worlds, `/worlds/${name}/world.json`)
   if (!file) throw new Error(`There is no world "${name}".`)
   return file()

@@ -54,7 +54,7 @@ export class Debugger {
 
   /** What is drawn at blocks; values only while a run is on. */
   readonly marks = $derived.by(() => {
-    const { phase } = this.#session.lab.view
+    const { phase } = this.#session.lab.facts
     const on = this.#open && (phase === 'running' || phase === 'paused')
     const values = on ? valuesAtBlocks(this.#session.program, this.#variables, this.words) : noValues
     return { stops: this.#seen, values }

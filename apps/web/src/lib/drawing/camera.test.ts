@@ -62,6 +62,16 @@ describe('the camera', () => {
     expect(scaleFor({ width: 1000, height: 700 }, floor, { width: 44, height: 100 })).toBeCloseTo(976 / 600)
   })
 
+  test('shows all of a race track, in a tall and in a low pane', () => {
+    const track = { width: 400, height: 300 }
+    for (const pane of [tall, { width: 400, height: 300 }]) {
+      const scale = scaleFor(pane, track, null)
+      expect(scale * track.width).toBeLessThanOrEqual(pane.width)
+      expect(scale * track.height).toBeLessThanOrEqual(pane.height)
+    }
+    expect(scaleFor({ width: 150, height: 150 }, track, null)).toBe(0.8)
+  })
+
   test('keeps the robot in sight wherever it is', () => {
     const things = fc.array(
       fc.record({

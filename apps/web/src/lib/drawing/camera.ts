@@ -24,16 +24,20 @@ const nearest = 2.6
 const farthest = { smallPane: 1, largePane: 1.3, perPx: 190 }
 const wholeFloor = 3
 
+/** Where the whole floor is what counts, Bo may be this small, in px per cm. */
+const wholeLeast = 0.8
+
 /**
  * Px per cm for a floor (cm) in a pane (px): the whole floor where Bo stays big enough, else so close that `need` (cm),
- * Bo and the thing next to it, just fits.
+ * Bo and the thing next to it, just fits. `need` null: the whole floor counts, as on a race track.
  */
-export function scaleFor(pane: Size, floor: Size, need: Size): number {
+export function scaleFor(pane: Size, floor: Size, need: Size | null): number {
   const fit = ({ width, height }: Size, margin: number) =>
     Math.min((pane.width - margin) / width, (pane.height - margin) / height)
   const small = Math.min(pane.width, pane.height) / farthest.perPx
   const least = clamp(small, farthest.smallPane, farthest.largePane)
   const whole = fit(floor, 2 * frameWidth)
+  if (!need) return clamp(whole, wholeLeast, wholeFloor)
   return whole >= least ? Math.min(whole, wholeFloor) : clamp(fit(need, 0), least, nearest)
 }
 

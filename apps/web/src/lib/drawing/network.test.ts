@@ -12,7 +12,8 @@ describe('the nodes of a network', () => {
   test('are never smaller than a finger and never touch, whatever their number', () => {
     fc.assert(
       fc.property(rooms, count, count, (room, inputs, outputs) => {
-        const { radius, inputs: left, outputs: right, stage } = layoutNetwork(room, inputs, outputs)
+        const { radius, columns, stage } = layoutNetwork(room, inputs, outputs)
+        const [left = [], right = []] = columns
         expect(radius).toBeGreaterThanOrEqual(22)
         for (const column of [left, right])
           for (let i = 1; i < column.length; i++)
@@ -26,7 +27,7 @@ describe('the nodes of a network', () => {
   test('leave 52 px over the middle of the first row, for the label of its weight', () => {
     fc.assert(
       fc.property(rooms, count, (room, size) => {
-        expect(layoutNetwork(room, size, size).inputs[0]!.y).toBeGreaterThanOrEqual(52 - 1e-9)
+        expect(layoutNetwork(room, size, size).columns[0]![0]!.y).toBeGreaterThanOrEqual(52 - 1e-9)
       }),
     )
   })
@@ -40,8 +41,8 @@ describe('the nodes of a network', () => {
   })
 
   test('a lone node stands in the middle of the other side', () => {
-    const { inputs, outputs } = layoutNetwork({ width: 500, height: 400 }, 1, 3)
-    expect(inputs[0]!.y).toBeCloseTo(outputs[1]!.y)
+    const [inputs, outputs] = layoutNetwork({ width: 500, height: 400 }, 1, 3).columns
+    expect(inputs![0]!.y).toBeCloseTo(outputs![1]!.y)
   })
 })
 

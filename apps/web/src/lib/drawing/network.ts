@@ -4,11 +4,10 @@ import { clamp } from './points.ts'
 /** `below`: on lines under the node · `line`: on one line under it · `beside`: on the node's outer side, where rows are low. */
 export type LabelForm = 'below' | 'line' | 'beside'
 
-/** Where the nodes of a network of two layers stand, in px. */
+/** Where the nodes of a network stand, in px; from the inputs to the outputs. */
 export interface NetworkLayout {
   readonly radius: number
-  readonly inputs: readonly Point[]
-  readonly outputs: readonly Point[]
+  readonly columns: readonly (readonly Point[])[]
   /** Size of the stage; higher than the room there is when nodes would get smaller than a finger. */
   readonly stage: Size
   readonly labels: LabelForm
@@ -27,7 +26,7 @@ const wide = 500
 // Links get no longer than this, however wide the room.
 const longestLink = 760
 const lineHeight = 18
-// From here on a label may take three lines and keeps clear of the links.
+// From here on a label may take three lines.
 const roomyRow = 160
 
 interface Labelling {
@@ -55,8 +54,7 @@ export function layoutNetwork(room: Size, inputs: number, outputs: number): Netw
     labels: label.form,
     places: label.places,
     labelWidth: labelWidth(label, side, radius),
-    inputs: column(inputs, side),
-    outputs: column(outputs, room.width - side),
+    columns: [column(inputs, side), column(outputs, room.width - side)],
   }
 }
 
@@ -79,9 +77,10 @@ function rowsIn(room: Size, rows: number, { height, form }: Labelling) {
   return { row, above, radius: clamp((row - content) / 2, smallestRadius, largest) }
 }
 
-function labelWidth({ form, height }: Labelling, side: number, radius: number): number {
+function labelWidth({ form, height, places }: Labelling, side: number, radius: number): number {
   if (form === 'beside') return side - radius - 14
-  return height >= 3 * lineHeight ? Math.min(2 * side - 4, 2 * radius + 36) : 2 * side - 4
+  const clear = height >= 3 * lineHeight ? 36 : places ? Infinity : 28
+  return Math.min(2 * side - 4, 2 * radius + clear)
 }
 
 function sideOf(width: number, radius: number, form: LabelForm): number {

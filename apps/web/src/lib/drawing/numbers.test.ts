@@ -1,6 +1,9 @@
 import fc from 'fast-check'
 import { describe, expect, test } from 'vitest'
 import { formatNumber, parseWeight } from './numbers.ts'
+import { unitScale } from './track.ts'
+
+const parsed = (text: string) => parseWeight(text, unitScale)
 
 describe('numbers a child reads', () => {
   test('have no trailing zeros and the comma of the language', () => {
@@ -19,19 +22,33 @@ describe('numbers a child reads', () => {
 
 describe('a typed weight', () => {
   test('is read with dot or comma and cut to 0..1', () => {
-    expect(['0.8', '0,8', '.5', '1', '3', ' 0,25 ', '0.'].map(parseWeight)).toEqual([
-      0.8, 0.8, 0.5, 1, 1, 0.25, 0,
-    ])
+    expect(['0.8', '0,8', '.5', '1', '3', ' 0,25 ', '0.'].map(parsed)).toEqual([0.8, 0.8, 0.5, 1, 1, 0.25, 0])
   })
 
   test('is null where it is no number', () => {
-    expect(['', '.', ',', 'a', '1e3', '-1', '0,8,1', '½'].map(parseWeight)).toEqual(Array(8).fill(null))
+    expect(['', '.', ',', 'a', '1e3', '-1', '0,8,1', '½'].map(parsed)).toEqual(Array(8).fill(null))
+  })
+
+  test('on a wider scale may be negative, with either minus, and is cut to its ends', () => {
+    const wide = { least: -1, most: 1, unit: 1 } as const
+    expect(['-0,5', '−0.25', '-3', '7', '-'].map((text) => parseWeight(text, wide))).toEqual([
+      -0.5,
+      -0.25,
+      -1,
+      1,
+      null,
+    ])
+  })
+
+  test('on a scale from 0 to 10 counts tenths', () => {
+    const tens = { ...unitScale, unit: 10 } as const
+    expect(['8', '10', '2,5', '30'].map((text) => parseWeight(text, tens))).toEqual([0.8, 1, 0.25, 1])
   })
 
   test('what is shown can be typed, in both languages', () => {
     fc.assert(
       fc.property(fc.integer({ min: 0, max: 100 }), fc.constantFrom('de', 'en'), (part, locale) => {
-        expect(parseWeight(formatNumber(part / 100, locale))).toBe(part / 100)
+        expect(parsed(formatNumber(part / 100, locale))).toBe(part / 100)
       }),
     )
   })

@@ -1,3 +1,6 @@
+import { clamp } from './points.ts'
+import type { Scale } from './track.ts'
+
 const formats = new Map<string, Intl.NumberFormat>()
 
 /** A number as a child reads it: at most `digits` behind the comma, no trailing zeros, the language's own comma. */
@@ -15,9 +18,15 @@ export function formatNumber(value: number, locale: string, digits = 2): string 
   return format.format(value).replace('-', '−')
 }
 
-/** A weight as it was typed, with dot or comma, cut to 0..1 and rounded to hundredths; null where it is no number. */
-export function parseWeight(text: string): number | null {
-  const plain = text.trim().replace(',', '.')
-  if (!/^\d*\.?\d*$/.test(plain) || !/\d/.test(plain)) return null
-  return Math.min(1, Math.round(Number(plain) * 100) / 100)
+/** A number as it was typed, with dot or comma and either minus; null where it is none. */
+export function parseNumber(text: string): number | null {
+  const plain = text.trim().replace(',', '.').replace('−', '-')
+  return /^-?\d*\.?\d*$/.test(plain) && /\d/.test(plain) ? Number(plain) : null
+}
+
+/** A weight as it was typed, cut to its scale and rounded to hundredths; null where it is no number of this scale. */
+export function parseWeight(text: string, { least, most, unit }: Scale): number | null {
+  const number = parseNumber(text)
+  if (number === null || (least === 0 && /[-−]/.test(text))) return null
+  return clamp(Math.round((number / unit) * 100) / 100, least, most)
 }

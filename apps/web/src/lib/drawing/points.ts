@@ -19,6 +19,9 @@ export const between = (a: Point, b: Point, share: number): Point => ({
 export const clamp = (value: number, least: number, most: number): number =>
   Math.min(most, Math.max(least, value))
 
+/** Which way `b` lies from `a`: degrees clockwise from the right. */
+export const degrees = (a: Point, b: Point): number => (Math.atan2(b.y - a.y, b.x - a.x) * 180) / Math.PI
+
 export const distance = (a: Point, b: Point): number => Math.hypot(b.x - a.x, b.y - a.y)
 
 /** Where on the line through `a` and `b` the point nearest to `p` lies: 0 at `a`, 1 at `b`, beyond them outside 0..1. */

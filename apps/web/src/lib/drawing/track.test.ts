@@ -18,7 +18,8 @@ const level = freeLine({ x: 100, y: 50 }, { x: 400, y: 50 }, 50)
 /** All links of a network in a room, staggered. */
 function network(width: number, height: number, inputs: number, outputs: number): readonly Track[] {
   const layout = layoutNetwork({ width, height }, inputs, outputs)
-  const lines = layout.inputs.flatMap((a) => layout.outputs.map((b) => freeLine(a, b, layout.radius)))
+  const [left = [], right = []] = layout.columns
+  const lines = left.flatMap((a) => right.map((b) => freeLine(a, b, layout.radius)))
   return stagger(lines)
 }
 
@@ -48,6 +49,20 @@ describe('the track of a link', () => {
         fc.pre(distance(a, b) > 150)
         const track = { ...freeLine(a, b, 40), zero: start }
         expect(weightAt(track, knobPlace(track, weight))).toBe(weight)
+      }),
+    )
+  })
+
+  test('of a scale below 0 has weight 0 in its middle, and a knob for each side', () => {
+    const signed = freeLine({ x: 100, y: 50 }, { x: 400, y: 50 }, 50, { least: -1, most: 1, unit: 1 })
+    expect([knobPlace(signed, -1), knobPlace(signed, 0), knobPlace(signed, 1)]).toEqual(
+      [0.12, 0.47, 0.82].map((share) => between(signed.from, signed.to, share)),
+    )
+    fc.assert(
+      fc.property(point, point, fc.integer({ min: -300, max: 300 }), (a, b, part) => {
+        fc.pre(distance(a, b) > 150)
+        const track = freeLine(a, b, 40, { least: -3, most: 3, unit: 1 })
+        expect(weightAt(track, knobPlace(track, part / 100))).toBe(part / 100)
       }),
     )
   })

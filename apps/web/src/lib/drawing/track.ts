@@ -1,35 +1,58 @@
 import type { Point } from './points.ts'
 import { between, clamp, distance, distanceToSegment, shareAlong } from './points.ts'
 
-/** A link as a slider: its free length from node to node, and where on it (shares) weight 0 and weight 1 lie. */
-export interface Track {
+/** What a knob can be set to, and by which number its weight is shown: 1, or 10 for a scale without decimals. */
+export interface Scale {
+  readonly least: number
+  readonly most: number
+  readonly unit: 1 | 10
+}
+export const unitScale: Scale = { least: 0, most: 1, unit: 1 }
+
+/** A link as a slider: its free length from node to node, and where on it (shares) weight 0 and the greatest weight lie. */
+export interface Track extends Scale {
   readonly from: Point
   readonly to: Point
   readonly zero: number
   readonly one: number
 }
 
-const trackShare = { zero: 0.12, one: 0.82, latestZero: 0.46 }
+const trackShare = { start: 0.12, one: 0.82, latestZero: 0.46 }
+/** Of a scale that goes below 0: weight 0 is in the middle, or so far from it. */
+const signedShare = { zero: 0.47, earliest: 0.37, latest: 0.57 }
 /** Touch targets keep this far apart where they can, in px. */
 const targetGap = 44
 /** A knob is grabbed within this distance of its middle, a link within that of its line, in px. */
 const grabWithin = { knob: 24, link: 18 }
 
 /** The free part of the line between two nodes of radius `radius`. */
-export function freeLine(source: Point, target: Point, radius: number): Track {
+export function freeLine(source: Point, target: Point, radius: number, scale: Scale = unitScale): Track {
   const length = distance(source, target) || 1
   const edge = Math.min(0.49, (radius - 0.5) / length)
-  return { from: between(source, target, edge), to: between(source, target, 1 - edge), ...trackShare }
+  return { from: between(source, target, edge), to: between(source, target, 1 - edge), ...ends(scale) }
 }
 
-/** Where the knob stands for a weight; weights beyond 0..1 stand at the ends. */
-export const knobPlace = (track: Track, weight: number): Point =>
-  between(track.from, track.to, track.zero + (track.one - track.zero) * clamp(weight, 0, 1))
+const ends = (scale: Scale) => ({
+  ...scale,
+  zero: scale.least < 0 ? signedShare.zero : trackShare.start,
+  one: trackShare.one,
+})
 
-/** The weight 0..1 of the point on the track that is nearest to `at`, in hundredths. */
+/** How much of the track is a weight of 1, on the side of `sign`. */
+const shareOfOne = ({ zero, one, least, most }: Track, sign: number): number =>
+  sign < 0 ? (trackShare.start - zero) / least : (one - zero) / most
+
+/** Where the knob stands for a weight; weights beyond the scale stand at the ends. */
+export function knobPlace(track: Track, weight: number): Point {
+  const within = clamp(weight, track.least, track.most)
+  return between(track.from, track.to, track.zero + within * shareOfOne(track, within))
+}
+
+/** The weight of the point on the track that is nearest to `at`, in hundredths. */
 export function weightAt(track: Track, at: Point): number {
-  const share = (shareAlong(track.from, track.to, at) - track.zero) / (track.one - track.zero)
-  return Math.round(clamp(share, 0, 1) * 100) / 100
+  const share = shareAlong(track.from, track.to, at) - track.zero
+  const weight = share / shareOfOne(track, track.least < 0 ? share : 1)
+  return Math.round(clamp(weight, track.least, track.most) * 100) / 100 + 0
 }
 
 /**
@@ -72,12 +95,14 @@ function crowdingAt(track: Track, zero: number, others: readonly Point[]): numbe
   const rest = restAt(track, zero)
   const tight = others.reduce((sum, other) => sum + Math.max(0, targetGap - distance(rest, other)) ** 2, 0)
   const level = Math.abs(track.to.x - track.from.x) / (distance(track.from, track.to) || 1)
-  return tight + (zero - trackShare.zero) * level ** 8
+  return tight + Math.abs(zero - ends(track).zero) * level ** 8
 }
 
 function roomiest(track: Track, others: readonly Point[]): number {
   let best = { zero: track.zero, crowding: Infinity }
-  for (let zero = trackShare.zero; zero <= trackShare.latestZero; zero += 0.02) {
+  const [from, to] =
+    track.least < 0 ? [signedShare.earliest, signedShare.latest] : [trackShare.start, trackShare.latestZero]
+  for (let zero = from; zero <= to; zero += 0.02) {
     const crowding = crowdingAt(track, zero, others)
     if (crowding < best.crowding) best = { zero, crowding }
   }

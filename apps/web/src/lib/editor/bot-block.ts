@@ -30,7 +30,7 @@ export interface Extra {
   readonly lines?: readonly string[]
   /** Value of the field that tells the face: the plug must fit before fields are loaded. */
   readonly face?: string
-  /** The block's own id: where it is not, the block is a copy. Neurons alone carry it. */
+  /** The block's own id: where it is not, the block is a copy. Neurons and layers of them alone carry it. */
   readonly self?: string
   readonly rest?: Rest
 }
@@ -77,6 +77,7 @@ export function applyFace(block: BotBlock): void {
   if (look.shape !== 'value' || block.previousConnection) return
   const face = faceOf(block)
   block.frame = face?.items ? { plug: face.plug ?? 'round', tint: face.tint ?? 'sensor' } : null
+  if (look.layer) block.frame = { plug: 'pointed', tint: look.layer }
   block.setStyle(block.frame ? layerStyle(look) : look.category)
   const output = typedOutput(block) ?? face?.output ?? look.output ?? 'any'
   block.setOutput(true, output === 'any' ? null : output)

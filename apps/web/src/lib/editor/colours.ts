@@ -26,6 +26,8 @@ export const sun = '#FFC83D'
 /** Edges and plugs of the two layers; also the dots of their neurons. */
 export const teal = '#2F9C95'
 export const apricot = '#F28C45'
+/** Hidden layers: they reckon, as the blocks of this colour do. */
+export const violet = '#A993EA'
 
 /** `share` of black mixed into a `#RRGGBB` colour. */
 export function darker(colour: string, share: number): string {

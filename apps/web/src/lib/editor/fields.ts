@@ -78,6 +78,12 @@ export class TextField extends Blockly.FieldTextInput implements FileField {
     super(preset, undefined, { spellcheck: false })
   }
 
+  /** An empty field is wide enough to be hit. */
+  protected override getDisplayText_() {
+    const text = super.getDisplayText_()
+    return text.trim() ? text : '\u00A0'.repeat(4)
+  }
+
   toFile(): string {
     return this.getValue() ?? ''
   }

@@ -27,9 +27,11 @@ export function isWholeShadow(block: Template): boolean {
   return Object.values(block.values ?? {}).every(isWholeShadow)
 }
 
+const presets = new Map<string, Template>()
+for (const { type, values = {} } of toolbox.flatMap(({ blocks }) => blocks))
+  for (const [input, child] of Object.entries(values))
+    if (child.shadow) presets.set(`${type} ${input}`, child)
+
 /** What comes back when a block is pulled out of this input. */
 export const presetShadow = (type: string, input: string): Template | undefined =>
-  toolbox
-    .flatMap(({ blocks }) => blocks)
-    .flatMap((block) => (block.type === type ? [block.values?.[input]] : []))
-    .findLast((child) => child?.shadow)
+  presets.get(`${type} ${input}`)

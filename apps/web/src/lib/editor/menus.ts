@@ -1,5 +1,7 @@
 import * as Blockly from 'blockly/core'
+import { isBotBlock } from './bot-block.ts'
 import { registerNotes, toggleNote } from './note-icon.ts'
+import { m } from '#lib/words/generated/messages.js'
 import { readSetting, writeSetting } from '#lib/storage/settings.ts'
 
 type CopyData = Blockly.clipboard.BlockCopyData
@@ -15,6 +17,10 @@ const place = 'copied'
 const teachers = new WeakMap<Blockly.Workspace, () => Promise<void>>()
 /** What is pasted may need more of the language than the paper knows: `teach` brings it. */
 export const letPaste = (paper: Blockly.Workspace, teach: () => Promise<void>) => teachers.set(paper, teach)
+
+/** By paper: tells what blocks of a type do. */
+const askers = new WeakMap<Blockly.Workspace, (type: string) => void>()
+export const letAsk = (paper: Blockly.Workspace, ask: (type: string) => void) => askers.set(paper, ask)
 
 /** Menus of the blocks and of the paper, and copies that can be taken along. */
 export function setUpMenus(): void {
@@ -38,6 +44,14 @@ export function setUpMenus(): void {
     callback: ({ workspace }, opened) => {
       if (workspace) void paste(workspace, opened)
     },
+  })
+  registry.register({
+    id: 'blockExplain',
+    weight: -1,
+    scopeType: BLOCK,
+    displayText: () => m['editor.what'](),
+    preconditionFn: ({ block }) => (isBotBlock(block ?? null) ? 'enabled' : 'hidden'),
+    callback: ({ block }) => block && askers.get(paperOf(block.workspace))?.(block.type),
   })
   const comment = registry.getItem('blockComment')
   if (comment && !comment.separator) {

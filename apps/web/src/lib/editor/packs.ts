@@ -1,5 +1,6 @@
 import { definitions, isOfLearning, type Block, type Definition, type FieldLook } from '@botgarten/blocks'
-import { holesOf, statementNames, type Program } from '@botgarten/programs'
+import type { Brain } from '@botgarten/learning/neural-network'
+import { holesOf, statementNames, type Project } from '@botgarten/programs'
 import { fetchExpertWords, withWords } from '#lib/words/say.ts'
 
 type Expert = Pick<typeof import('./expert/later.ts'), 'expertShelf' | 'everything'>
@@ -21,14 +22,14 @@ export async function bringExpert(): Promise<Expert> {
   return (expert = { expertShelf, everything })
 }
 
-/** Brings the blocks for maps and groups. */
+/** Brings the blocks for deeper networks, for maps and groups. */
 export const bringLearning = async (): Promise<void> =>
   (await withWords(import('./learning/later.ts'))).learn()
 
-/** Brings what these programs hold and is not there yet. Returns whether they hold more than the plain language. */
-export async function bringFor(programs: { readonly [id: string]: Program }): Promise<boolean> {
+/** Brings what a project's programs and brains hold and is not there yet. Returns whether its programs hold more than the plain language. */
+export async function bringFor({ programs, brains }: Pick<Project, 'programs' | 'brains'>): Promise<boolean> {
   const rows = Object.values(programs).flatMap(({ stacks }) => stacks.flatMap(({ blocks }) => blocks))
-  if (rows.some(learns)) await bringLearning()
+  if (rows.some(learns) || Object.values(brains).some(bends)) await bringLearning()
   const more = rows.some(isMore)
   if (more && !expert) await bringExpert()
   return more
@@ -38,6 +39,10 @@ const inside = ({ values = {}, statements = {} }: Block): readonly Block[] => [
   ...Object.values(values),
   ...Object.values(statements).flat(),
 ]
+
+/** Is there a neuron that does more than hand on its sum? */
+const bends = ({ layers }: Brain): boolean =>
+  layers.flat().some(({ activation }) => activation !== 'identity')
 
 const learns = (block: Block): boolean => isOfLearning(block.type) || inside(block).some(learns)
 

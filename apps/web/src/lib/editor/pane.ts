@@ -1,20 +1,23 @@
 import * as Blockly from 'blockly/core'
-import type { Finding, Template } from '@botgarten/blocks'
+import { toolbox, type Finding, type Template } from '@botgarten/blocks'
 import type { Program } from '@botgarten/programs'
 import type { RobotConfig } from '@botgarten/simulation'
 import { setClosed } from './closed-roads.ts'
 import { listen, type Reports } from './events.ts'
-import { showFindings } from './finding-icon.ts'
 import type { Marks } from './debug/marks.ts'
 import { keepEscape } from './escape.ts'
-import { grouped } from './list.ts'
-import { letPaste } from './menus.ts'
+import { show } from './filling.ts'
+import type { Fill } from './large/fill.ts'
+import { letAsk, letPaste } from './menus.ts'
 import { nameParts } from './name-parts.ts'
 import { addNeuron } from './network.ts'
-import { restore, statesOn, toProgram, toWorkspace } from './program.ts'
-import { bringExpert, expertParts } from './packs.ts'
+import { deleteSelected, place, reveal, setFields, step, typeAt, unseen } from './on-paper.ts'
+import { restore, statesOn, toProgram } from './program.ts'
+import { bringExpert, bringLearning, expertParts } from './packs.ts'
 import { fontReady, options, scaleOf, spaceLetters, type Looks } from './looks.ts'
 import { setUp, speak } from './setup.ts'
+import { explain } from './shelf/bring.ts'
+import { Showing } from './showing.ts'
 import { knowRobot } from './sockets.ts'
 import { themeFor } from './theme.ts'
 import { toolboxInfo } from './toolbox.ts'
@@ -39,12 +42,12 @@ export class Pane {
   #all = false
   /** Are its blocks drawn as the whole language draws them? */
   #knowsAll = expertParts() !== null
+  /** Are hidden layers on the shelf? */
+  #layers = false
   #looks: Looks
   #program: Program
-  #findings: readonly Finding[] = []
-  #lit: string | null = null
-  #glow: readonly string[] = []
-  #marks: Marks | null = null
+  readonly #showing: Showing
+  #fill: Fill | undefined
 
   constructor(
     host: HTMLElement,
@@ -61,20 +64,28 @@ export class Pane {
     this.#reports = reports
     this.#looks = looks
     this.#workspace = Blockly.inject(host, options(locale, media, looks))
+    this.#showing = new Showing(
+      this.#workspace,
+      () => wordsIn(this.#locale),
+      (finding) => reports.finding(finding),
+    )
     spaceLetters(looks.letters)
     this.#workspace.MAX_UNDO = Infinity
     this.#host = host
     this.#placed = host.clientWidth > 0
-    toWorkspace(program, this.#workspace)
+    this.#show(program)
+    if (this.#placed) this.#place()
     // Blockly measures words on a canvas at the end of the body; it shows nothing.
     document.querySelector('.blocklyComputeCanvas')?.setAttribute('aria-hidden', 'true')
     nameParts(this.#workspace, wordsIn(this.#locale))
     letPaste(this.#workspace, () => this.#learn())
+    letAsk(this.#workspace, (type) => void explain(this.#workspace, type))
     this.#stops = [listen(this.#workspace, reports, () => this.#emit()), keepEscape(host, this.#workspace)]
   }
 
   dispose(): void {
     for (const stop of this.#stops) stop()
+    this.#fill?.stop()
     this.#workspace.dispose()
   }
 
@@ -83,7 +94,7 @@ export class Pane {
     const shown = program === this.#program || JSON.stringify(program) === JSON.stringify(this.#program)
     this.#program = program
     if (shown) return
-    this.#refill(() => toWorkspace(program, this.#workspace))
+    this.#refill(() => this.#show(program))
     this.#workspace.clearUndo()
     this.#workspace.setScale(scaleOf(this.#looks))
     this.#place()
@@ -110,14 +121,31 @@ export class Pane {
     this.#redraw()
   }
 
+  /** Hidden layers stand on the shelf, or do not. */
+  offerLayers(offered: boolean): void {
+    if (offered === this.#layers) return
+    this.#layers = offered
+    if (offered)
+      void bringLearning().then(() => {
+        speak(this.#locale)
+        this.#fillShelf()
+      })
+    else this.#fillShelf()
+  }
+
   #fillShelf() {
     const words = wordsIn(this.#locale)
     const parts = this.#all ? expertParts() : null
-    this.#workspace.updateToolbox(parts ? parts.expertShelf(words, this.#workspace) : toolboxInfo(words))
+    this.#workspace.updateToolbox(
+      parts
+        ? parts.expertShelf(words, this.#workspace)
+        : toolboxInfo(words, toolbox, this.#layers ? '' : undefined),
+    )
   }
 
   /** Every block anew, as it looks now. */
   #redraw() {
+    this.#fill?.finish()
     const states = statesOn(this.#workspace)
     speak(this.#locale)
     this.#fillShelf()
@@ -143,6 +171,7 @@ export class Pane {
     if (looks.letters === letters) return
     await fontReady(looks.letters)
     if (this.#looks !== looks) return
+    this.#fill?.finish()
     spaceLetters(looks.letters)
     const states = statesOn(this.#workspace)
     this.#workspace.setTheme(themeFor(looks.letters))
@@ -150,40 +179,27 @@ export class Pane {
   }
 
   setFindings(findings: readonly Finding[]): void {
-    this.#findings = findings
-    const words = wordsIn(this.#locale)
-    const label = ({ problem, facts }: Finding) =>
-      words('editor.finding', { title: words(`${problem}.title`, facts) })
-    showFindings(this.#workspace, findings, label, (finding) => this.#reports.finding(finding))
+    this.#showing.findings(findings)
   }
 
-  /** Lets the block that runs glow. Touches two class lists and nothing else. */
+  /** Lets the block that runs glow. */
   setLit(id: string | null): void {
-    this.#mark(this.#lit, false)
-    this.#mark(id, true)
-    this.#lit = id
+    this.#showing.lit(id)
   }
 
   /** Lets blocks light up together with their nodes and with parts of the robot. */
   setGlow(ids: readonly string[]): void {
-    for (const id of this.#glow) this.#classOf(id, 'editor-glow', false)
-    for (const id of ids) this.#classOf(id, 'editor-glow', true)
-    this.#glow = ids
+    this.#showing.glow(ids)
   }
 
-  /** Stop points, and values at their blocks. What draws them comes when there are any. */
+  /** Stop points, and values at their blocks. */
   setMarks(marks: Marks): void {
-    if (!this.#marks && marks.stops.length === 0 && marks.values.size === 0) return
-    this.#marks = marks
-    void import('./debug/later.ts').then(({ showMarks }) => showMarks(this.#workspace, marks))
+    this.#showing.marks(marks)
   }
 
   /** The type of the block that an element of the pane belongs to, on the paper or on the open shelf. */
   typeAt(element: Element): string | null {
-    const id = element.closest('.blocklyDraggable')?.getAttribute('data-id') ?? ''
-    const shelf = this.#workspace.getFlyout()?.getWorkspace()
-    const block = this.#workspace.getBlockById(id) ?? shelf?.getBlockById(id)
-    return block?.type ?? null
+    return typeAt(this.#workspace, element)
   }
 
   typeOf(id: string): string | null {
@@ -192,11 +208,13 @@ export class Pane {
 
   /** Takes back one step of the blocks; false where there is none, or a hand holds a block. */
   undo(): boolean {
-    return this.#goBack(false, this.#workspace.getUndoStack().length)
+    this.#fill?.finish()
+    return step(this.#workspace, false)
   }
 
   redo(): boolean {
-    return this.#goBack(true, this.#workspace.getRedoStack().length)
+    this.#fill?.finish()
+    return step(this.#workspace, true)
   }
 
   zoomBy(direction: 1 | -1): void {
@@ -213,29 +231,26 @@ export class Pane {
    * its block, null where the layer is full or there is no such network.
    */
   addNeuron(networkId: string, layer: 'input' | 'output', template?: Template): string | null {
+    this.#fill?.finish()
     return addNeuron(this.#workspace, networkId, layer, template)
   }
 
   /** Makes these the closed roads of a map block. */
   setClosed(map: string, roads: readonly (readonly [number, number])[]): void {
+    this.#fill?.finish()
     setClosed(this.#workspace, map, roads)
   }
 
   deleteSelected(): void {
-    const selected = Blockly.common.getSelected()
-    if (selected instanceof Blockly.BlockSvg && selected.isDeletable()) selected.checkAndDelete()
+    this.#fill?.finish()
+    deleteSelected()
   }
 
   /** Brings a block into sight. */
   reveal(id: string): void {
+    this.#fill?.finish()
     this.resize()
-    const block = this.#workspace.getBlockById(id)
-    if (block) this.#workspace.scrollBoundsIntoView(block.getBoundingRectangle())
-  }
-
-  #focus(id: string) {
-    const block = this.#workspace.getBlockById(id)
-    if (block) Blockly.getFocusManager().focusNode(block)
+    reveal(this.#workspace, id)
   }
 
   /** What is plugged into the robot: new neurons take ports that fit. */
@@ -245,21 +260,13 @@ export class Pane {
 
   /** Several fields of a block, as one step. */
   setFields(blockId: string, fields: { readonly [name: string]: string }): void {
-    const block = this.#workspace.getBlockById(blockId)
-    grouped(() => Object.entries(fields).forEach(([name, value]) => block?.setFieldValue(value, name)))
+    this.#fill?.finish()
+    setFields(this.#workspace, blockId, fields)
   }
 
-  /** The paper's upper left corner beside the shelf. */
   #place() {
-    this.#workspace.scroll(0, 0)
+    place(this.#workspace)
     this.#placed = this.#host.clientWidth > 0
-  }
-
-  #goBack(redo: boolean, steps: number): boolean {
-    if (steps === 0 || this.#workspace.isDragging()) return false
-    this.#workspace.hideChaff()
-    this.#workspace.undo(redo)
-    return true
   }
 
   #emit() {
@@ -270,28 +277,20 @@ export class Pane {
 
   /** Builds all blocks anew under their ids: what is chosen, lit or marked is so again. */
   #refill(fill: () => void) {
-    const selected = Blockly.common.getSelected()?.id
-    this.#workspace.hideChaff()
-    Blockly.Events.disable()
-    try {
+    this.#fill?.drop()
+    const anew = () => {
       this.#workspace.clear()
       fill()
-    } finally {
-      Blockly.Events.enable()
     }
+    unseen(this.#workspace, anew, () => this.#markAll())
+  }
+
+  #show(program: Program) {
+    this.#fill = show(program, this.#workspace, this.#fill, () => this.#markAll())
+  }
+
+  #markAll() {
     nameParts(this.#workspace, wordsIn(this.#locale))
-    this.setLit(this.#lit)
-    this.setGlow(this.#glow)
-    this.setFindings(this.#findings)
-    if (this.#marks) this.setMarks(this.#marks)
-    if (selected !== undefined) this.#focus(selected)
-  }
-
-  #mark(id: string | null, lit: boolean) {
-    if (id !== null) this.#classOf(id, 'editor-lit', lit)
-  }
-
-  #classOf(id: string, name: string, on: boolean) {
-    this.#workspace.getBlockById(id)?.getSvgRoot().classList.toggle(name, on)
+    this.#showing.again()
   }
 }

@@ -4,29 +4,75 @@ import type { Program, Stack } from '@botgarten/programs'
 import { isBotBlock, type BotBlock, type Rest } from './bot-block.ts'
 import { isFileField } from './fields.ts'
 import { foot, linesOf } from './list.ts'
-import { stateOfRow, type Loose, type State } from './state.ts'
-import { isUnknownBlock } from './unknown.ts'
+import { presetShadow } from './fits.ts'
+import { plainId } from './ids.ts'
+import { stateOfRow, stateOfTemplate, type Loose, type State } from './state.ts'
+
+/** A block of a type that this version does not know (unknown.ts). */
+export interface UnknownBlock extends Blockly.Block {
+  /** The block as the file has it, with all that hangs in it. */
+  raw: Block
+}
+
+const isUnknownBlock = (block: Blockly.Block): block is UnknownBlock => 'raw' in block
 
 const besides = 60
 const { VALUE, STATEMENT } = Blockly.inputs.inputTypes
 
+/** Blocks of a large program that are not on the paper yet, by the id of the block they come after. */
+export const awaited = new WeakMap<Blockly.Workspace, ReadonlyMap<string, readonly Block[]>>()
+
 /** Shows a program on an empty workspace. Fires no events: what is loaded is not an edit. */
 export function toWorkspace(program: Program, workspace: Blockly.Workspace): void {
-  Blockly.Events.disable()
-  try {
+  const paper = workspace instanceof Blockly.WorkspaceSvg ? workspace : null
+  paper?.setResizesEnabled(false)
+  unheard(workspace, () => {
     for (const stack of program.stacks) append(stack, workspace)
+    for (const block of workspace.getAllBlocks(false)) knowShadows(block)
+  })
+  paper?.setResizesEnabled(true)
+}
+
+/** Without events, measuring each word once, and putting sockets in order once instead of for each block. */
+export function unheard(workspace: Blockly.Workspace, change: () => void): void {
+  const sockets = workspace instanceof Blockly.WorkspaceSvg ? workspace.connectionDBList : []
+  Blockly.Events.disable()
+  Blockly.utils.dom.startTextWidthCache()
+  for (const list of sockets) list?.beginBulkUpdates()
+  try {
+    change()
   } finally {
+    for (const list of sockets) list?.endBulkUpdates()
+    Blockly.utils.dom.stopTextWidthCache()
     Blockly.Events.enable()
   }
 }
 
-function append(stack: Stack, workspace: Blockly.Workspace) {
+export function append(stack: Stack, workspace: Blockly.Workspace): void {
   const loose: Loose = []
   const state = stateOfRow(stack.blocks, loose, true)
   if (state) Blockly.serialization.blocks.append({ ...state, x: stack.x, y: stack.y }, workspace)
-  loose.forEach((blocks, at) =>
-    append({ x: stack.x + besides, y: stack.y + besides * (at + 1), blocks }, workspace),
-  )
+  putBeside(loose, stack, workspace)
+}
+
+export function putBeside(loose: Loose, { x, y }: { x: number; y: number }, workspace: Blockly.Workspace) {
+  loose.forEach((blocks, at) => append({ x: x + besides, y: y + besides * (at + 1), blocks }, workspace))
+}
+
+/** Blockly's own way builds every shadow and throws it away where a block stands in its place. */
+interface Shadowed {
+  applyShadowState(shadow: { shadowDom: null; shadowState: State }): void
+}
+
+/** Tells the inputs of a block what comes back when their block is pulled out. */
+export function knowShadows(block: Blockly.Block) {
+  for (const { name, connection } of block.inputList) {
+    const stands = connection?.targetBlock()
+    const shadow = stands && !stands.isShadow() && presetShadow(block.type, name)
+    if (!connection || !shadow || connection.getShadowState()) continue
+    const shadowState = { ...stateOfTemplate(shadow), id: plainId() }
+    ;(connection as unknown as Shadowed).applyShadowState({ shadowDom: null, shadowState })
+  }
 }
 
 /** All blocks with the names that Blockly's undo knows them by. */
@@ -54,10 +100,13 @@ function position(block: Blockly.Block) {
 
 function rowFrom(first: Blockly.Block | null): Block[] {
   const row: Block[] = []
+  const coming = first && awaited.get(first.workspace)
+  const late: Block[] = []
   for (let block = first; block; block = block.getNextBlock()) {
     if (!block.isInsertionMarker()) row.push(blockOf(block))
+    late.push(...(coming?.get(block.id) ?? []))
   }
-  return row
+  return [...row, ...late]
 }
 
 function blockOf(block: Blockly.Block): Block {

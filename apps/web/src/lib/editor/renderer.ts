@@ -1,5 +1,5 @@
 import * as Blockly from 'blockly/core'
-import { apricot, teal } from './colours.ts'
+import { apricot, teal, violet } from './colours.ts'
 import { FindingIcon, placeBadge } from './finding-icon.ts'
 import { foot } from './list.ts'
 import { layerShape, plugPath } from './layer-shape.ts'
@@ -11,13 +11,13 @@ type Row = Blockly.blockRendering.Row
 /** The edge of a growing list. */
 export interface Frame {
   readonly plug: 'pointed' | 'round'
-  readonly tint: 'sensor' | 'actuator'
+  readonly tint: 'sensor' | 'actuator' | 'hidden'
 }
 
 /** The frame of a block, where it has one: set on the block by its definition. */
 const frameOf = (block: Blockly.Block | null) => (block as { frame?: Frame | null } | null)?.frame ?? null
 
-const tints = { sensor: teal, actuator: apricot }
+const tints = { sensor: teal, actuator: apricot, hidden: violet }
 const chevron =
   '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 14 14"><path d="M1.5 4l5.5 6 5.5-6" fill="none" stroke="#fff" stroke-width="2.4" stroke-linecap="round" stroke-linejoin="round"/></svg>'
 
@@ -28,6 +28,8 @@ const layerMargin = 14
 /** Of the light on the foot while a neuron is held over it. */
 const footWidth = 150
 const frameStroke = 3
+/** Between words and the plug of a list beside them. */
+const plugRoom = 8
 
 class Constants extends zelos.ConstantProvider {
   readonly pointed = layerShape(6, 'pointed', frameRadius)
@@ -45,7 +47,9 @@ class Constants extends zelos.ConstantProvider {
     const checks = connection.getCheck() ?? connection.targetConnection?.getCheck() ?? []
     if (checks.includes('InputLayer')) return this.pointed
     if (checks.includes('OutputLayer')) return this.plugged
-    return super.shapeFor(connection)
+    // Where anything fits, nothing says that it must be a truth.
+    const isOpen = checks.length > 1 && checks.includes('Boolean')
+    return isOpen ? this.ROUNDED! : super.shapeFor(connection)
   }
 }
 
@@ -60,7 +64,8 @@ class Info extends zelos.RenderInfo {
   override getInRowSpacing_(prev: Measurable | null, next: Measurable | null) {
     const spacing = super.getInRowSpacing_(prev, next)
     const first = prev === null && next !== null && hasLayers(this.block_)
-    return first && !isPicture(next) ? layerMargin : spacing
+    if (first && !isPicture(next)) return layerMargin
+    return prev && next && holdsFrame(next) ? spacing + plugRoom : spacing
   }
 
   override getSpacerRowHeight_(prev: Row, next: Row) {
@@ -78,6 +83,8 @@ const isPicture = (element: Measurable) =>
 const takesLayer = (input: Blockly.Input) =>
   /^(In|Out)putLayer$/.test(String(input.connection?.getCheck()?.[0]))
 const holdsLayer = (element: Measurable) => Types.isInlineInput(element) && takesLayer(element.input)
+const holdsFrame = (element: Measurable) =>
+  Types.isInlineInput(element) && frameOf(element.connectedBlock) !== null
 const hasLayers = (block: Blockly.Block) => block.inputList.some(takesLayer)
 
 /** Measures a framed list: what stands in it keeps 12 from the edge instead of zelos's half circle. */
@@ -130,7 +137,7 @@ class PathObject extends zelos.PathObject {
   override applyColour(block: Blockly.BlockSvg) {
     super.applyColour(block)
     const frame = frameOf(block)
-    const inside = frameOf(block.getParent()) !== null
+    const inside = !frame && frameOf(block.getParent()) !== null
     if (frame) this.svgPath.setAttribute('stroke', tints[frame.tint])
     if (inside) this.svgPath.setAttribute('stroke', '#fff')
     this.svgPath.setAttribute('stroke-opacity', inside ? '0.35' : '1')

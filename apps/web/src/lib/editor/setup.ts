@@ -5,7 +5,6 @@ import { usePlainIds } from './ids.ts'
 import { setUpMenus } from './menus.ts'
 import { defineBlocks } from './shape.ts'
 import { registerShelf } from './toolbox.ts'
-import { defineUnknownBlocks } from './unknown.ts'
 import type { Locale } from '#lib/words/language.svelte.ts'
 import { wordsIn } from '#lib/words/say.ts'
 
@@ -18,10 +17,10 @@ export function setUp(): void {
   usePlainIds()
   Blockly.Scrollbar.scrollbarThickness = 8
   registerShelf()
-  defineUnknownBlocks()
   setUpMenus()
   leaveUndoToThePage()
   nameKeys()
+  nameFieldsWhenDrawn()
 }
 
 /** Blocks and Blockly's own words in a language. What is on a workspace already keeps its old words. */
@@ -44,4 +43,14 @@ function nameKeys() {
 function leaveUndoToThePage() {
   const { registry } = Blockly.ShortcutRegistry
   for (const name of ['undo', 'redo']) registry.unregister(name)
+}
+
+/** Blockly asks a field for its name before it is drawn, and is answered with an error each time: thousands in a large file. */
+function nameFieldsWhenDrawn() {
+  const { prototype } = Blockly.Field
+  // eslint-disable-next-line @typescript-eslint/unbound-method -- it is called with the field below
+  const name = prototype.recomputeAriaContext
+  prototype.recomputeAriaContext = function () {
+    return this.getSvgRoot() !== null && name.call(this)
+  }
 }

@@ -8,7 +8,7 @@ import { iconField } from './icons.ts'
 import { buildList, matchLines } from './list.ts'
 import { piecesOf } from './pieces.ts'
 import type { Locale } from '#lib/words/language.svelte.ts'
-import type { Words } from '#lib/words/say.ts'
+import { isSaid, type Words } from '#lib/words/say.ts'
 
 export interface Language {
   readonly words: Words
@@ -50,7 +50,7 @@ function behaviour(definition: Definition, language: Language) {
     saveExtraState(this: BotBlock): Extra | null {
       const name = faceField(definition.look)
       const face = name === undefined ? undefined : (this.getFieldValue(name) as string)
-      const self = definition.neuron ? { self: this.id } : {}
+      const self = definition.neuron || definition.look.layer ? { self: this.id } : {}
       const extra = { ...this.extra, ...self, ...(face === undefined ? {} : { face }) }
       return Object.keys(extra).length > 0 ? extra : null
     },
@@ -69,7 +69,7 @@ function behaviour(definition: Definition, language: Language) {
 function build(block: BotBlock, language: Language) {
   const { look, words } = block.definition
   block.setStyle(look.category)
-  block.setTooltip(language.words(words.help))
+  block.setTooltip(() => (isSaid(words.help) ? language.words(words.help) : '…'))
   block.setInputsInline(true)
   connect(block, look)
   look.rows.forEach((key, at) => new RowBuilder(block, language, at === 0).build(key))

@@ -11,7 +11,7 @@ import {
 import { holesOf, shapeOf as shapeNow, statementNames } from '@botgarten/programs'
 import type { Extra, Rest } from './bot-block.ts'
 import { faceField } from './bot-block.ts'
-import { fits, isWholeShadow, presetShadow } from './fits.ts'
+import { fits, isWholeShadow } from './fits.ts'
 
 export type State = Blockly.serialization.blocks.State
 type ConnectionState = Blockly.serialization.blocks.ConnectionState
@@ -92,14 +92,9 @@ function valueStates(block: Source, definition: Definition, loose: Loose) {
   for (const [name, accepts] of sockets(block, definition)) {
     const child = block.values?.[name]
     if (child === undefined) continue
-    const shadow = presetShadow(block.type, name)
     if (!fits(child, accepts)) loose.push([child as Block])
     else if (isWholeShadow(child)) states[name] = { shadow: stateOfBlock(child, loose, 'value') }
-    else
-      states[name] = {
-        block: stateOfBlock(child, loose, 'value'),
-        ...(shadow && { shadow: stateOfTemplate(shadow) }),
-      }
+    else states[name] = { block: stateOfBlock(child, loose, 'value') }
   }
   return states
 }

@@ -1,12 +1,13 @@
 import * as Blockly from 'blockly/core'
-import { toolbox, type ToolboxCategory } from '@botgarten/blocks'
+import { hiddenType, toolbox, type ToolboxCategory } from '@botgarten/blocks'
 import { stateOfTemplate } from './state.ts'
 import type { Words } from '#lib/words/say.ts'
 
-/** What the shelf holds: a category a row, its blocks with their presets plugged in. */
+/** What the shelf holds: a category a row, its blocks with their presets plugged in. Hidden layers come with their level. */
 export function toolboxInfo(
   words: Words,
   shelf: readonly ToolboxCategory[] = toolbox,
+  without: string = hiddenType,
 ): Blockly.utils.toolbox.ToolboxInfo {
   return {
     kind: 'categoryToolbox',
@@ -15,7 +16,9 @@ export function toolboxInfo(
       name: words(`category.${category}`),
       categorystyle: category,
       toolboxitemid: `shelf-${category}`,
-      contents: blocks.map((template) => ({ kind: 'block', ...stateOfTemplate(template) })),
+      contents: blocks
+        .filter(({ type }) => type !== without)
+        .map((template) => ({ kind: 'block', ...stateOfTemplate(template) })),
     })),
   }
 }

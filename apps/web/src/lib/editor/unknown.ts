@@ -1,14 +1,8 @@
 import * as Blockly from 'blockly/core'
 import type { Block } from '@botgarten/blocks'
 import { plainId } from './ids.ts'
+import type { UnknownBlock } from './program.ts'
 import { unknownTypes } from './state.ts'
-
-interface UnknownBlock extends Blockly.Block {
-  /** The block as the file has it, with all that hangs in it. */
-  raw: Block
-}
-
-export const isUnknownBlock = (block: Blockly.Block): block is UnknownBlock => 'raw' in block
 
 /** Blocks of types that this version does not know: grey, with their name, written back as they came. */
 export function defineUnknownBlocks(): void {

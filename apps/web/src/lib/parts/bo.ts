@@ -8,7 +8,8 @@ interface Hand {
 }
 
 interface BoDrawing {
-  readonly viewBox: string
+  /** x, y, width and height of the drawing. */
+  readonly box: readonly [number, number, number, number]
   /** Degrees the whole body leans, and px it is off the ground. */
   readonly lean: number
   readonly lift: number
@@ -21,7 +22,7 @@ interface BoDrawing {
 
 export const boDrawings: { readonly [pose in BoPose]: BoDrawing } = {
   wave: {
-    viewBox: '0 -34 204 252',
+    box: [0, -34, 204, 252],
     lean: 0,
     lift: 0,
     head: -3,
@@ -31,7 +32,7 @@ export const boDrawings: { readonly [pose in BoPose]: BoDrawing } = {
     right: { arm: 'M144 130C168 122 176 104 178 84', x: 179, y: 78 },
   },
   think: {
-    viewBox: '0 -34 214 252',
+    box: [0, -34, 214, 252],
     lean: 0,
     lift: 0,
     head: 4,
@@ -41,7 +42,7 @@ export const boDrawings: { readonly [pose in BoPose]: BoDrawing } = {
     right: { arm: 'M144 136C164 142 162 118 140 108', x: 134, y: 106 },
   },
   oops: {
-    viewBox: '-24 -34 236 252',
+    box: [-24, -34, 236, 252],
     lean: -9,
     lift: 0,
     head: -15,
@@ -51,7 +52,7 @@ export const boDrawings: { readonly [pose in BoPose]: BoDrawing } = {
     right: { arm: 'M146 134C170 132 182 144 190 158', x: 192, y: 162 },
   },
   cheer: {
-    viewBox: '0 -34 204 252',
+    box: [0, -34, 204, 252],
     lean: 0,
     lift: 14,
     head: 0,

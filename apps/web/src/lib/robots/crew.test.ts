@@ -1,6 +1,6 @@
 import type { Document } from '@botgarten/lab'
 import { brainsFor, createLab } from '@botgarten/lab'
-import { withWeight } from '@botgarten/learning/neural-network'
+import { biasRow, withWeight } from '@botgarten/learning/neural-network'
 import { networks, parseProject, type Program, type Project } from '@botgarten/programs'
 import { cardConfig, paintFloor, type World } from '@botgarten/simulation'
 import { readFileSync } from 'node:fs'
@@ -31,6 +31,12 @@ const [eye, wheel] = [net.inputs[0]!.id, net.outputs[0]!.id]
 const isProject = (one: Document) => parseProject({ botgarten: 1, name: 'two', ...one, assets: {} })
 
 describe('a robot more', () => {
+  it('with a program of its own keeps its biases', () => {
+    const brain = withWeight(document.brains[net.id]!, biasRow, wheel, -7)
+    const { id, document: two } = withRobot({ ...document, brains: { [net.id]: brain } }, 'bo', 'own')
+    expect(two.brains[`${id}-${net.id}`]!.weights[biasRow]).toEqual({ [`${id}-${wheel}`]: -7 })
+  })
+
   it('with the same program has weights of its own, to begin with the same', () => {
     const { id, document: two } = withRobot(document, 'bo', 'shared')
     expect(two.world.robots.map((robot) => [robot.id, robot.program, robot.brain])).toEqual([

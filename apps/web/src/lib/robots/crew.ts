@@ -1,5 +1,6 @@
 import type { Document } from '@botgarten/lab'
 import {
+  biasRow,
   emptyBrain,
   weightsOf,
   withWeights,
@@ -71,7 +72,7 @@ function withOwnProgram(document: Document, { program, brain }: RobotPlacement, 
 const renamedWeights = (weights: Weights, idOf: (id: string) => string): Weights =>
   Object.fromEntries(
     Object.entries(weights).map(([from, row]) => [
-      idOf(from),
+      from === biasRow ? from : idOf(from),
       Object.fromEntries(Object.entries(row).map(([to, weight]) => [idOf(to), weight])),
     ]),
   )

@@ -22,6 +22,12 @@ export class Crew {
     return this.ids.length >= most.robots
   }
 
+  /** Name of the weight set that a robot drives with, '' where it has none but its own. */
+  setOf(id: string): string {
+    const { brain } = this.#session.lab.document.world.robots.find((robot) => robot.id === id) ?? {}
+    return brain === id || brain === undefined ? '' : brain
+  }
+
   choose(id: string): void {
     this.#session.choose(id)
   }
@@ -31,6 +37,24 @@ export class Crew {
     const { withRobot } = await import('./later.ts')
     if (this.full) return
     const { id, document } = withRobot(this.#session.lab.document, this.chosen, kind)
+    this.#session.changeCrew(document)
+    this.choose(id)
+  }
+
+  /** The card whose weights a second robot can bring, as long as Bo is alone. */
+  get beside() {
+    return this.ids.length > 1 ? undefined : this.#session.opened.card?.card.beside
+  }
+
+  /** The second robot with the weights of the other card, called `name`. */
+  async addBeside(name: string): Promise<void> {
+    const { beside } = this
+    if (!beside) return
+    this.asking = false
+    const { weightsFor, withBeside } = await import('./later.ts')
+    const weights = await weightsFor(beside)
+    if (!this.beside) return
+    const { id, document } = withBeside(this.#session.lab.document, { ...beside, weights }, name)
     this.#session.changeCrew(document)
     this.choose(id)
   }

@@ -64,14 +64,11 @@ export class Desk {
 
   /** Begins to let time pass and to listen to the page. Returns how to end it. */
   open(): () => void {
-    const { lab, keeper } = this.#session
+    const { lab, keeper, opened } = this.#session
     const stopFrames = lab.run()
     const stopWatching = $effect.root(() => {
-      const frequency = $derived(lab.view.phase === 'running' ? this.#session.heard : null)
-      const problem = $derived(lab.view.problem)
-      const succeeded = $derived(this.#session.succeeded)
-      const bumped = $derived(this.#session.bumped)
-      $effect(() => this.speaker.play(frequency))
+      const { phase, heard, problem, succeeded, touching } = $derived(lab.facts)
+      $effect(() => this.speaker.play(phase === 'running' ? heard : null))
       $effect(() => {
         const failure = problem
         untrack(() => this.#failed(failure))
@@ -80,7 +77,8 @@ export class Desk {
         if (succeeded) this.#celebrate()
       })
       $effect(() => {
-        if (bumped) this.notice = 'bumped'
+        // In the free lab pushing is no mistake.
+        if (opened.card !== null && phase === 'running' && touching) this.notice = 'bumped'
       })
     })
     const away = () => this.#turnedAway()

@@ -3,7 +3,7 @@ import { floorAddress, loadCard, loadFreeLab } from '#lib/content/cards.ts'
 import { bringFor, bringLearning } from '#lib/editor/packs.ts'
 import { freshId, load } from '#lib/storage/projects.ts'
 import { cardProject } from '@botgarten/materials'
-import { parseProject, type Project } from '@botgarten/programs'
+import type { Project } from '@botgarten/programs'
 import { pictureIn } from '#lib/floor/pictures.ts'
 import { paintFloor, type Floor, type World } from '@botgarten/simulation'
 
@@ -31,7 +31,7 @@ export async function openLab(name: string, projectId: string | null): Promise<O
   const project = kept.project ?? fresh
   const [floor, expert] = await Promise.all([
     floorOf(project),
-    bringFor(project.programs),
+    bringFor(project),
     ...(name === 'free' ? [bringLearning()] : []),
   ])
   return {
@@ -50,6 +50,8 @@ export async function openLab(name: string, projectId: string | null): Promise<O
 async function readKept(id: string) {
   const kept = await load(id)
   if (!kept) return { id, revision: 0, project: null, broken: false }
+  // A first visit has nothing to read.
+  const { parseProject } = await import('../storage/reading/later.ts')
   try {
     return { id, revision: kept.revision, project: parseProject(kept.project), broken: false }
   } catch (cause) {
@@ -61,6 +63,12 @@ async function readKept(id: string) {
 /** Address of the picture a world lies on; null where it lies on a colour. */
 export const floorPictureOf = (world: World, assets: Project['assets']): string | null =>
   pictureOf({ world, assets })
+
+/** Of all pictures the one that lies on a floor: only that is kept. */
+export function ownPictureIn(floor: World['floor'], pictures: Project['assets']): Project['assets'] {
+  const own = 'asset' in floor ? pictures[floor.asset] : undefined
+  return 'asset' in floor && own ? { [floor.asset]: own } : {}
+}
 
 const assetOf = ({ world, assets }: Pick<Project, 'world' | 'assets'>) =>
   'asset' in world.floor && Object.hasOwn(assets, world.floor.asset) ? assets[world.floor.asset] : undefined

@@ -11,6 +11,7 @@ import {
 import type { Brain } from '@botgarten/learning/neural-network'
 import type { Program } from '@botgarten/programs'
 import type { Floor, RobotKey } from '@botgarten/simulation'
+import { factsOf, renewed, type Facts } from './facts.ts'
 
 /** Milliseconds of a frame that ticks may take: the rest is for drawing. */
 const BUDGET = 10
@@ -23,11 +24,12 @@ export class RunningLab {
   #pace = new Pace()
   #view = $state.raw<View>() as View
   #document = $state.raw<Document>() as Document
-  #frame = 0
+  #facts = $state.raw<Facts>() as Facts
+  /** The frame that is asked for; 0: nothing moves; −1: no time passes. */
+  #frame = -1
   #before = 0
   /** A moment that is asked for; it is shown with the next frame. */
   #wanted: number | null = null
-  #other = $state(false)
   #chosen = $state('')
   /** Simulated seconds a real second; Infinity: as fast as it can. */
   speed = $state(1)
@@ -40,9 +42,18 @@ export class RunningLab {
   get view() {
     return this.#view
   }
+  /** What seldom changes in the view. */
+  get facts() {
+    return this.#facts
+  }
   /** Programs, brains with the weights of now, world with the start poses. */
   get document() {
     return this.#document
+  }
+
+  /** As sensors see it. */
+  get floor() {
+    return this.#lab.floor()
   }
 
   /** All of this moment: what programs remember too. */
@@ -50,18 +61,34 @@ export class RunningLab {
     return this.#lab.state()
   }
 
-  /** Lets time run with the screen's frames. Returns how to stop. */
+  /** Lets time run with the screen's frames, from now on. Returns how to stop. */
   run(): () => void {
-    const frame = (now: number) => {
-      this.#frame = requestAnimationFrame(frame)
-      const speed = this.#view.phase === 'running' ? this.speed : 1
-      const ticks = this.#pace.ticksFor(this.#before ? now - this.#before : 0, speed)
-      this.#before = now
-      if (this.#wanted !== null) this.goTo(this.#wanted)
-      else if (this.#advance(ticks)) this.#show()
-    }
-    this.#frame = requestAnimationFrame(frame)
-    return () => cancelAnimationFrame(this.#frame)
+    this.#frame = 0
+    this.#wake()
+    return () => this.#sleep(-1)
+  }
+
+  /** Frames are asked for while something can move, and until then not one. */
+  #wake(): void {
+    if (this.#frame) return
+    this.#before = performance.now()
+    this.#frame = requestAnimationFrame(this.#pass)
+  }
+
+  #pass = (now: number): void => {
+    const running = this.#view.phase === 'running'
+    // The first frame may have begun before it was asked for.
+    const ticks = this.#pace.ticksFor(Math.max(0, now - this.#before), running ? this.speed : 1)
+    this.#before = now
+    this.#frame = requestAnimationFrame(this.#pass)
+    if (this.#wanted !== null) this.goTo(this.#wanted)
+    else if (this.#advance(ticks)) this.#show()
+    else if (ticks > 0 && !running) this.#sleep(0)
+  }
+
+  #sleep(until: 0 | -1): void {
+    cancelAnimationFrame(this.#frame)
+    this.#frame = until
   }
 
   /** In slices: where ticks take longer than a frame has time for, there are fewer. Returns whether anything moved. */
@@ -78,7 +105,7 @@ export class RunningLab {
 
   #show(): void {
     this.#view = this.#lab.view(this.#chosen)
-    this.#other = this.#view.time.other
+    this.#facts = renewed(this.#facts, factsOf(this.#view, this.#chosen))
     this.#document = this.#lab.document()
   }
 
@@ -88,14 +115,10 @@ export class RunningLab {
   }
   choose = (robot: string) => this.#then(() => (this.#chosen = robot))
 
-  /** Is there another future that could come back? */
-  get other() {
-    return this.#other
-  }
-
   /** Asks for a moment of the run: the last one that was asked for is shown in the next frame. */
   lookAt(tick: number): void {
     this.#wanted = tick
+    this.#wake()
   }
 
   goTo = (tick: number) =>
@@ -112,8 +135,14 @@ export class RunningLab {
   rebuild = (...what: Parameters<Lab['rebuild']>) => this.#then(() => this.#lab.rebuild(...what))
   reset = () => this.#then(() => this.#lab.reset())
   step = (kind: StepKind) => this.#then(() => this.#lab.step(kind, this.#chosen))
-  press = (key: DriveKey, down: boolean) => this.#lab.press(key, down, this.#chosen)
-  pressButton = (key: RobotKey, down: boolean, robot: string) => this.#lab.pressButton(key, down, robot)
+  press = (key: DriveKey, down: boolean) => {
+    this.#lab.press(key, down, this.#chosen)
+    this.#wake()
+  }
+  pressButton = (key: RobotKey, down: boolean, robot: string) => {
+    this.#lab.pressButton(key, down, robot)
+    this.#wake()
+  }
   setStops = (blocks: readonly string[]) => this.#lab.setStops(blocks)
   variables = (robot: string) => this.#lab.variables(robot)
   senses = (robot: string) => this.#lab.senses(robot)
@@ -126,6 +155,7 @@ export class RunningLab {
   #then<Result>(verb: () => Result): Result {
     const result = verb()
     this.#show()
+    this.#wake()
     return result
   }
 }

@@ -1,19 +1,17 @@
 import type { Finding } from '@botgarten/blocks'
 import type { Document, DriveKey } from '@botgarten/lab'
-import {
-  copyWeights,
-  emptyBrain,
-  weightsOf,
-  withoutWeights,
-  type Brain,
-} from '@botgarten/learning/neural-network'
-import { check, inScene, networks, sceneOf } from '@botgarten/programs'
-import type { Learned, Program, Progress, Project, Scene } from '@botgarten/programs'
+import { inScene, networks, sceneOf } from '@botgarten/programs'
+import type { Learned, Program, Project, Scene } from '@botgarten/programs'
 import type { Floor, Pose, RobotConfig } from '@botgarten/simulation'
+import type { Inside } from '../playgrounds/inside/later.ts'
+import { Findings, noProgram } from './findings.svelte.ts'
 import { Keeper } from './keeper.svelte.ts'
-import { floorPictureOf, type Opened } from './opening.ts'
+import { floorPictureOf, ownPictureIn, type Opened } from './opening.ts'
+import { posesOf, type Poses } from './poses.ts'
+import { CardProgress } from './progress.svelte.ts'
 import { RunningLab } from './running.svelte.ts'
-import { UndoStack, type Poses } from './undo.svelte.ts'
+import { UndoStack } from './undo.svelte.ts'
+import { HandOnWeights } from './weights.ts'
 
 type Phase = 'start' | 'move' | 'end'
 
@@ -22,6 +20,7 @@ export class Session {
   readonly lab: RunningLab
   readonly undo: UndoStack
   readonly keeper: Keeper
+  readonly weights: HandOnWeights
   readonly opened: Opened
   /** Takes one of Blockly's own steps back or forth; the editor sets it. */
   moveBlocks: (direction: 'undo' | 'redo', program: string) => boolean = () => false
@@ -29,17 +28,16 @@ export class Session {
   paint: (scene: Scene) => Floor | null = () => null
   /** Start was pressed: learns first what the program wants learned. The playground sets it; true where it has begun. */
   learnFirst: () => boolean = () => this.learns
+  /** What is looked at inside the network; there from the first question on. */
+  inside = $state.raw<Inside | null>(null)
   /** Pictures of floors, those of steps that can be taken back too. */
   #pictures = $state.raw<Project['assets']>({})
   #name = $state('')
-  #progress = $state.raw<Progress>({ starts: [], hints: 0 })
+  readonly #progress: CardProgress
   #learned: NonNullable<Project['q']>
   #shelf = $state.raw<Project['shelf']>()
-  /** By the id of the robot. */
-  #findings = $state.raw<{ readonly [robot: string]: readonly Finding[] }>({})
-  #before: { readonly pose?: Pose; readonly start?: Pose; readonly brain?: Brain } = {}
-  /** Start pose that the present run began from; null once a hand has helped. */
-  #startedFrom: number | null = null
+  readonly #findings = new Findings()
+  #before: { readonly pose?: Pose; readonly start?: Pose } = {}
 
   constructor(opened: Opened) {
     this.opened = opened
@@ -47,7 +45,7 @@ export class Session {
     this.#name = project.name
     this.#learned = project.q ?? {}
     this.#shelf = project.shelf
-    this.#progress = project.progress ?? { starts: [], hints: 0 }
+    this.#progress = new CardProgress(card?.card, project.progress)
     this.lab = new RunningLab(project, opened.floor, card?.card.checks ?? [])
     this.keeper = new Keeper(opened.id, opened.revision)
     this.keeper.whenRenamed = (name) => (this.#name = name)
@@ -57,10 +55,14 @@ export class Session {
       place: (id, pose, start) => this.#changed(() => this.lab.place(id, pose, start)),
       brain: (id, brain) => this.#changed(() => this.lab.setBrain(id, brain)),
       future: () => this.#changed(() => this.lab.swap()),
-      hasFuture: () => this.lab.other,
+      hasFuture: () => this.lab.facts.other,
       now: () => this.lab.view.time.now,
       config: (id, config) => this.#equip(id, config),
       scene: (scene, stood) => this.#build(scene, stood),
+    })
+    this.weights = new HandOnWeights({
+      ...{ lab: this.lab, undo: this.undo, set: () => this.robot.brain },
+      ...{ goOn: () => this.goOn(), changed: (change) => this.#changed(change) },
     })
     this.#pictures = project.assets
     this.#look()
@@ -76,10 +78,10 @@ export class Session {
   }
   readonly program = $derived.by(() => this.lab.document.programs[this.robot.program] ?? noProgram)
   get findings() {
-    return this.#findings[this.robotId] ?? []
+    return this.#findings.of(this.robotId)
   }
   get progress() {
-    return this.#progress
+    return this.#progress.now
   }
   /** The networks of the program, first the one that the playground shows. */
   get outlines() {
@@ -88,21 +90,16 @@ export class Session {
   get config() {
     return this.robot.config
   }
-  /** The weights that are shown: those of the moment, in the set that the robot drives with. */
-  weightsIn(network: string) {
-    const brain = this.lab.view.brains[network]
-    return brain ? weightsOf(brain, this.robot.brain) : {}
-  }
-
-  /** The weights of the present, whatever moment is shown. */
-  weightsNow(network: string) {
-    return weightsOf(this.#brain(network), this.robot.brain)
-  }
-
   /** The project as it stands now: what is kept and what a file holds. */
   get project(): Project {
     const { programs, world, brains } = this.lab.document
-    const parts = { programs, world, brains, progress: this.#progress, assets: this.#pictureIn(world.floor) }
+    const parts = {
+      programs,
+      world,
+      brains,
+      progress: this.progress,
+      assets: ownPictureIn(world.floor, this.#pictures),
+    }
     const learned = Object.keys(this.#learned).length > 0 && { q: this.#learned }
     const shelf = this.#shelf && { shelf: this.#shelf }
     return { ...this.opened.project, name: this.#name, ...parts, ...learned, ...shelf }
@@ -131,12 +128,6 @@ export class Session {
     this.keeper.changed(() => this.project)
   }
 
-  /** Only the picture that lies there is kept. */
-  #pictureIn(floor: Scene['floor']): Project['assets'] {
-    const own = 'asset' in floor ? this.#pictures[floor.asset] : undefined
-    return 'asset' in floor && own ? { [floor.asset]: own } : {}
-  }
-
   get pictures() {
     return this.#pictures
   }
@@ -161,18 +152,12 @@ export class Session {
   }
 
   #look(): void {
-    const { programs, world } = this.lab.document
-    const found = world.robots.map(({ id, program, config }) => [
-      id,
-      check(programs[program] ?? noProgram, config),
-    ])
-    this.#findings = Object.fromEntries(found) as { [robot: string]: Finding[] }
+    this.#findings.look(this.lab.document)
   }
 
   /** The first robot whose program has to be mended before it can run. */
   get #stuck(): string | undefined {
-    const robots = this.lab.document.world.robots.map(({ id }) => id)
-    return robots.find((id) => this.#findings[id]?.some(({ stops }) => stops))
+    return this.#findings.stuck(this.lab.document)
   }
 
   choose(robot: string): void {
@@ -189,7 +174,7 @@ export class Session {
   #crew(document: Document, stood?: Poses): void {
     const { world } = this.lab.document
     const next = { ...document, world: { ...world, robots: document.world.robots } }
-    this.#startedFrom = null
+    this.#progress.helped()
     this.#changed(() => this.lab.rebuild(next, undefined, stood))
     this.#look()
   }
@@ -197,8 +182,7 @@ export class Session {
   /** Robots came or went, with what is theirs. */
   changeCrew(after: Document): void {
     this.lab.goTo(Infinity)
-    const before = this.lab.document
-    const stood = this.#poses
+    const [before, stood] = [this.lab.document, posesOf(this.lab.view)]
     this.#crew(after)
     this.undo.note({ kind: 'robots', before, after: this.lab.document, stood })
   }
@@ -208,14 +192,6 @@ export class Session {
     this.#look()
     if (this.#stuck !== undefined) this.lab.stop()
   }
-
-  /** Duplicated neurons take the weights of their originals along. */
-  copied(pairs: readonly { readonly from: string; readonly to: string }[]): void {
-    for (const [id, brain] of Object.entries(this.lab.document.brains))
-      this.#changed(() => this.lab.setBrain(id, copyWeights(brain, pairs)))
-  }
-
-  #brain = (id: string): Brain => this.lab.document.brains[id] ?? emptyBrain
 
   /** A hand changes something in a moment of the past: that is the present from here on (running.md 9). */
   goOn(): void {
@@ -230,46 +206,18 @@ export class Session {
     this.lab.resume()
   }
 
-  setWeight(network: string, from: string, to: string, weight: number, phase: Phase): void {
-    this.goOn()
-    if (phase === 'start') this.#before = { brain: this.#brain(network) }
-    this.#changed(() => this.lab.setWeight(network, from, to, weight, this.robot.brain))
-    const before = this.#before.brain
-    const after = this.#brain(network)
-    if (phase === 'end' && before && before !== after)
-      this.undo.note({ kind: 'brain', id: network, before, after })
-  }
-
-  resetWeights(network: string): void {
-    this.goOn()
-    const before = this.#brain(network)
-    const after = withoutWeights(before, this.robot.brain)
-    this.#changed(() => this.lab.setBrain(network, after))
-    this.undo.note({ kind: 'brain', id: network, before, after })
-  }
-
-  #startOf(id: string): Pose | undefined {
-    const { robots, obstacles } = this.lab.document.world
-    return [...robots, ...obstacles].find((thing) => thing.id === id)?.pose
-  }
-
-  /** Where everything stands now. */
-  get #poses(): Poses {
-    const { robots, obstacles } = this.lab.view
-    return Object.fromEntries([...robots, ...obstacles].map(({ id, pose }) => [id, pose]))
-  }
-
   place(id: string, pose: Pose, phase: Phase): void {
     this.goOn()
-    if (phase === 'start') this.#before = { pose: this.#poses[id], start: this.#startOf(id) }
-    this.#startedFrom = null
+    if (phase === 'start')
+      this.#before = { pose: posesOf(this.lab.view)[id], start: posesOf(this.lab.document.world)[id] }
+    this.#progress.helped()
     const after = this.#changed(() => this.lab.place(id, pose))
     const { pose: before, start } = this.#before
     if (phase === 'end' && before) this.undo.note({ kind: 'place', id, before, after, start })
   }
 
   press(key: DriveKey, down: boolean): void {
-    if (down) this.#startedFrom = null
+    if (down) this.#progress.helped()
     this.lab.press(key, down)
   }
 
@@ -291,7 +239,7 @@ export class Session {
 
   #build(scene: Scene, stood?: Poses): void {
     const { document } = this.lab
-    this.#startedFrom = null
+    this.#progress.helped()
     this.#changed(() =>
       this.lab.rebuild(
         { ...document, world: inScene(document.world, scene) },
@@ -304,7 +252,7 @@ export class Session {
   /** A child has built: another scene takes the place of this one. `pictures`: new ones that lie in it. */
   build(scene: Scene, pictures: Project['assets'] = {}): void {
     const before = sceneOf(this.lab.document.world)
-    const stood = this.#poses
+    const stood = posesOf(this.lab.view)
     this.#pictures = { ...this.#pictures, ...pictures }
     this.#build(scene)
     this.undo.note({ kind: 'scene', before, after: sceneOf(this.lab.document.world), stood })
@@ -323,8 +271,7 @@ export class Session {
 
   /** Index of the start pose the robot is set on, −1 for another place. */
   get chosenStart(): number {
-    const pose = this.lab.document.world.robots[0]?.pose
-    return this.opened.card?.card.starts.findIndex((start) => samePose(start, pose)) ?? -1
+    return this.#progress.startAt(this.lab.document.world.robots[0]?.pose)
   }
 
   /** Begins a run. Returns the finding that keeps it from running, if there is one. */
@@ -335,55 +282,22 @@ export class Session {
       return this.findings.find(({ stops }) => stops) ?? null
     }
     if (this.learnFirst()) return null
-    const standsAt = this.lab.view.robots[0]?.pose
-    const card = this.opened.card?.card
-    // Who learned a way starts where the way does.
-    this.#startedFrom =
-      card?.playground === 'q-learning'
-        ? 0
-        : (card?.starts.findIndex((start) => samePose(start, standsAt)) ?? -1)
+    this.#progress.begin(this.lab.view.robots[0]?.pose)
     this.lab.start()
     this.undo.begin()
     return null
   }
 
-  /** Hertz of the tone that is heard: the chosen robot's, else that of the first one that sounds. */
-  get heard(): number | null {
-    const { robots } = this.lab.view
-    const chosen = robots.find(({ id }) => id === this.robotId)
-    return chosen?.frequency ?? robots.find(({ frequency }) => frequency)?.frequency ?? null
-  }
-
-  /** All checks of the card are green at this moment. */
-  get succeeded(): boolean {
-    const { checks } = this.lab.view
-    return checks.length > 0 && checks.every(({ passed }) => passed)
-  }
-
-  /** The robot of a card has run into something. In the free lab pushing is no mistake. */
-  get bumped(): boolean {
-    const { phase, robots } = this.lab.view
-    return this.opened.card !== null && phase === 'running' && (robots[0]?.touching.length ?? 0) > 0
-  }
-
   /** Notes from which start pose the card was solved. */
   noteSuccess(): void {
-    const from = this.#startedFrom
-    if (from === null || from < 0 || this.#progress.starts.includes(from)) return
-    this.#progress = { ...this.#progress, starts: [...this.#progress.starts, from].sort() }
-    this.keeper.changed(() => this.project)
+    if (this.#progress.solved()) this.keeper.changed(() => this.project)
   }
 
   askHint(shown: number): void {
-    this.#progress = { ...this.#progress, hints: Math.max(shown, this.#progress.hints) }
+    this.#progress.askHint(shown)
     this.keeper.changed(() => this.project)
   }
 }
 
 /** The block that says on which map. */
 const learningMap = '"ai_q_learning_states_and_actions_map"'
-
-const noProgram: Program = { stacks: [], config: { stacks: [] } }
-
-const samePose = (a: Pose, b: Pose | undefined) =>
-  b !== undefined && Math.abs(a.x - b.x) + Math.abs(a.y - b.y) + Math.abs(a.heading - b.heading) < 1e-6

@@ -8,15 +8,21 @@ export class TimeMachine {
   #session: Session
   /** Does the child want to see the bar? */
   #wanted = $state(false)
-  past = $derived.by(() => this.#session.lab.view.time.past)
-  /** Nothing has run yet. */
-  empty = $derived.by(() => this.#session.lab.view.time.now === 0)
-  open = $derived.by(() => this.#wanted && !this.empty)
 
   constructor(session: Session) {
     this.#session = session
   }
 
+  get past() {
+    return this.#session.lab.facts.past
+  }
+  /** Nothing has run yet. */
+  get empty() {
+    return this.#session.lab.facts.empty
+  }
+  get open() {
+    return this.#wanted && !this.empty
+  }
   get view() {
     return this.#session.lab.view
   }

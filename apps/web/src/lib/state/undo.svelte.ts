@@ -2,6 +2,7 @@ import type { Document } from '@botgarten/lab'
 import type { Brain } from '@botgarten/learning/neural-network'
 import type { Scene } from '@botgarten/programs'
 import type { Pose, RobotConfig } from '@botgarten/simulation'
+import type { Poses } from './poses.ts'
 
 /** One step over the document. Blocks are taken back by Blockly, which keeps what changed. */
 export type Step =
@@ -20,9 +21,6 @@ export type Step =
   | { readonly kind: 'brain'; readonly id: string; readonly before: Brain; readonly after: Brain }
   | ConfigStep
   | { readonly kind: 'scene'; readonly before: Scene; readonly after: Scene; readonly stood: Poses }
-
-/** By the ids of robots and things. */
-export type Poses = { readonly [id: string]: Pose }
 
 /** Another configuration of a robot. `joined`: goes together with the step before it. */
 interface ConfigStep {

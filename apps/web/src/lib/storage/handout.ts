@@ -1,5 +1,8 @@
 import type { Project } from '@botgarten/programs'
 
+const types = { json: 'application/json', xml: 'application/xml', csv: 'text/csv' }
+type Ending = 'botgarten.json' | 'brain.json' | keyof typeof types
+
 const nameOfFile = (name: string) => name.replace(/[^\p{L}\p{N} _-]/gu, '').slice(0, 80) || 'botgarten'
 
 /**
@@ -8,14 +11,9 @@ const nameOfFile = (name: string) => name.replace(/[^\p{L}\p{N} _-]/gu, '').slic
  */
 export const saveProjectFile = (project: Project): void => handOut(project.name, JSON.stringify(project))
 
-export function handOut(
-  name: string,
-  text: string,
-  ending: 'botgarten.json' | 'xml' = 'botgarten.json',
-): void {
-  const address = URL.createObjectURL(
-    new Blob([text], { type: ending === 'xml' ? 'application/xml' : 'application/json' }),
-  )
+export function handOut(name: string, text: string, ending: Ending = 'botgarten.json'): void {
+  const type = types[ending.split('.').at(-1) as keyof typeof types]
+  const address = URL.createObjectURL(new Blob([text], { type }))
   const link = document.createElement('a')
   link.href = address
   link.download = `${nameOfFile(name)}.${ending}`

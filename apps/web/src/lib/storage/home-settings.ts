@@ -4,6 +4,7 @@ import { language, type Locale } from '#lib/words/language.svelte.ts'
 import * as v from 'valibot'
 
 const wish = v.optional(v.boolean())
+const level = v.picklist(['starter', 'explorer', 'expert'])
 const share = v.pipe(v.number(), v.minValue(0), v.maxValue(1))
 const two = v.optional(v.tuple([share, share]))
 /** What was sorted last is a child's work: its playground reads it as carefully as anything foreign. */
@@ -13,7 +14,9 @@ const mostSorted = 1_000_000
 const travels = {
   comfort: v.strictObject({ projector: wish, quiet: wish, letters: wish, aloud: wish }),
   language: v.picklist(locales as Locale[]),
-  'q-level': v.picklist(['starter', 'explorer', 'expert']),
+  'network-level': level,
+  'network-tens': v.boolean(),
+  'q-level': level,
   settings: v.strictObject({ rays: v.boolean(), trail: v.boolean() }),
   sizes: v.strictObject({ columns: two, stacked: two, rows: two }),
   sorting: v.pipe(

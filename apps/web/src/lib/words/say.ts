@@ -20,6 +20,11 @@ const files = {
     query: '?expert',
     import: 'default',
   }),
+  help: import.meta.glob<() => Promise<Table>>('../../../../../content/words/*.json', {
+    query: '?help',
+    import: 'default',
+    eager: true,
+  }),
 }
 type Part = keyof typeof files
 const tables = new Map<string, Table>()
@@ -37,11 +42,14 @@ export const fetchWords = (): Promise<void> => fetchAlways('first')
 /** Brings the words of what comes late, as `apps/web/words.ts` names it: before any of it is shown. */
 export const fetchLateWords = (): Promise<void> => fetchAlways('late')
 
-/** Brings the words of the page for sorting: no other page has them. */
+/** Brings the words of pages beside the lab: sorting, the learning materials, what this lab is. No other page has them. */
 export const fetchSortingWords = (): Promise<void> => fetchAlways('sorting')
 
 /** Brings the words of the expert pack's blocks: before one of them is shown. */
 export const fetchExpertWords = (): Promise<void> => fetchAlways('expert')
+
+/** Brings what every block does: before a hand that rests on one is told. */
+export const fetchHelp = (): Promise<void> => fetchAlways('help')
 
 /** A part that comes late (`later.ts`), once its words have come too. */
 export const withWords = async <Part>(part: Promise<Part>): Promise<Part> =>

@@ -18,6 +18,9 @@ import { FollowingCamera, Zoom } from './camera.svelte.ts'
 // Px from the pane's edge within which a handle could not be grabbed.
 const edge = 22
 
+// Of a robot, in cm.
+const bodyRadius = 13
+
 // Px that an arrow key pushes the floor.
 const step = 60
 const arrows: { readonly [key: string]: readonly [right: number, down: number] } = {
@@ -66,7 +69,9 @@ export class Eye {
     const { robots, obstacles, size } = this.#world()
     const things = obstacles.map(({ pose, shape }) => ({ x: pose.x, y: pose.y, radius: radiusOf(shape) }))
     const robot = this.#followed(robots)
-    return scaleFor(this.pane, size, robot ? needOf(robot.pose, things) : size)
+    // Without a thing the floor itself is the task; and of several robots none should be out of sight.
+    const near = robot && robots.length === 1 && things.length > 0
+    return scaleFor(this.pane, size, near ? needOf(robot.pose, things) : null)
   }
 
   #followed = <Robot extends { id: string }>(robots: readonly Robot[]): Robot | undefined =>
@@ -80,10 +85,11 @@ export class Eye {
   target({ robots, obstacles }: View) {
     const robot = this.#followed(robots)
     if (!robot || !this.open) return null
-    const things = obstacles.map(({ id, pose }) => ({
+    const crew = robots.length > 1
+    const things = (crew ? robots.filter((one) => one !== robot) : obstacles).map(({ id, pose }) => ({
       x: pose.x,
       y: pose.y,
-      radius: this.#radii.get(id) ?? 0,
+      radius: this.#radii.get(id) ?? (crew ? bodyRadius : 0),
     }))
     return aim(robot.pose, things, this.scale, this.pane, this.#world().size)
   }

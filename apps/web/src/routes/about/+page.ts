@@ -1,3 +1,3 @@
-import { fetchLateWords } from '#lib/words/say.ts'
+import { fetchSortingWords } from '#lib/words/say.ts'
 
-export const load = () => fetchLateWords()
+export const load = () => fetchSortingWords()

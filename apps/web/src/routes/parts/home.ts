@@ -1,3 +1,5 @@
+import type { Group } from '@botgarten/materials'
+
 /** A project that lies on this device. */
 export interface RecentProject {
   readonly href: string
@@ -21,6 +23,8 @@ export interface BedCard {
   readonly number: string
   readonly label: string
   readonly level: Level
+  /** Cards that lie together under a word of their own. */
+  readonly group: Group | null
 }
 
 export interface HomeProps {
@@ -32,6 +36,17 @@ export interface HomeProps {
   learning: readonly BedCard[]
   sorting: readonly BedCard[]
   onopenfile: (file: File) => void
+}
+
+/** Cards in a row that lie together, in their order. */
+export function runsOf(cards: readonly BedCard[]): { group: Group | null; cards: BedCard[] }[] {
+  const runs: { group: Group | null; cards: BedCard[] }[] = []
+  for (const card of cards) {
+    const last = runs.at(-1)
+    if (last?.group === card.group) last.cards.push(card)
+    else runs.push({ group: card.group, cards: [card] })
+  }
+  return runs
 }
 
 const units = [

@@ -2,7 +2,7 @@ import { resolve } from '$app/paths'
 import { allCards, pictureOf, placeOf } from '#lib/content/cards.ts'
 import { nameOf, shownName } from '#lib/content/names.ts'
 import type { Kept } from '#lib/storage/database.ts'
-import type { Card } from '@botgarten/materials'
+import type { Playground } from '@botgarten/materials'
 import type { BedCard, Level, RecentProject } from './home.ts'
 
 /** The name of the card a project belongs to, in the language of now; null in the free lab. */
@@ -37,13 +37,14 @@ function levelOf(card: string, kept: readonly Kept[]): Level {
   return { passed: new Set(solved).size, of }
 }
 
-/** The cards of one playground, and how far each has been solved on this device. */
-export const bedOf = (playground: Card['playground'], kept: readonly Kept[]): BedCard[] =>
+/** The cards of one bed, and how far each has been solved on this device. */
+export const bedOf = (bed: Playground, kept: readonly Kept[]): BedCard[] =>
   allCards
-    .filter((card) => card.playground === playground)
-    .map(({ id, code }) => ({
+    .filter((card) => card.bed === bed)
+    .map(({ id, code, group }) => ({
       href: resolve('/lab/[card]', { card: id }),
       number: /\d+$/.exec(code)?.[0] ?? '',
       label: nameOf(id) ?? id,
+      group: group ?? null,
       level: levelOf(id, kept),
     }))

@@ -9,4 +9,4 @@ export const load: PageLoad = async ({ url }) => {
 }
 
 const openProject = async (id: string) =>
-  (await import('#lib/playgrounds/sorting/open.ts')).openForSorting(id)
+  (await import('#lib/playgrounds/sorting/later.ts')).openForSorting(id)

@@ -7,6 +7,7 @@ import { knowComingParts } from '../shape.ts'
 import { stateOfTemplate } from '../state.ts'
 import { toolboxInfo } from '../toolbox.ts'
 import { toProgram } from '../program.ts'
+import { defineUnknownBlocks } from '../unknown.ts'
 import type { Words } from '#lib/words/say.ts'
 import { variablesOn } from './name-field.ts'
 import { comingParts, typedOutput } from './parts.ts'
@@ -24,6 +25,7 @@ export function learn(): void {
   knowTypes(typedOutput)
   knowComingParts(comingParts)
   keepWhatFilesJoin()
+  defineUnknownBlocks()
   const { CONNECTION_CHECKER } = Blockly.registry.Type
   Blockly.registry.register(CONNECTION_CHECKER, Blockly.registry.DEFAULT, Checker, true)
 }
@@ -90,7 +92,7 @@ export function expertShelf(
         category === name ? blocks.map(inShelf) : [],
       ),
     )
-  const { kind, contents } = toolboxInfo(words, rows)
+  const { kind, contents } = toolboxInfo(words, rows, '')
   const custom = (k: number) => following.find((name) => rows[k]?.category === name)
   return { kind, contents: contents.map((item, k) => (custom(k) ? { ...item, custom: custom(k)! } : item)) }
 }

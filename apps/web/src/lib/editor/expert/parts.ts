@@ -66,7 +66,8 @@ function matchParts(block: BotBlock) {
     if (!input.when) continue
     const there = block.getInput(input.name) !== null
     if (there && !isThere(block, input)) block.removeInput(input.name)
-    if (!there && isThere(block, input)) append(block, input)
+    // A field may change while the block is still being built: the rest of it comes.
+    if (!there && isThere(block, input) && block.getInput(anchorOf(input.name))) append(block, input)
   }
 }
 

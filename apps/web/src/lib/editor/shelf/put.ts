@@ -23,7 +23,7 @@ export function put(paper: Blockly.WorkspaceSvg, template: Template): Blockly.Bl
 }
 
 /** Chosen, and where it can be seen. */
-async function show(paper: Blockly.WorkspaceSvg, block: Blockly.BlockSvg) {
+export async function show(paper: Blockly.WorkspaceSvg, block: Blockly.BlockSvg) {
   await Blockly.renderManagement.finishQueuedRenders()
   Blockly.getFocusManager().focusNode(block)
   paper.scrollBoundsIntoView(block.getBoundingRectangle(), 24)

@@ -1,3 +1,4 @@
+import type { Track } from '../../drawing/track.ts'
 import type { NeuronOutline } from '@botgarten/programs'
 import type { RobotConfig } from '@botgarten/simulation'
 import { say } from '#lib/words/say.ts'
@@ -12,6 +13,8 @@ export interface Neuron {
   readonly name: string
   readonly colour: string
   readonly missing: boolean
+  /** Its name is not written below it: its layer says what it is. */
+  readonly bare?: boolean
 }
 
 export function drawn(neuron: NeuronOutline, config: RobotConfig, problems: ReadonlySet<string>): Neuron {
@@ -27,3 +30,6 @@ export function drawn(neuron: NeuronOutline, config: RobotConfig, problems: Read
     missing: problems.has(neuron.id),
   }
 }
+
+/** The links as they are drawn, by the ids of their ends. */
+export type Links = readonly { readonly from: string; readonly to: string; readonly track: Track }[]

@@ -1,6 +1,9 @@
 /** Time that one frame can be late for: a page that slept does not catch up. */
 const LONGEST = 250
 
+/** Milliseconds of a frame that learning may take in turbo. The rest is for drawing: after a late frame there is more of it. */
+export const budgetFor = (passed: number): number => (passed > 20 ? 4 : 7)
+
 /** Calls once a frame while it runs, with the milliseconds that have passed. */
 export class Clock {
   readonly #turn: (passed: number, now: number) => void

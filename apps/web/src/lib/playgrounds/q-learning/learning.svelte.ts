@@ -5,7 +5,7 @@ import { learningIn, type Learned } from '@botgarten/programs'
 import type { Desk } from '#lib/state/desk.svelte.ts'
 import type { Session } from '#lib/state/session.svelte.ts'
 import { pauseWhenAway } from './away.ts'
-import { Clock } from './clock.ts'
+import { budgetFor, Clock } from './clock.ts'
 import { WayOnFloor } from './drawing.ts'
 import { Hands, type Blocks } from './hands.ts'
 import { MOVE } from './phases.ts'
@@ -17,8 +17,7 @@ import { bringStage, courseOn, type Stage } from './stage.ts'
 /** `over`: a limit stopped it · `stopped`: a hand did. */
 export type State = 'ready' | 'playing' | 'paused' | 'over' | 'stopped'
 
-/** Milliseconds of a frame that learning may take in turbo: the rest is for drawing. */
-const BUDGET = 7
+/** After so many moves the clock is looked at again. */
 const SLICE = 400
 /** The state is kept on the device so often while it plays. */
 const KEEP_EVERY = 2000
@@ -209,7 +208,7 @@ export class Learning {
   }
 
   #turn(passed: number, now: number): void {
-    if (this.speed === Infinity && !this.#single) this.#hurry()
+    if (this.speed === Infinity && !this.#single) this.#hurry(passed)
     else this.#pace((passed * (Number.isFinite(this.speed) ? this.speed : 1)) / MOVE)
     if (now - this.#keptAt > KEEP_EVERY && this.#state === 'playing') {
       this.#keptAt = now
@@ -218,9 +217,9 @@ export class Learning {
   }
 
   /** A slice of learning a frame: nothing waits, and no frame is late. */
-  #hurry(): void {
+  #hurry(passed: number): void {
     const course = this.#course!
-    const end = performance.now() + BUDGET
+    const end = performance.now() + budgetFor(passed)
     do course.advance(SLICE)
     while (!course.over && performance.now() < end)
     this.#progress = 1

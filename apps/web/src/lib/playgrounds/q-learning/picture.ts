@@ -35,7 +35,7 @@ export function takeApart(text: string, { stations: places }: MapFile): Picture 
     ...{ scene: imageOf(root), covers, stations },
     cover(visited, worth) {
       for (const road of roads) fade(road, worth.get(road.id.slice('cover-'.length)) ?? 0, isCity)
-      fog.forEach((patch, station) => set(patch, 'display', visited[station] ? 'none' : 'inline'))
+      fog.forEach((patch, station) => set(patch, 'visibility', visited[station] ? 'hidden' : 'visible'))
     },
     dress: (visited, active) =>
       nodes.forEach((node, station) => node.dress(visited[station] ?? false, station === active)),

@@ -1,6 +1,9 @@
 import type { Course } from '@botgarten/learning/q-learning'
 import { shownOf, type Shown } from './shown.ts'
 
+/** A moment that has stood for so long can be read, in ms. */
+const CALM = 250
+
 /**
  * What the screen has of a course. Where moves fly by, the map is drawn in one frame, numbers and words in the next: each
  * frame has half of the work, and none is late.
@@ -10,6 +13,7 @@ export class Screen {
   #told = $state.raw<Shown | null>(null)
   #isFleeting = $state(false)
   #waiting = 0
+  #calm = 0
 
   /** What the map shows. */
   get drawn() {
@@ -35,13 +39,20 @@ export class Screen {
 
   show(course: Course): void {
     this.#drawn = this.#told = shownOf(course)
-    this.#isFleeting = false
+    this.#rest()
   }
 
   showInTurns(course: Course): void {
     this.#isFleeting = true
+    clearTimeout(this.#calm)
+    this.#calm = window.setTimeout(this.#rest, CALM)
     this.#drawn = shownOf(course)
     if (this.#waiting === 0) this.#waiting = requestAnimationFrame(this.#tell)
+  }
+
+  #rest = (): void => {
+    clearTimeout(this.#calm)
+    this.#isFleeting = false
   }
 
   #tell = (): void => {

@@ -26,6 +26,8 @@ export interface Shown {
   /** The move at which it was found. */
   readonly foundAt: number | null
   readonly over: Course['over']
+  /** All tries that have ended, however far back the move is that is shown. */
+  readonly episodes: Course['episodes']
   /** 0..5 of the move that was made: before and after. */
   readonly stars: { readonly before: number; readonly after: number }
 }
@@ -35,6 +37,7 @@ export function shownOf(course: Course): Shown {
   return {
     world: learner.world,
     ...{ t: course.shown, made: course.made, trace, over: course.over },
+    episodes: course.episodes,
     episode: trace?.episode ?? learner.episodes + 1,
     q: learner.q.slice(),
     tries: learner.tries.slice(),

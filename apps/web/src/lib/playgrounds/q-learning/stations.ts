@@ -32,8 +32,8 @@ export function prepareStation(
     dress(visited, active) {
       set(disc!, 'fill', active ? colours.active : visited ? colours.visited : colours.unvisited)
       set(ring!, 'stroke-dasharray', visited || active ? 'none' : '10 8')
-      set(halo, 'display', active ? 'inline' : 'none')
-      set(tick, 'display', visited && !active ? 'inline' : 'none')
+      set(halo, 'visibility', active ? 'visible' : 'hidden')
+      set(tick, 'visibility', visited && !active ? 'visible' : 'hidden')
     },
   }
 }

@@ -23,6 +23,7 @@ export const kinds = [
   'sound',
   'compass',
   'position',
+  'irseeker',
 ] as const satisfies readonly SensorKind[]
 
 /** Half a centimetre and five degrees: what a hand can hit. */

@@ -1,6 +1,7 @@
 import { error } from '@sveltejs/kit'
 import { fetchBlocklyWords } from '#lib/editor/blockly-words.ts'
 import { allCards } from '#lib/content/cards.ts'
+import { openLab } from '#lib/state/opening.ts'
 import type { EntryGenerator, PageLoad } from './$types'
 
 // Names that are not among the entries are answered by the server, with the page that says so.
@@ -9,8 +10,7 @@ export const prerender = 'auto'
 export const entries: EntryGenerator = () => [{ card: 'free' }, ...allCards.map(({ id }) => ({ card: id }))]
 
 export const load: PageLoad = async ({ params, url }) => {
-  const [{ openLab }] = await Promise.all([import('#lib/state/opening.ts'), fetchBlocklyWords()])
-  const opened = await openLab(params.card, url.searchParams.get('p'))
+  const [opened] = await Promise.all([openLab(params.card, url.searchParams.get('p')), fetchBlocklyWords()])
   if (!opened) error(404, params.card)
   return { opened, startAtOnce: url.searchParams.has('start') }
 }

@@ -1,33 +1,9 @@
 import { resolve } from '$app/paths'
 import type { LoadedCard } from '#lib/content/cards.ts'
-import { language } from '#lib/words/language.svelte.ts'
+import { textOf } from '#lib/parts/card/face.ts'
 import { m } from '#lib/words/generated/messages.js'
 import { say } from '#lib/words/say.ts'
-import type { CardText, MarkdownNode } from '@botgarten/materials'
-import type { CardFace, NextStep, Task } from './parts/frame.ts'
-
-export const textOf = (card: LoadedCard): CardText => card.text[language.locale] ?? card.text['en']!
-
-const paragraph = (value: string): MarkdownNode => ({
-  type: 'paragraph',
-  children: [{ type: 'text', value }],
-})
-
-/** The front of a card as the frame shows it. */
-export function faceOf(loaded: LoadedCard): CardFace {
-  const { title, story, goal, further } = textOf(loaded)
-  const { code, playground, needs, minutes, grades } = loaded.card
-  return {
-    title,
-    code,
-    playground,
-    picture: loaded.picture,
-    sections: { story, goal: [paragraph(goal.sentence)], further },
-    needs,
-    minutes,
-    fromGrade: grades[0],
-  }
-}
+import type { NextStep, Task } from './parts/frame.ts'
 
 /** What is to be done, and which checks are green. */
 export function taskOf(card: LoadedCard | null, green: readonly string[]): Task {

@@ -4,7 +4,7 @@ import type { Project } from '@botgarten/programs'
 import type { Markdown } from '#lib/parts/markdown.ts'
 import type { Crew } from '#lib/robots/robots.svelte.ts'
 import type { TimeMachine } from '#lib/state/time.svelte.ts'
-import type { Card } from '@botgarten/materials'
+import type { CardFace } from '#lib/parts/card/face.ts'
 import type { SortingDoor } from '#lib/playgrounds/sorting/later.ts'
 
 /** A pane of the lab. */
@@ -41,23 +41,6 @@ export interface Starts {
   readonly passed: readonly number[]
 }
 
-/** What is laid out under "You need" on a card. */
-export type Need = Card['needs'][number]
-
-/** The front of a card. */
-export interface CardFace {
-  readonly title: string
-  /** "NN 1". */
-  readonly code: string
-  readonly playground: Card['playground']
-  /** Address of the card's picture, or null. */
-  readonly picture: string | null
-  readonly sections: { readonly story: Markdown; readonly goal: Markdown; readonly further: Markdown }
-  readonly needs: readonly Need[]
-  readonly minutes: number
-  readonly fromGrade: number
-}
-
 /** All hints of the card, and how many the child has asked for so far. */
 export interface Hints {
   readonly list: readonly Markdown[]
@@ -87,7 +70,8 @@ export type NextStep =
 interface RobotMenu {
   readonly senses: boolean
   readonly panel: boolean
-  show(tool: 'build' | 'senses' | 'panel', open: boolean): void
+  readonly field: boolean
+  show(tool: 'build' | 'senses' | 'panel' | 'field', open: boolean): void
 }
 
 /** What the gear of the world switches. */

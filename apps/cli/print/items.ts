@@ -1,0 +1,39 @@
+import { globSync, readFileSync } from 'node:fs'
+import { basename, dirname, join } from 'node:path'
+import { readItem, type Item } from '@botgarten/materials/items'
+import { CallError } from '../errors.ts'
+import { nearest } from './nearest.ts'
+
+/** An item and its folder's name: `01-network-cards`. */
+export interface FoundItem {
+  readonly item: Item
+  readonly folder: string
+}
+
+const materials = join(import.meta.dirname, '../../../content/materials')
+
+/** All items in the order of their folders. */
+const allItems = (): readonly FoundItem[] =>
+  globSync(join(materials, '*/*/item.json'))
+    .sort()
+    .map((path) => ({
+      item: readItem(JSON.parse(readFileSync(path, 'utf8'))),
+      folder: basename(dirname(path)),
+    }))
+
+/** The items that a call names. @throws CallError with the nearest names for what is not there */
+export function itemsNamed(names: readonly string[]): readonly FoundItem[] {
+  const all = allItems()
+  if (names.includes('all')) return all
+  return names.map((name) => {
+    const found = all.find(({ item }) => item.id === name)
+    if (found) return found
+    const near = nearest(
+      name,
+      all.map(({ item }) => item.id),
+    )
+    throw new CallError(
+      `There is no item "${name}". Did you mean ${near.join(', ')}? "all" prints every item.`,
+    )
+  })
+}

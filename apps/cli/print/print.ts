@@ -1,0 +1,109 @@
+import { mkdirSync, writeFileSync } from 'node:fs'
+import { basename, join } from 'node:path'
+import type { BrowserContext, Page } from 'playwright-core'
+import { FileError } from '../errors.ts'
+import { openBrowser } from './browser.ts'
+import { openHouse } from './house.ts'
+import type { FoundItem } from './items.ts'
+import { help, orderOf, type Order } from './order.ts'
+
+interface Written {
+  readonly file: string
+  readonly bytes: number
+}
+
+/** A page that takes longer than this has gone wrong. */
+const patience = 60_000
+
+/** `botgarten print ITEM…|all …`: materials as PDF, by the very pages that the lab prints. */
+export async function print(args: string[]): Promise<string> {
+  const order = orderOf(args)
+  if (order === null) return help
+  makeFolder(order.out)
+  const written = await printed(order)
+  if (order.json) return JSON.stringify(written)
+  const lines = written.map(({ file, bytes }) => `${file}  ${Math.ceil(bytes / 1000)} kB`)
+  return [
+    ...lines,
+    ...(order.paper === 'a4' && order.items.some(isCard) ? [howToTurn[order.turn]] : []),
+  ].join('\n')
+}
+
+const isCard = ({ item }: FoundItem) => item.paper === 'a5'
+
+const howToTurn = {
+  short: 'Cards: print on both sides, turned over the short edge, at full size; then cut in the middle.',
+  long: 'Cards: print on both sides, turned over the long edge, at full size; then cut in the middle.',
+}
+
+async function printed(order: Order): Promise<Written[]> {
+  const house = await openHouse()
+  try {
+    const browser = await openBrowser()
+    try {
+      const written: Written[] = []
+      for (const language of order.languages) {
+        const context = await browser.newContext({
+          baseURL: house.url,
+          locale: { de: 'de-DE', en: 'en-GB' }[language],
+          serviceWorkers: 'block',
+        })
+        written.push(...(await inLanguage(context, language, order)))
+      }
+      return written
+    } finally {
+      await browser.close()
+    }
+  } finally {
+    house.close()
+  }
+}
+
+async function inLanguage(context: BrowserContext, language: string, order: Order): Promise<Written[]> {
+  const page = await context.newPage()
+  const written: Written[] = []
+  for (const found of order.items) {
+    const pdf = await pdfOf(page, found, order)
+    const file = join(order.out, nameOf(found, language, order.paper))
+    write(file, pdf)
+    written.push({ file, bytes: pdf.length })
+  }
+  return written
+}
+
+/** `card-04-q-railway-de-a5.pdf`, `sheet-01-q-program-de.pdf`: the same in every run. */
+const nameOf = ({ item, folder }: FoundItem, language: string, paper: string) =>
+  `${item.kind}-${folder}-${language}${item.paper === 'a5' ? `-${paper}` : ''}.pdf`
+
+async function pdfOf(page: Page, { item }: FoundItem, { paper, turn, address }: Order): Promise<Buffer> {
+  const wishes = new URLSearchParams({ paper, turn, address: address ?? '' })
+  const troubles: string[] = []
+  const hear = (error: Error) => troubles.push(error.message)
+  page.on('pageerror', hear)
+  try {
+    await page.goto(`/materials/${item.kind}/${item.id}?${wishes.toString()}`)
+    await page.locator('html[data-print=ready]').waitFor({ state: 'attached', timeout: patience })
+    return await page.pdf({ preferCSSPageSize: true, printBackground: true, tagged: true, outline: true })
+  } catch (error) {
+    const said = troubles[0] ?? (error as Error).message
+    throw new FileError(`"${item.id}" could not be printed: ${said.split('\n')[0]}`)
+  } finally {
+    page.off('pageerror', hear)
+  }
+}
+
+function makeFolder(path: string): void {
+  try {
+    mkdirSync(path, { recursive: true })
+  } catch (error) {
+    throw new FileError(`The folder "${path}" cannot be made: ${(error as Error).message}`)
+  }
+}
+
+function write(path: string, pdf: Buffer): void {
+  try {
+    writeFileSync(path, pdf)
+  } catch (error) {
+    throw new FileError(`"${basename(path)}" cannot be written: ${(error as Error).message}`)
+  }
+}

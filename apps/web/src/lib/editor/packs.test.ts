@@ -1,0 +1,16 @@
+import { definitions, stacksOf, type Block } from '@botgarten/blocks'
+import { learning } from '@botgarten/blocks/learning'
+import { describe, expect, it } from 'vitest'
+import { bringFor } from './packs.ts'
+
+const plain = Object.entries({ ...definitions, ...learning }).map(
+  ([type, { example }]) => [type, example] as const,
+)
+
+describe('the example of a plain block', () => {
+  it.each(plain)('%s is drawn without the whole language', async (_type, example) => {
+    const stacks = stacksOf(example).map((blocks) => ({ x: 0, y: 0, blocks: blocks as readonly Block[] }))
+    const program = { stacks, config: { stacks: [] } }
+    expect(await bringFor({ programs: { program }, brains: {} })).toBe(false)
+  })
+})

@@ -1,0 +1,9 @@
+import type { WorkspaceSvg } from 'blockly/core'
+import { fetchHelp, withWords } from '#lib/words/say.ts'
+
+/** What a child looks a block up with, and what blocks do. */
+export const bringSearch = async () => (await Promise.all([withWords(import('./later.ts')), fetchHelp()]))[0]
+
+/** Tells what blocks of a type do, with an example that can be put on the paper. */
+export const explain = async (paper: WorkspaceSvg, type: string): Promise<void> =>
+  (await bringSearch()).explain(paper, type)

@@ -1,0 +1,29 @@
+import { resolve } from '$app/paths'
+import { say } from '#lib/words/say.ts'
+import { itemNamed, textOf } from './library.ts'
+
+const pictures = import.meta.glob<string>('../../../../../content/materials/*/*/*.svg', {
+  import: 'default',
+  query: '?url',
+  eager: true,
+})
+
+/** Where a link of an item leads: `card:<id>` to the lab, `item:<id>` to the item, everything else elsewhere. */
+export function addressOf(href: string): string {
+  const [, kind, id] = /^(card|item):(.+)$/.exec(href) ?? []
+  if (kind === 'card') return resolve('/lab/[card]', { card: id! })
+  if (kind !== 'item') return href
+  const item = itemNamed(id!)
+  return item ? resolve('/materials/[kind]/[id]', { kind: item.kind, id: item.id }) : href
+}
+
+/** What `card:<id>` or `item:<id>` is called, in the language of now. */
+export function nameOfTarget(target: string): string {
+  const [kind, id] = target.split(':') as [string, string]
+  const item = itemNamed(id)
+  return kind === 'item' && item ? textOf(item).title : say(`home.${id}`)
+}
+
+/** Address of a picture by its path below `content/materials`. */
+export const pictureAt = (file: string): string =>
+  pictures[`../../../../../content/materials/${file}`] ?? file

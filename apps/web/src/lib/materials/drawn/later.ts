@@ -1,0 +1,10 @@
+// What draws with the lab's own hands: sheets of words alone go without it.
+export { worldAt } from '@botgarten/materials'
+export { default as Back } from '../card/Back.svelte'
+export { default as Front } from '../card/Front.svelte'
+export { default as Blocks } from './Blocks.svelte'
+export { rideOf, taskOf } from '../questions/run.ts'
+export { default as Map } from './Map.svelte'
+export { default as Net } from './Net.svelte'
+export { default as Playground } from '../Playground.svelte'
+export { default as World } from './World.svelte'

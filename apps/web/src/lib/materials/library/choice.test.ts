@@ -1,0 +1,42 @@
+import type { Item } from '@botgarten/materials/items'
+import { expect, test } from 'vitest'
+import { anything, fits, toggled } from './choice.ts'
+
+const item: Item = {
+  ...{ id: 'sheet', kind: 'sheet', audience: 'teachers', grades: [5, 8], minutes: 45 },
+  ...{ way: 'supervised', social: 'pairs', module: 2, paper: 'a4', competences: ['a'], unplugged: false },
+}
+const isIn = (choice: Partial<typeof anything>) => fits(item, 'Der kleine Ofen', { ...anything, ...choice })
+
+test('who says nothing sees everything', () => {
+  expect(isIn({})).toBe(true)
+})
+
+test('words are found wherever they stand, in large letters or small', () => {
+  expect([isIn({ words: ' OFEN ' }), isIn({ words: 'Topf' })]).toEqual([true, false])
+})
+
+test('a grade is in from the youngest to the oldest', () => {
+  expect([4, 5, 8, 9].map((grade) => isIn({ grade }))).toEqual([false, true, true, false])
+})
+
+test('a lesson is long enough or not', () => {
+  expect([isIn({ minutes: 45 }), isIn({ minutes: 44 })]).toEqual([true, false])
+})
+
+test('one of several ways and of several sizes of groups is enough', () => {
+  expect(isIn({ ways: ['unsupervised', 'supervised'], socials: ['alone', 'pairs'] })).toBe(true)
+  expect([isIn({ ways: ['unsupervised'] }), isIn({ socials: ['class'] })]).toEqual([false, false])
+})
+
+test('what belongs to all ways is found under each', () => {
+  expect(fits({ ...item, way: 'all' }, '', { ...anything, ways: ['reinforcement'] })).toBe(true)
+})
+
+test('children need not see what teachers read', () => {
+  expect([isIn({ teachers: false }), isIn({ teachers: true })]).toEqual([false, true])
+})
+
+test('a value is put in, and taken out again', () => {
+  expect([toggled([1, 2], 3), toggled([1, 2], 2)]).toEqual([[1, 2, 3], [1]])
+})

@@ -1,0 +1,37 @@
+import type { Item } from '@botgarten/materials/items'
+
+/** What somebody looks for in the library; what is not said leaves everything in. */
+export interface Choice {
+  readonly words: string
+  readonly grade: number | null
+  readonly ways: readonly Item['way'][]
+  readonly socials: readonly Item['social'][]
+  /** Minutes there are at most. */
+  readonly minutes: number | null
+  readonly teachers: boolean
+}
+
+export const anything: Choice = {
+  ...{ words: '', grade: null, ways: [], socials: [], minutes: null },
+  teachers: true,
+}
+
+const among = <Value>(all: readonly Value[], value: Value) => all.length === 0 || all.includes(value)
+
+/** Does an item fit? `title` is its name in the language of now; small and large letters are the same. */
+export function fits(item: Item, title: string, choice: Choice): boolean {
+  const { words, grade, ways, socials, minutes, teachers } = choice
+  return (
+    title.toLowerCase().includes(words.trim().toLowerCase()) &&
+    (grade === null || (item.grades[0] <= grade && grade <= item.grades[1])) &&
+    // What belongs to all ways belongs to each of them.
+    (item.way === 'all' || among(ways, item.way)) &&
+    among(socials, item.social) &&
+    (minutes === null || item.minutes <= minutes) &&
+    (teachers || item.audience === 'pupils')
+  )
+}
+
+/** The same list with a value in it, or without it. */
+export const toggled = <Value>(all: readonly Value[], value: Value): readonly Value[] =>
+  all.includes(value) ? all.filter((one) => one !== value) : [...all, value]

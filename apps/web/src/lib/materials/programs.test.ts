@@ -1,0 +1,26 @@
+import { readFileSync } from 'node:fs'
+import { expect, test } from 'vitest'
+import { programOf } from './programs.ts'
+
+const content = new URL('../../../../../content/cards/', import.meta.url)
+const written = (file: string): unknown => JSON.parse(readFileSync(new URL(file, content), 'utf8'))
+
+test.each([
+  ['friendship', 'start', 'network/05-friendship/start.json'],
+  ['friendship', 'solution', 'network/05-friendship/solution.json'],
+])('%s with its %s is the very file of the card', async (card, file, path) => {
+  const shown = await programOf(card, file)
+  expect(shown.program).toEqual(written(path))
+  expect(shown.card.card.id).toBe(card)
+})
+
+test('the start program of any card comes with the card, whether an item names it or not', async () => {
+  expect((await programOf('either-or', 'start')).program).toEqual(written('network/13-either-or/start.json'))
+})
+
+test.each([
+  ['no-such-card', 'start'],
+  ['friendship', 'wrong/no-such-slip'],
+])('"%s" with "%s" is a mistake of the content, and says so', async (card, file) => {
+  await expect(programOf(card, file)).rejects.toThrow(`There is no "${file}" of "${card}".`)
+})

@@ -1,0 +1,15 @@
+import { loadCard, type LoadedCard } from '#lib/content/cards.ts'
+import type { CardProgram } from '@botgarten/materials'
+
+export interface ShownProgram {
+  readonly card: LoadedCard
+  readonly program: CardProgram
+}
+
+/** A card with one of its programs: `start`, `solution`, `wrong/<name>`. @throws Error for what no item names */
+export async function programOf(id: string, file: string): Promise<ShownProgram> {
+  const [card, { default: shown }] = await Promise.all([loadCard(id), import('content:materials/programs')])
+  const program = file === 'start' ? card?.start : shown[`${id}/${file}`]
+  if (!card || !program) throw new Error(`There is no "${file}" of "${id}".`)
+  return { card, program }
+}

@@ -1,0 +1,21 @@
+import { readItemText } from '@botgarten/materials/items'
+import { expect, test } from 'vitest'
+import { sayable } from './sayable.ts'
+
+const leadOf = (markdown: string) => sayable(readItemText(`# Title\n\n${markdown}\n`).lead)
+
+test('headings, paragraphs and lines are sentences of their own', () => {
+  expect(leadOf('Look **closely**\n\n- one\n- two *things*')).toBe('Look closely. one. two things.')
+})
+
+test('a table is said row by row, without the cells that are written into', () => {
+  expect(leadOf('| Who | When |\n| --- | --- |\n| Ada | |\n| Bo | now |')).toBe('Who, When. Ada. Bo, now.')
+})
+
+test('a picture is said by its words, and a link by its own', () => {
+  expect(leadOf('![Three flags](flags.svg)\n\nOpen [the lab](card:fear)')).toBe('Three flags. Open the lab.')
+})
+
+test('where there is only a drawing nothing is said', () => {
+  expect(leadOf('::world{id=garden}')).toBeNull()
+})

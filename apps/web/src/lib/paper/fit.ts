@@ -1,0 +1,68 @@
+/** Smaller is not read any more: what still does not fit is cut, and a test says so. */
+const least = 0.5
+const step = 0.02
+/** A sheet that goes on for a few lines on one more page is drawn in by so much at most. */
+const leastOfSheet = 0.84
+/** The room on a page of A4 in px of CSS: 297 mm without its margins. */
+const sheetHeight = ((297 - 16 - 20) / 25.4) * 96
+const spare = 30
+/** A picture leaves room for what says what it is. */
+const tallest = sheetHeight - 110
+
+/** Boxes of fixed height whose content may be made smaller: a card's middle, what stands on a side or a slide. */
+const boxes = '.a-card > .body, .leaf > .box'
+
+/** A card with blocks that would have to be made smaller than this is laid out more tightly instead. */
+const leastWithBlocks = 0.98
+/** How wide its picture may be then, in px of CSS. */
+const picturesOfTight = [300, 280, 260, 240, 220]
+
+/** Makes something smaller until it fits. How small is written to `data-zoom`. */
+function shrink(element: HTMLElement, floor: number, tooTall: () => boolean): void {
+  let zoom = 1
+  element.style.setProperty('zoom', '1')
+  while (zoom > floor && tooTall()) element.style.setProperty('zoom', (zoom -= step).toFixed(2))
+  element.dataset['zoom'] = zoom.toFixed(2)
+}
+
+const tooMuch = (box: HTMLElement) =>
+  box.scrollHeight > box.clientHeight + 1 || box.scrollWidth > box.clientWidth + 1
+
+const heightOf = (element: Element) => element.getBoundingClientRect().height
+
+function fitSheet(flow: HTMLElement): void {
+  for (const figure of flow.querySelectorAll<HTMLElement>('figure, img'))
+    if (heightOf(figure) > tallest) shrink(figure, least, () => heightOf(figure) > tallest)
+  flow.style.setProperty('zoom', '1')
+  // Where pages end something is left free: what seems to fit by a line does not.
+  const pages = Math.floor((heightOf(flow) + spare) / sheetHeight)
+  if (pages === 0) return
+  // What is left over must fit as well: else nothing is won.
+  shrink(flow, leastOfSheet, () => heightOf(flow) + spare > pages * sheetHeight)
+  if (heightOf(flow) + spare > pages * sheetHeight) shrink(flow, 1, () => false)
+}
+
+function fitBox(box: HTMLElement): void {
+  const card = box.parentElement!
+  card.classList.remove('tight')
+  shrink(box, least, () => tooMuch(box))
+  const full = Number(box.dataset['zoom']) < leastWithBlocks
+  if (full && box.querySelector(':scope > img ~ .columns .blocks')) fitTight(card, box)
+}
+
+function fitTight(card: HTMLElement, box: HTMLElement): void {
+  card.classList.add('tight')
+  box.style.setProperty('zoom', '1')
+  const fits = (width: number) => {
+    box.style.setProperty('--picture', `${width}px`)
+    return !tooMuch(box)
+  }
+  picturesOfTight.find(fits)
+  shrink(box, least, () => tooMuch(box))
+}
+
+/** Fits all that is on a paper into its pages. */
+export function fitAll(paper: HTMLElement): void {
+  for (const box of paper.querySelectorAll<HTMLElement>(boxes)) fitBox(box)
+  for (const flow of paper.querySelectorAll<HTMLElement>('.flow')) fitSheet(flow)
+}

@@ -1,0 +1,75 @@
+import fc from 'fast-check'
+import { expect, test } from 'vitest'
+import { trace, type Brain } from '@botgarten/learning/neural-network'
+import { answerOf, courseOf, rangeAround, rangeOf, spread } from './function.ts'
+import { heatOf } from './heat.ts'
+
+const neuron = (id: string, bias = 0) => ({ id, activation: 'identity' as const, bias })
+const brain: Brain = {
+  kind: 'network',
+  layers: [[neuron('a'), neuron('b')], [neuron('h', 4), neuron('g')], [neuron('m', -3)]],
+  weights: { a: { h: 0.5, g: -1 }, b: { h: 0.25, g: 0.5 }, h: { m: 2 }, g: { m: 0.5 } },
+  sets: {},
+}
+const now = trace(brain, [40, 80]).outputs
+
+test('a curve is what the network would give, and goes through the point of now', () => {
+  const answer = answerOf(brain, brain.weights, now, 'a', 'm')!
+  expect(answer({})).toBeCloseTo(now['m']!, 12)
+  fc.assert(
+    fc.property(fc.integer({ min: 0, max: 100 }), fc.integer({ min: 0, max: 100 }), (a, b) => {
+      expect(answer({ a, b })).toBeCloseTo(trace(brain, [a, b]).outputs['m']!, 9)
+    }),
+    { seed: 7 },
+  )
+})
+
+test('the curve of a link inside begins at its own neuron: the others stay as they are', () => {
+  const answer = answerOf(brain, brain.weights, now, 'h', 'm')!
+  expect(answer({ h: 10 })).toBeCloseTo(2 * 10 + 0.5 * now['g']! - 3, 12)
+})
+
+test('there is no curve from an output, backwards, or of neurons that are not there', () => {
+  for (const [from, to] of [
+    ['m', 'a'],
+    ['a', 'b'],
+    ['a', 'nobody'],
+    ['nobody', 'm'],
+  ] as const)
+    expect(answerOf(brain, brain.weights, now, from, to)).toBeNull()
+})
+
+test('axes hold what is there, in steps of fifty', () => {
+  expect(rangeAround([12, 130])).toEqual({ least: 0, most: 150 })
+  expect(rangeAround([-20])).toEqual({ least: -50, most: 100 })
+  expect(rangeOf(30, true)).toEqual({ least: 0, most: 100 })
+  expect(rangeOf(-120, false)).toEqual({ least: -150, most: 150 })
+  expect(spread({ least: 0, most: 100 }, 5)).toEqual([0, 25, 50, 75, 100])
+})
+
+test('one word says how a curve goes', () => {
+  expect(
+    [
+      [1, 2, 2],
+      [2, 1],
+      [3, 3, 3],
+      [1, 2, 1],
+    ].map(courseOf),
+  ).toEqual(['rises', 'falls', 'stays', 'bends'])
+})
+
+/** Relative luminance (WCAG). */
+const light = (colour: string) =>
+  [1, 3, 5]
+    .map((from) => parseInt(colour.slice(from, from + 2), 16) / 255)
+    .map((part) => (part <= 0.04045 ? part / 12.92 : ((part + 0.055) / 1.055) ** 2.4))
+    .reduce((sum, part, index) => sum + part * [0.2126, 0.7152, 0.0722][index]!, 0)
+
+test('the higher a value the darker its colour, so that it can be read in grey, and ink stays readable on it', () => {
+  const ink = light('#3A2A20')
+  for (const sign of [1, -1]) {
+    const lights = spread({ least: 0, most: 100 }, 21).map((value) => light(heatOf(sign * value)))
+    lights.slice(1).forEach((one, index) => expect(one).toBeLessThan(lights[index]!))
+    expect((lights.at(-1)! + 0.05) / (ink + 0.05)).toBeGreaterThan(4.5)
+  }
+})

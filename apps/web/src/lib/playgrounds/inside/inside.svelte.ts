@@ -1,0 +1,63 @@
+import { emptyBrain } from '@botgarten/learning/neural-network'
+import { standpointOf } from './moment.ts'
+import { drawn, type Neuron } from '../neural-network/neurons.ts'
+import type { Session } from '#lib/state/session.svelte.ts'
+import { Drives } from './drives.svelte.ts'
+import { Field } from './field.svelte.ts'
+import Over from './Over.svelte'
+import Panel from './Panel.svelte'
+import Under from './Under.svelte'
+
+export type Page = 'why' | 'function'
+
+const nothing: ReadonlySet<string> = new Set()
+
+/** What a child looks at inside the network: which page is open, and what belongs to it in the world. */
+export class Inside {
+  readonly Panel = Panel
+  readonly Over = Over
+  readonly Under = Under
+  readonly session: Session
+  readonly drives: Drives
+  readonly field: Field
+  page = $state<Page | null>(null)
+  /** The link that was touched last: ids of its two neurons. */
+  link = $state.raw<readonly [from: string, to: string] | null>(null)
+
+  constructor(session: Session) {
+    this.session = session
+    this.drives = new Drives(this)
+    this.field = new Field(this)
+  }
+
+  get view() {
+    return this.session.lab.view
+  }
+  /** The network that the playground shows. */
+  readonly net = $derived.by(() => this.session.outlines[0] ?? null)
+  /** As it is, or was, at the moment that is shown. */
+  readonly brain = $derived.by(() => (this.net && this.view.brains[this.net.id]) || emptyBrain)
+  readonly weights = $derived.by(() => (this.net ? this.session.weights.shown(this.net.id) : {}))
+  readonly trace = $derived.by(() => (this.net && this.view.networks[this.net.id]) || null)
+  readonly inputs: readonly Neuron[] = $derived.by(
+    () => this.net?.inputs.map((neuron) => drawn(neuron, this.session.config, nothing)) ?? [],
+  )
+  readonly outputs: readonly Neuron[] = $derived.by(
+    () => this.net?.outputs.map((neuron) => drawn(neuron, this.session.config, nothing)) ?? [],
+  )
+  /** What the inputs say. */
+  readonly values: readonly number[] = $derived.by(() =>
+    this.inputs.map(({ id }) => this.trace?.outputs[id] ?? 0),
+  )
+
+  get standing(): boolean {
+    return this.view.phase !== 'running'
+  }
+
+  standpoint = () => standpointOf(this.session.lab)
+
+  close(): void {
+    this.page = null
+    this.drives.show(null)
+  }
+}

@@ -1,0 +1,72 @@
+import { roundTogether, type Shares } from '@botgarten/learning/neural-network/explain'
+
+/** An input and what it brings to a neuron, as numbers to be shown. */
+export interface Reason {
+  readonly id: string
+  readonly input: number
+  /** Digits behind the comma with which input × weight, as shown, gives the share. */
+  readonly digits: number
+  /** null: there is more than one link on the way. */
+  readonly weight: number | null
+  /** As it is. */
+  readonly part: number
+  /** Rounded together with the others. */
+  readonly share: number
+}
+
+export interface Reasons {
+  readonly rows: readonly Reason[]
+  /** What is there without any input; `share` 0: nothing. */
+  readonly base: { readonly part: number; readonly share: number }
+  /** The rounded shares add up to it exactly. */
+  readonly total: number
+  /** Digits behind the comma of shares and total. */
+  readonly digits: number
+}
+
+interface Given {
+  readonly id: string
+  readonly value: number
+  readonly weight: number | null
+}
+
+/** Shares of a neuron's value as numbers that add up before a child's eyes. */
+export function reasonsOf(given: readonly Given[], { shares, base, total }: Shares): Reasons {
+  // Small numbers rounded to whole ones would say little.
+  const largest = Math.max(Math.abs(total), ...shares.map(Math.abs))
+  const digits = largest > 0 && largest < 10 ? 1 : 0
+  const rounded = roundTogether([...shares, base], digits)
+  const unit = 10 ** digits
+  const rows = given.map(({ id, value, weight }, index) => {
+    const share = rounded[index]!
+    const part = shares[index]!
+    return { id, input: value, digits: digitsFor(value, weight, share, unit), weight, part, share }
+  })
+  const all = rounded.reduce((sum, one) => sum + Math.round(one * unit), 0) / unit
+  return { rows, base: { part: base, share: rounded.at(-1)! }, total: all, digits }
+}
+
+/** As few digits as make "91 × 0.6 = 55" true of the numbers that are seen. */
+function digitsFor(value: number, weight: number | null, share: number, unit: number): number {
+  if (weight === null) return 0
+  const holds = (digits: number) =>
+    Math.abs(Number(value.toFixed(digits)) * weight - share) * unit <= 0.5 + 1e-9
+  return [0, 1].find(holds) ?? 2
+}
+
+/** Where the bars of some parts lie on one common line, as shares 0..1 of it: each from `zero` on, leftwards where it is negative. */
+export function barsOf(parts: readonly number[]): {
+  readonly zero: number
+  readonly bars: readonly { readonly at: number; readonly width: number }[]
+} {
+  const [positive, negative] = [1, -1].map((sign) =>
+    parts.reduce((sum, part) => sum + Math.max(0, part * sign), 0),
+  ) as [number, number]
+  const whole = positive + negative || 1
+  const zero = negative / whole
+  const bars = parts.map((part) => ({
+    at: part < 0 ? zero + part / whole : zero,
+    width: Math.abs(part) / whole,
+  }))
+  return { zero, bars }
+}

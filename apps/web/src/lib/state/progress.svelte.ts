@@ -1,0 +1,50 @@
+import type { Card } from '@botgarten/materials'
+import type { Progress } from '@botgarten/programs'
+import type { Pose } from '@botgarten/simulation'
+
+/** How far a child has come with a card: from where it was solved, and how many hints were asked for. */
+export class CardProgress {
+  readonly #card: Card | undefined
+  #now = $state.raw<Progress>({ starts: [], hints: 0 })
+  /** Start pose that the present run began from; null once a hand has helped, −1 for another place. */
+  #startedFrom: number | null = null
+
+  constructor(card: Card | undefined, progress: Progress | undefined) {
+    this.#card = card
+    if (progress) this.#now = progress
+  }
+
+  get now(): Progress {
+    return this.#now
+  }
+
+  /** Index of the card's start pose that this is, −1 for another place. */
+  startAt(pose: Pose | undefined): number {
+    return this.#card?.starts.findIndex((start) => samePose(start, pose)) ?? -1
+  }
+
+  /** A run begins with the first robot there. Who learned a way starts where the way does. */
+  begin(pose: Pose | undefined): void {
+    this.#startedFrom = this.#card?.playground === 'q-learning' ? 0 : this.startAt(pose)
+  }
+
+  /** A hand has helped: this run solves nothing. */
+  helped(): void {
+    this.#startedFrom = null
+  }
+
+  /** Notes from which start pose the card was solved. Returns whether that is new. */
+  solved(): boolean {
+    const from = this.#startedFrom
+    if (from === null || from < 0 || this.#now.starts.includes(from)) return false
+    this.#now = { ...this.#now, starts: [...this.#now.starts, from].sort() }
+    return true
+  }
+
+  askHint(shown: number): void {
+    this.#now = { ...this.#now, hints: Math.max(shown, this.#now.hints) }
+  }
+}
+
+const samePose = (a: Pose, b: Pose | undefined) =>
+  b !== undefined && Math.abs(a.x - b.x) + Math.abs(a.y - b.y) + Math.abs(a.heading - b.heading) < 1e-6

@@ -1,0 +1,1 @@
+export { parseProject } from '@botgarten/programs'

@@ -1,0 +1,25 @@
+import { error } from '@sveltejs/kit'
+import { allCards } from '#lib/content/cards.ts'
+import { allItems, allQuestions, cardItem, fetchItems, itemNamed } from '#lib/materials/library.ts'
+import { fetchLateWords, fetchSortingWords } from '#lib/words/say.ts'
+import type { EntryGenerator, PageLoad } from './$types'
+
+// Names that are not among the entries are answered by the server, with the page that says so.
+export const prerender = 'auto'
+
+export const entries: EntryGenerator = () => [
+  ...allItems.map(({ kind, id }) => ({ kind, id })),
+  ...modules.map((id) => ({ kind: 'questions', id })),
+  ...allCards.map(({ id }) => ({ kind: 'card', id })),
+]
+
+const modules = [...new Set(allQuestions.map(({ module }) => String(module)))]
+
+export const load: PageLoad = async ({ params }) => {
+  await Promise.all([fetchItems(), fetchLateWords(), fetchSortingWords()])
+  if (params.kind === 'questions' && modules.includes(params.id))
+    return { item: null, module: Number(params.id) }
+  const item = itemNamed(params.id) ?? cardItem(params.id)
+  if (item?.kind !== params.kind) error(404, params.id)
+  return { item, module: 0 }
+}

@@ -1,0 +1,74 @@
+import { getDocument, OPS, type PDFDocumentProxy } from 'pdfjs-dist/legacy/build/pdf.mjs'
+
+/** What can be read of a PDF without looking at it. */
+interface ReadPdf {
+  readonly title: string
+  readonly language: string | null
+  readonly tagged: boolean
+  /** Titles of the outline's first level. */
+  readonly outline: readonly string[]
+  readonly pages: readonly ReadPage[]
+}
+
+interface ReadPage {
+  /** In whole mm: Chromium rounds to its pixels. */
+  readonly width: number
+  readonly height: number
+  readonly text: string
+  /** Addresses that a tap opens. */
+  readonly links: readonly string[]
+  /** Fonts that it names and does not bring along. */
+  readonly missingFonts: readonly string[]
+}
+
+const mm = (points: number) => Math.round((points / 72) * 25.4)
+
+export async function readPdf(bytes: Uint8Array): Promise<ReadPdf> {
+  const task = getDocument({ data: new Uint8Array(bytes), verbosity: 0, useSystemFonts: false })
+  const pdf = await task.promise
+  const [{ info }, mark, outline] = await Promise.all([
+    pdf.getMetadata(),
+    pdf.getMarkInfo(),
+    pdf.getOutline(),
+  ])
+  const { Title = '', Language = null } = info as { Title?: string; Language?: string | null }
+  const pages = await Promise.all(
+    Array.from({ length: pdf.numPages }, (_, index) => readPage(pdf, index + 1)),
+  )
+  await task.destroy()
+  return {
+    title: Title,
+    language: Language,
+    tagged: (mark as unknown as ReadonlyMap<string, boolean> | null)?.get('Marked') === true,
+    outline: (outline as { title: string }[] | null)?.map(({ title }) => title) ?? [],
+    pages,
+  }
+}
+
+async function readPage(pdf: PDFDocumentProxy, number: number): Promise<ReadPage> {
+  const page = await pdf.getPage(number)
+  const [left, bottom, right, top] = page.view as [number, number, number, number]
+  const content = await page.getTextContent()
+  const links = (await page.getAnnotations()) as { url?: string }[]
+  return {
+    width: mm(right - left),
+    height: mm(top - bottom),
+    text: content.items
+      .map((item) => ('str' in item ? item.str + (item.hasEOL ? ' ' : '') : ''))
+      .join('')
+      .replace(/\s+/g, ' '),
+    links: links.flatMap(({ url }) => url ?? []),
+    missingFonts: await missingFonts(page),
+  }
+}
+
+async function missingFonts(page: Awaited<ReturnType<PDFDocumentProxy['getPage']>>): Promise<string[]> {
+  const { fnArray, argsArray } = await page.getOperatorList()
+  const names = fnArray.flatMap((fn, index) =>
+    fn === OPS.setFont ? [String((argsArray[index] as unknown[])[0])] : [],
+  )
+  return [...new Set(names)].filter((name) => {
+    const font = page.commonObjs.get(name) as { missingFile?: boolean }
+    return font.missingFile === true
+  })
+}

@@ -1,0 +1,119 @@
+import AxeBuilder from '@axe-core/playwright'
+import { opensSettings, wish } from '../child-cards.ts'
+import { expect, test } from '../house.ts'
+import { readPdf } from '../pdf.ts'
+import { languages } from '../words.ts'
+
+const ready = '.material[aria-busy="false"]'
+
+for (const language of languages)
+  test.describe(`learning materials on the screen, in ${language}`, () => {
+    test.use({ language })
+
+    test('hints come one by one, and the lab and the page know of the same ones', async ({ child, page }) => {
+      await page.goto('/materials/card/friendship')
+      await expect(page.locator(ready)).toBeVisible()
+      const hints = page.locator('.hints > li')
+      await expect(hints).toHaveCount(3)
+      const seen = () => hints.evaluateAll((all) => all.filter((one) => one.checkVisibility()).length)
+      expect(await seen()).toBe(0)
+      await child.presses('materials.askHint', { number: 1, of: 3 })
+      await child.presses('materials.askHint', { number: 2, of: 3 })
+      expect(await seen()).toBe(2)
+      expect((await new AxeBuilder({ page }).analyze()).violations).toEqual([])
+      await child.opensLab('friendship')
+      await child.presses('lab.hint')
+      await expect(page.getByText(child.word('lab.hintTitle', { number: 2, of: 3 }))).toBeVisible()
+      await child.presses('lab.hintNext')
+      await child.seesSaved()
+      await page.goto('/materials/card/friendship')
+      await expect(page.getByRole('status').getByText(child.word('materials.allHints'))).toBeVisible()
+      expect(await seen()).toBe(3)
+    })
+
+    test('settings are at hand: clear letters, a voice, slides without Bo', async ({ child, page }) => {
+      await page.goto('/materials/worksheet/how-do-i-learn')
+      await expect(page.locator(ready)).toBeVisible()
+      await opensSettings(child, 'home')
+      for (const name of ['quiet', 'letters', 'aloud'] as const) {
+        await wish(child, name).focus()
+        await child.types('Space')
+      }
+      await child.types('Escape')
+      await expect(
+        child.button('comfort.read', { what: child.word('materials.thePage') }).first(),
+      ).toBeVisible()
+      const font = await page.locator('h1').evaluate((title) => getComputedStyle(title).fontFamily)
+      expect(font).toContain('Atkinson')
+      expect((await new AxeBuilder({ page }).analyze()).violations).toEqual([])
+      await page.goto('/materials/slides/can-robots-learn-alone')
+      await expect(page.locator(ready)).toBeVisible()
+      await expect(page.locator('.slide .bo')).toHaveCount(0)
+    })
+
+    test('beside the library an item shows what it is, and leads to paper and to its questions', async ({
+      child,
+      page,
+    }) => {
+      await page.goto('/materials')
+      const name = child.word('home.city')
+      await page.getByRole('searchbox').fill(name)
+      await child.presses('materials.look', { title: name })
+      const aside = page.getByRole('complementary')
+      await expect(aside.getByRole('heading', { name })).toBeVisible()
+      await expect(aside.locator(ready)).toBeVisible()
+      expect((await new AxeBuilder({ page }).analyze()).violations).toEqual([])
+      await aside.getByRole('link', { name: child.word('materials.onPaper') }).click()
+      await expect(page.locator('.paper[aria-busy="false"]')).toBeVisible()
+      await page.goBack()
+      await aside
+        .getByRole('link', { name: child.word('materials.module', { number: 1 }), exact: true })
+        .click()
+      await expect(page.getByRole('heading', { level: 1 })).toHaveText(
+        child.word('materials.questions', { number: 1 }),
+      )
+    })
+  })
+
+test('many cards are fitted to paper once, and the page answers', async ({ page }) => {
+  await page.addInitScript(() => {
+    const told: unknown[] = []
+    Object.assign(window, { told })
+    new MutationObserver((all) => told.push(...all)).observe(document, {
+      attributeFilter: ['data-print'],
+      subtree: true,
+    })
+  })
+  await page.goto('/materials/card/network-cards?paper=a4')
+  await expect(page.locator('html[data-print=ready] .paper[aria-busy="false"]')).toBeVisible()
+  expect(await page.evaluate(() => (window as unknown as { told: unknown[] }).told.length)).toBe(1)
+})
+
+test('a deck printed by hand is its slides; with its notes it is sheets of A4', async ({ child, page }) => {
+  // A window for printing would stop the page.
+  await page.addInitScript(() => Object.assign(window, { print: () => undefined }))
+  await page.goto('/materials/slides/can-robots-learn-alone')
+  await expect(page.locator(ready)).toBeVisible()
+  const slides = await readPdf(await page.pdf({ preferCSSPageSize: true, printBackground: true }))
+  expect(slides.pages.map(({ width, height }) => `${width} × ${height}`)).toEqual(Array(15).fill('339 × 191'))
+  expect(slides.pages[3]!.text).not.toContain(child.word('materials.notes'))
+  await child.presses('materials.printNotes')
+  const notes = await readPdf(await page.pdf({ preferCSSPageSize: true, printBackground: true }))
+  expect(new Set(notes.pages.map(({ width, height }) => `${width} × ${height}`))).toEqual(
+    new Set(['210 × 297']),
+  )
+  expect(notes.pages.map(({ text }) => text).join(' ')).toContain(child.word('materials.notes'))
+})
+
+test('the presenter says where there is nothing to say', async ({ child, page }) => {
+  await page.goto('/materials/slides/can-robots-learn-alone?presenter')
+  await expect(page.getByText(child.word('materials.noNotes'))).toBeVisible()
+  await child.types('ArrowRight')
+  await expect(page.getByText(child.word('materials.noNotes'))).toHaveCount(0)
+})
+
+test('on a slide things are sorted in their place', async ({ child, page }) => {
+  await page.goto('/materials/slides/can-robots-learn-alone?slide=10')
+  const sorting = page.frameLocator('iframe')
+  await expect(sorting.getByRole('button', { name: child.word('sorting.play'), exact: true })).toBeVisible()
+})

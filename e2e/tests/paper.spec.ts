@@ -1,0 +1,172 @@
+import { spawn } from 'node:child_process'
+import { once } from 'node:events'
+import { globSync, mkdtempSync, readdirSync, readFileSync, rmSync } from 'node:fs'
+import { tmpdir } from 'node:os'
+import { join } from 'node:path'
+import AxeBuilder from '@axe-core/playwright'
+import type { Page } from '@playwright/test'
+import { expect, test } from '../house.ts'
+import { readPdf } from '../pdf.ts'
+import { languages } from '../words.ts'
+
+interface Held {
+  readonly type: string
+  readonly id: string
+  readonly fields?: { readonly [name: string]: string }
+  readonly values?: { readonly [name: string]: Held }
+}
+
+const content = new URL('../../content/', import.meta.url)
+const read = (file: string): unknown => JSON.parse(readFileSync(new URL(file, content), 'utf8'))
+
+/** An item of each kind, the shorter ones. */
+const oneOfEach = [
+  ['card', 'first-drive-cards'],
+  ['checklist', 'the-day-before'],
+  ['curriculum', 'one-day'],
+  ['kit', 'sorting-cards'],
+  ['links', 'further-material'],
+  ['observation', 'observation-card'],
+  ['observer', 'observer-sheet'],
+  ['sheet', 'q-map'],
+  ['slides', 'how-does-your-robot-learn'],
+  ['solution', 'solutions-drive-and-sort'],
+  ['worksheet', 'three-ways'],
+] as const
+
+async function opensPaper(page: Page, item: string, wish = 'paper=a4') {
+  await page.goto(`/materials/${item}?${wish}&address=https://botgarten.example.org`)
+  await page.locator('html[data-print=ready]').waitFor({ state: 'attached' })
+}
+
+for (const language of languages)
+  test.describe(`on paper, in ${language}`, () => {
+    test.use({ language })
+
+    test('axe finds nothing on what is printed, of each kind', async ({ page }) => {
+      const wrong: string[] = []
+      for (const [kind, id] of oneOfEach) {
+        await opensPaper(page, `${kind}/${id}`)
+        const { violations } = await new AxeBuilder({ page }).analyze()
+        wrong.push(...violations.map((one) => `${id}: ${one.id} ${one.nodes[0]?.html}`))
+      }
+      expect(wrong).toEqual([])
+    })
+
+    test('what is written on the blocks of a front can be read, and nothing of a card is cut', async ({
+      page,
+    }) => {
+      const wrong: string[] = []
+      for (const id of ['network-cards', 'first-drive-cards', 'sorting-cards-lab']) {
+        await opensPaper(page, `card/${id}`, 'paper=a5')
+        wrong.push(...(await page.evaluate(smallOrCut)))
+      }
+      expect(wrong).toEqual([])
+    })
+  })
+
+/** Words on blocks below 8 pt, and boxes that hold more than is seen. */
+function smallOrCut(): string[] {
+  const cards = [...document.querySelectorAll<HTMLElement>('.a-card')]
+  const heightOf = (text: SVGTextElement) =>
+    (parseFloat(getComputedStyle(text).fontSize) * text.getBoundingClientRect().height) /
+    text.getBBox().height
+  return cards.flatMap((card) => {
+    const name = card.ariaLabel
+    const body = card.querySelector('.body')!
+    const texts = [...card.querySelectorAll<SVGTextElement>('.columns .blocks text')]
+    const small = texts.filter((text) => text.textContent.trim() && (heightOf(text) * 72) / 96 < 7.95)
+    const cut = body.scrollHeight > body.clientHeight + 1 || body.scrollWidth > body.clientWidth + 1
+    return [
+      ...small.map(
+        (text) => `${name}: “${text.textContent}” has ${((heightOf(text) * 72) / 96).toFixed(1)} pt`,
+      ),
+      ...(cut ? [`${name} is cut`] : []),
+    ]
+  })
+}
+
+test('each number and word in a block on a front is that of the program of its card', async ({ page }) => {
+  const shown = new Map<string, string>()
+  for (const id of ['network-cards', 'first-drive-cards', 'sorting-cards-lab']) {
+    await opensPaper(page, `card/${id}`, 'paper=a5')
+    for (const [card, said] of await page.evaluate(blocksByCard)) shown.set(card, said)
+  }
+  const folders = globSync('cards/*/*/card.json', { cwd: content }).map((file) =>
+    file.replace('/card.json', ''),
+  )
+  const wrong: string[] = []
+  for (const [card, said] of shown) {
+    const folder = folders.find((one) => one.endsWith(`-${card}`))!
+    const own = ['start', 'solution'].flatMap((file) => typed(read(`${folder}/${file}.json`)))
+    const numbers = said.match(/(?<![\w.])\d+(?![\w.])/g) ?? []
+    wrong.push(...numbers.filter((number) => !own.includes(number)).map((number) => `${card}: ${number}`))
+  }
+  expect(shown.size).toBeGreaterThan(10)
+  expect(shown.get('chameleon')).not.toContain('distance')
+  expect(wrong).toEqual([])
+})
+
+/** What stands on the blocks of each front, by the card's id. */
+function blocksByCard(): [string, string][] {
+  return [...document.querySelectorAll('.a-card:has(.columns .blocks)')].map((card) => [
+    card.querySelector('.paper-code a')!.getAttribute('href')!.split('/').at(-1)!,
+    [...card.querySelectorAll('.columns .blocks')].map((one) => one.ariaLabel).join(' '),
+  ])
+}
+
+/** All values of fields in a program, and the numbers in them: `ULTRASONIC_PORT_2` says 2. */
+function typed(program: unknown): string[] {
+  const all: string[] = []
+  JSON.stringify(program, (key, value: unknown) => {
+    if (key === 'fields')
+      for (const one of Object.values((value as Held['fields'])!)) all.push(one, ...(one.match(/\d+$/) ?? []))
+    return value
+  })
+  return all
+}
+
+test('each kind is printed from its own page as large as its paper, without the bar', async ({ page }) => {
+  const sizes = { a4: [210, 297], a5: [148, 210], '16:9': [339, 191] }
+  const wrong: string[] = []
+  for (const [kind, id] of oneOfEach) {
+    await page.goto(`/materials/${kind}/${id}`)
+    const article = page.locator('.material[aria-busy=false]')
+    await expect(article).toBeVisible()
+    const paper = (await article.getAttribute('data-paper')) as keyof typeof sizes
+    const end = (await article.locator(':is(.on, .words, .a-card > .body)').last().innerText())
+      .trim()
+      .split(/\s+/)
+    const pdf = await readPdf(await page.pdf({ preferCSSPageSize: true, printBackground: true }))
+    for (const { width, height, text } of pdf.pages) {
+      if (String([width, height]) !== String(sizes[paper])) wrong.push(`${id}: ${width} × ${height}`)
+      if (/\bDE\b.*\bEN\b/.test(text)) wrong.push(`${id}: the bar is printed`)
+      if (text.trim() === '') wrong.push(`${id}: an empty page`)
+    }
+    const all = pdf.pages.map(({ text }) => text.replaceAll(/\s/g, '')).join('')
+    if (!all.includes(end.at(-1)!)) wrong.push(`${id}: its end is cut`)
+  }
+  expect(wrong).toEqual([])
+})
+
+test('printing that is stopped leaves nothing in the temporary folder', async () => {
+  const folder = mkdtempSync(join(tmpdir(), 'botgarten-stopped-'))
+  try {
+    const cli = join(import.meta.dirname, '../../apps/cli/botgarten.ts')
+    const printing = spawn(
+      process.execPath,
+      [cli, 'print', 'all', '--lang', 'de', '--out', join(folder, 'out')],
+      {
+        env: { ...process.env, TMPDIR: folder },
+      },
+    )
+    await expect
+      .poll(() => readdirSync(folder), { timeout: 20_000 })
+      .toContainEqual(expect.stringMatching(/^playwright/))
+    printing.kill('SIGINT')
+    await once(printing, 'exit')
+    expect(readdirSync(folder)).toEqual(['out'])
+  } finally {
+    rmSync(folder, { recursive: true })
+  }
+})

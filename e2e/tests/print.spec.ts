@@ -1,0 +1,136 @@
+import { spawnSync } from 'node:child_process'
+import { mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
+import { tmpdir } from 'node:os'
+import { join } from 'node:path'
+import { Learner } from '../child-learning.ts'
+import { expect, test } from '../house.ts'
+import { readPdf } from '../pdf.ts'
+import { languages } from '../words.ts'
+
+const house = join(import.meta.dirname, '../..')
+const folders: string[] = []
+const fresh = () => {
+  const folder = mkdtempSync(join(tmpdir(), 'botgarten-print-'))
+  folders.push(folder)
+  return folder
+}
+test.afterAll(() => {
+  for (const folder of folders) rmSync(folder, { recursive: true })
+})
+
+/** Calls the command line as a teacher would. */
+function botgarten(args: readonly string[], env: NodeJS.ProcessEnv = process.env) {
+  const { status, stdout, stderr } = spawnSync(
+    process.execPath,
+    [join(house, 'apps/cli/botgarten.ts'), 'print', ...args],
+    { encoding: 'utf8', env },
+  )
+  return { status, stdout, stderr }
+}
+
+const titles = {
+  de: { city: 'Stadt', program: 'Das Programm: Lass Bo lernen', drive: 'Karten zur ersten Fahrt' },
+  en: { city: 'City', program: 'The program: let Bo learn', drive: 'First Drive Cards' },
+}
+/** A long address goes on in the next line. */
+const unbroken = (text: string) => text.replaceAll(' ', '')
+
+/** Words that only the other language has. */
+const foreign = {
+  de: /\b(the|you|guess|trials|reward|print)\b/i,
+  en: /\b(und|der|die|nicht|Läufe|Belohnung|drucken)\b/,
+}
+
+for (const language of languages)
+  test(`botgarten print: cards on A4 and A5 and a sheet, in ${language}`, async () => {
+    const [two, one] = [fresh(), fresh()]
+    const said = ['--lang', language, '--address', 'https://botgarten.example.org/school']
+    const call = botgarten(['q-city', 'first-drive-cards', 'q-program', ...said, '--out', two])
+    expect(call).toMatchObject({ status: 0, stderr: '' })
+    expect(readdirSync(two).sort()).toEqual([
+      `card-02-first-drive-cards-${language}-a4.pdf`,
+      `card-06-q-city-${language}-a4.pdf`,
+      `sheet-01-q-program-${language}.pdf`,
+    ])
+    const read = (folder: string, name: string) => readPdf(readFileSync(join(folder, name)))
+
+    const sheet = await read(two, `sheet-01-q-program-${language}.pdf`)
+    expect(sheet).toMatchObject({
+      tagged: true,
+      language: expect.stringMatching(new RegExp(`^${language}`)),
+    })
+    expect(sheet.title).toContain(titles[language].program)
+    expect(sheet.outline.join()).toContain(titles[language].program)
+    for (const { width, height } of sheet.pages) expect([width, height]).toEqual([210, 297])
+    expect(sheet.pages[0]!.text).toContain(titles[language].program)
+
+    const cards = await read(two, `card-02-first-drive-cards-${language}-a4.pdf`)
+    // Three cards: two sheets of two sides.
+    expect(cards.pages.map(({ width, height }) => [width, height])).toEqual(Array(4).fill([297, 210]))
+    expect(unbroken(cards.pages[0]!.text)).toContain('botgarten.example.org/school/lab/forward')
+    expect(cards.pages[0]!.links).toContain('https://botgarten.example.org/school/lab/forward')
+
+    expect(botgarten(['q-city', '--paper', 'a5', ...said, '--out', one]).status).toBe(0)
+    const city = await read(one, `card-06-q-city-${language}-a5.pdf`)
+    expect(city.pages.map(({ width, height }) => [width, height])).toEqual(Array(2).fill([148, 210]))
+    expect(city.pages[0]!.text).toContain(titles[language].city)
+    expect(city.pages[0]!.links).toContain('https://botgarten.example.org/school/lab/city')
+
+    for (const { pages } of [sheet, cards, city])
+      for (const { text, missingFonts } of pages) {
+        expect(missingFonts).toEqual([])
+        expect(text).not.toMatch(foreign[language])
+      }
+  })
+
+test('botgarten print without an address prints no code; what is wrong is said in words', () => {
+  const out = fresh()
+  const wrong = botgarten(['q-cty', '--out', out])
+  expect(wrong.status).toBe(2)
+  expect(wrong.stderr).toMatch(/^botgarten: There is no item "q-cty"\. Did you mean q-city,/)
+  expect(botgarten([]).status).toBe(2)
+  expect(botgarten(['all', '--address', 'nowhere']).stderr).toContain('--address takes an address such as')
+  expect(botgarten(['--help']).stdout).toContain('--turn short|long')
+  const file = join(out, 'file')
+  writeFileSync(file, '')
+  const unwritable = botgarten(['q-city', '--out', join(file, 'below')])
+  expect(unwritable).toMatchObject({ status: 1, stdout: '' })
+  expect(unwritable.stderr).toMatch(/^botgarten: The folder ".+below" cannot be made/)
+  const blind = botgarten(['q-city', '--out', out], { ...process.env, CHROMIUM: join(out, 'no-browser') })
+  expect(blind.status).toBe(1)
+  expect(blind.stderr).toContain('did not start')
+  expect(blind.stderr).toContain('Install Chrome, Chromium or Edge')
+  expect(readdirSync(out)).toEqual(['file'])
+})
+
+test('the table of trials is printed filled, and nothing else of the lab', async ({ child, page }) => {
+  const learner = new Learner(child)
+  await learner.opens('railway')
+  await learner.turnsTo('trials')
+  await page.getByLabel(child.word('q.guess')).fill('3-5-0-1')
+  await learner.learnsToTheEnd()
+  const asked = page.evaluate(
+    () => new Promise((done) => window.addEventListener('beforeprint', () => done(true))),
+  )
+  await child.presses('q.print')
+  expect(await asked).toBe(true)
+  const { pages } = await readPdf(await page.pdf({ preferCSSPageSize: true }))
+  expect(pages).toHaveLength(1)
+  const [{ text, width, height }] = pages as [(typeof pages)[0]]
+  expect([width, height]).toEqual([297, 210])
+  for (const said of [child.word('q.printedTitle'), child.word('q.task', { start: 3, goal: 1 }), '3-5-0-1'])
+    expect(text).toContain(said)
+  expect(text).not.toContain(child.word('q.csv'))
+})
+
+test('a card printed by hand from its page is as large as its paper, without what is around it', async ({
+  page,
+}) => {
+  await page.goto('/materials/card/meet-bo')
+  await expect(page.locator('.material[aria-busy=false]')).toBeVisible()
+  const { pages } = await readPdf(await page.pdf({ preferCSSPageSize: true, printBackground: true }))
+  expect(pages.map(({ width, height }) => [width, height])).toEqual(Array(2).fill([148, 210]))
+  // The bar over the page lets choose a language.
+  expect(pages[0]!.text).not.toMatch(/\bDE\b|\bEN\b/)
+  expect(unbroken(pages[1]!.text)).toContain('/lab/chameleon')
+})

@@ -1,0 +1,8 @@
+export type * from './types.ts'
+export type { Embed } from './embed.ts'
+export { readItem } from './item.ts'
+export { readItemText } from './itemText.ts'
+export { missingIn, type Catalogue, type CatalogueCard } from './resolve.ts'
+export { readAlignment, type Alignment } from './alignment.ts'
+export { readReferences, type Reference } from './references.ts'
+export type { Checked } from './checked.ts'

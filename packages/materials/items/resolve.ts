@@ -1,0 +1,123 @@
+import type { Embed } from './embed.ts'
+import type { ItemText } from './types.ts'
+import { nodesOf } from './walk.ts'
+
+/** What there is to be shown, by id. */
+export interface Catalogue {
+  readonly items: ReadonlySet<string>
+  /** Programs of each card, as `start`, `solution`, `wrong/<name>`, those with a network apart; and its start poses. */
+  readonly cards: ReadonlyMap<string, CatalogueCard>
+  /** Roads of each map, as `3-2`. */
+  readonly maps: ReadonlyMap<string, { readonly stations: number; readonly roads: ReadonlySet<string> }>
+  readonly worlds: ReadonlySet<string>
+  readonly sets: ReadonlySet<string>
+  readonly blocks: ReadonlySet<string>
+  /** Modules that have questions. */
+  readonly questions: ReadonlySet<number>
+}
+
+export interface CatalogueCard {
+  readonly playground: string
+  readonly starts: number
+  readonly files: ReadonlySet<string>
+  readonly nets: ReadonlySet<string>
+}
+
+/** What an item names and is not there, a sentence each. `pictures`: files beside the text. */
+export function missingIn(
+  text: ItemText,
+  catalogue: Catalogue,
+  pictures: ReadonlySet<string>,
+): readonly string[] {
+  return [...nodesOf(text)].flatMap((node) => {
+    if (node.type === 'embed') return missing(node.embed, catalogue)
+    if (node.type === 'link') return missingTarget(node.href, catalogue)
+    if (node.type !== 'image') return []
+    const silent = node.alt.trim() === '' ? [`The picture "${node.file}" has no words.`] : []
+    return pictures.has(node.file) ? silent : [...silent, `There is no picture "${node.file}".`]
+  })
+}
+
+const unless = (there: boolean | undefined, sentence: string) => (there ? [] : [sentence])
+
+function missing(embed: Embed, catalogue: Catalogue): readonly string[] {
+  switch (embed.kind) {
+    case 'card':
+      return unless(catalogue.cards.has(embed.id), `There is no card "${embed.id}".`)
+    case 'net':
+      return missingNet(embed, catalogue)
+    case 'program':
+    case 'live':
+      return missingFile(embed, catalogue)
+    case 'way':
+    case 'trials':
+      return missingWay(embed, catalogue)
+    case 'scene':
+      return missingScene(embed, catalogue)
+    case 'map':
+      return missingOnMap(embed, catalogue)
+    case 'world':
+      return unless(catalogue.worlds.has(embed.id), `There is no world "${embed.id}".`)
+    case 'sort':
+    case 'things':
+      return unless(catalogue.sets.has(embed.set), `There is no set "${embed.set}".`)
+    case 'block':
+      return unless(catalogue.blocks.has(embed.type), `There is no block "${embed.type}".`)
+    case 'qr':
+      return missingTarget(embed.to, catalogue)
+    case 'questions':
+      return unless(catalogue.questions.has(embed.module), `Module ${embed.module} has no questions.`)
+    default:
+      return []
+  }
+}
+
+function missingTarget(target: string, { items, cards }: Catalogue): readonly string[] {
+  const [kind, id] = target.split(':') as [string, string]
+  if (kind === 'item') return unless(items.has(id), `There is no item "${id}".`)
+  if (kind === 'card') return unless(cards.has(id), `There is no card "${id}".`)
+  return []
+}
+
+function missingFile(
+  { card, file }: { card: string; file: string },
+  { cards }: Catalogue,
+): readonly string[] {
+  const there = cards.get(card)
+  if (!there) return [`There is no card "${card}".`]
+  return unless(there.files.has(file), `The card "${card}" has no "${file}".`)
+}
+
+function missingNet(named: { card: string; file: string }, catalogue: Catalogue): readonly string[] {
+  const none = missingFile(named, catalogue)
+  if (none.length > 0) return none
+  const { nets } = catalogue.cards.get(named.card)!
+  return unless(nets.has(named.file), `"${named.file}" of "${named.card}" has no network.`)
+}
+
+function missingWay({ card }: { card: string }, { cards }: Catalogue): readonly string[] {
+  const there = cards.get(card)
+  if (!there) return [`There is no card "${card}".`]
+  return unless(there.playground === 'q-learning', `The card "${card}" learns no way.`)
+}
+
+function missingScene(
+  { card, start }: { card: string; start: number },
+  { cards }: Catalogue,
+): readonly string[] {
+  const there = cards.get(card)
+  if (!there) return [`There is no card "${card}".`]
+  return unless(start < there.starts, `The card "${card}" has no start pose ${start}.`)
+}
+
+function missingOnMap(embed: Extract<Embed, { kind: 'map' }>, { maps }: Catalogue): readonly string[] {
+  const map = maps.get(embed.id)
+  if (!map) return [`There is no map "${embed.id}".`]
+  const stations = [embed.start, embed.goal].filter((station) => station !== undefined)
+  return [
+    ...stations.flatMap((one) => unless(one < map.stations, `"${embed.id}" has no station ${one}.`)),
+    ...(embed.closed ?? []).flatMap((road) =>
+      unless(map.roads.has(road), `"${embed.id}" has no road ${road}.`),
+    ),
+  ]
+}

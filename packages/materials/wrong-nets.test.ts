@@ -1,0 +1,70 @@
+import { weightOf, type Brain } from '@botgarten/learning/neural-network'
+import { describe, expect, it } from 'vitest'
+import type { CardProgram } from './index.ts'
+import { networkCards, solved } from './testing/solved.ts'
+
+// What children try first: every knob at 0, every knob at 1, everything the wrong way round.
+const everywhere = (brain: Brain, weight: number) => changed(brain, (row) => row.map(() => weight))
+const mirrored = (brain: Brain) => changed(brain, (row) => row.toReversed())
+
+/** The brain with other numbers at each neuron's links to the layer behind it, in the order of that layer. */
+function changed(brain: Brain, change: (row: readonly number[]) => readonly number[]): Brain {
+  const rows = brain.layers.slice(0, -1).flatMap((layer, at) =>
+    layer.map(({ id }) => {
+      const behind = brain.layers[at + 1]!
+      const numbers = change(behind.map((to) => weightOf(brain.weights, id, to.id)))
+      return [id, Object.fromEntries(behind.map((to, k) => [to.id, numbers[k]!]))] as const
+    }),
+  )
+  return { ...brain, weights: Object.fromEntries(rows) }
+}
+
+const wrongs: readonly (readonly [string, (brain: Brain) => Brain])[] = [
+  ['all 0', (brain) => everywhere(brain, 0)],
+  ['all 1', (brain) => everywhere(brain, 1)],
+  ['mirrored', mirrored],
+]
+
+const withBrain = (change: (brain: Brain) => Brain) => (program: CardProgram) => ({
+  ...program,
+  brains: Object.fromEntries(Object.entries(program.brains).map(([id, brain]) => [id, change(brain)])),
+})
+
+/** Where it is right after all, and why. */
+const right: { readonly [card: string]: { readonly [wrong: string]: string } } = {
+  incognito: { 'all 1': 'both wheels get the same', mirrored: 'both wheels get the same' },
+  caution: { mirrored: 'both wheels get the same' },
+  'loud-distance': { 'all 1': 'there is one link', mirrored: 'there is one link' },
+  interest: { mirrored: 'each colour still has a word of its own' },
+  'either-or': { mirrored: 'the hidden neurons change places' },
+}
+
+// Nets of the first robot: "if, then" has none.
+const withNets = networkCards.filter((file) => solved(file).card.playground === 'network')
+
+describe.each(withNets)('%s', (file) => {
+  const { card } = solved(file)
+  const starts = card.starts.map((_, start) => start)
+
+  it.each(wrongs)('%s is refused from some start pose, unless it is right', (name, change) => {
+    const { failures } = solved(file, withBrain(change))
+    const refused = starts.filter((start) => failures(start, 1, {}).length > 0)
+    if (right[card.id]?.[name]) expect(refused).toEqual([])
+    else expect(refused).toContain(0)
+  })
+
+  it('all 0 is refused from every start pose', () => {
+    const { failures } = solved(
+      file,
+      withBrain((brain) => everywhere(brain, 0)),
+    )
+    expect(starts.filter((start) => failures(start, 1, {}).length === 0)).toEqual([])
+  })
+})
+
+it('the Rally drives its whole course from each start: every gate, and never white', () => {
+  const { card, failures } = solved(networkCards.find((file) => file.includes('08-rally'))!)
+  const lap = card.checks.find(({ kind }) => kind === 'laps')!
+  expect(String(lap.numbers['gates']).split(',')).toHaveLength(8)
+  expect(card.starts.map((_, start) => failures(start, 1, {}))).toEqual([[], [], []])
+})
