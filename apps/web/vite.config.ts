@@ -111,7 +111,7 @@ const chunks = [
   { name: cardOf, priority: 2 },
   {
     name: 'common',
-    test: /(src[\\/]lib[\\/](content|offline|parts(?![\\/]card[\\/](?!face))|words)|node_modules[\\/]svelte)[\\/]|PrintIcon|storage[\\/](bin|channel|copy-name|database|endings|handout|projects|refusal|settings)\.ts|state[\\/]comfort/,
+    test: /(src[\\/]lib[\\/](content|offline|parts(?![\\/](page|card)[\\/](?!face))|words)|node_modules[\\/]svelte)[\\/]|PrintIcon|storage[\\/](bin|channel|copy-name|database|endings|handout|projects|refusal|settings)\.ts|state[\\/]comfort/,
     minShareCount: 2,
     priority: 1,
   },
@@ -134,7 +134,7 @@ const chunks = [
   { name: 'drawing', test: /src[\\/]lib[\\/](drawing|world)[\\/]/, minShareCount: 2 },
   {
     name: 'engine',
-    test: /[\\/](packages[\\/](?!blocks|learning|numbers|materials[\\/](things|maps|items|questions)|simulation[\\/](floor[\\/]png|body[\\/]plugged))|node_modules[\\/]planck[\\/]|src[\\/]lib[\\/](?!materials|paper|parts[\\/]card[\\/](?!face)|storage|share|floor|editor[\\/](learning|expert|layers|pictures)|playgrounds[\\/](sorting|q-learning|neural-network[\\/]deep)))/,
+    test: /[\\/](packages[\\/](?!blocks|learning|numbers|materials[\\/](things|maps|items|questions)|simulation[\\/](floor[\\/]png|body[\\/]plugged))|node_modules[\\/]planck[\\/]|src[\\/]lib[\\/](?!materials|paper|parts[\\/](page|card)[\\/](?!face)|storage|share|floor|editor[\\/](learning|expert|layers|pictures)|playgrounds[\\/](sorting|q-learning|neural-network[\\/]deep)))/,
     minShareCount: 2,
   },
 ]

@@ -26,6 +26,8 @@ const wide = 500
 // Links get no longer than this, however wide the room.
 const longestLink = 760
 const lineHeight = 18
+// A name in a narrower column breaks into more lines than a row has room for.
+const narrowestLabel = 100
 // From here on a label may take three lines.
 const roomyRow = 160
 
@@ -80,7 +82,7 @@ function rowsIn(room: Size, rows: number, { height, form }: Labelling) {
 function labelWidth({ form, height, places }: Labelling, side: number, radius: number): number {
   if (form === 'beside') return side - radius - 14
   const clear = height >= 3 * lineHeight ? 36 : places ? Infinity : 28
-  return Math.min(2 * side - 4, 2 * radius + clear)
+  return Math.min(2 * side - 4, Math.max(narrowestLabel, 2 * radius + clear))
 }
 
 function sideOf(width: number, radius: number, form: LabelForm): number {
