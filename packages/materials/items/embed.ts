@@ -1,6 +1,8 @@
 import * as v from 'valibot'
 
 const id = v.pipe(v.string(), v.regex(/^[a-z0-9][a-z0-9-]*$/))
+/** Id of a block in a card's program. */
+const block = v.pipe(v.string(), v.regex(/^\w[\w-]*$/))
 const count = v.pipe(v.string(), v.regex(/^\d+$/), v.transform(Number))
 const roads = v.pipe(
   v.string(),
@@ -19,8 +21,11 @@ const embed = v.variant('kind', [
   v.strictObject({ kind: v.literal('card'), id, side: v.picklist(['front', 'back']) }),
   /** The network of a card's program, with its weights. */
   v.strictObject({ kind: v.literal('net'), card: id, file }),
-  /** A card's program as blocks. */
-  v.strictObject({ kind: v.literal('program'), card: id, file }),
+  /** A card's program as blocks, or a part of it: the block `only`, the block `fold` on one line (their ids). */
+  v.strictObject({
+    ...{ kind: v.literal('program'), card: id, file },
+    ...{ only: v.optional(block), fold: v.optional(block) },
+  }),
   /** One block as it lies in the toolbox. */
   v.strictObject({ kind: v.literal('block'), type: v.string() }),
   /** A map, with its task where one is named; a closed road is closed in the direction that is written. */

@@ -33,7 +33,15 @@ const catalogue: Catalogue = {
   cards: new Map([
     [
       'friendship',
-      { playground: 'network', starts: 3, files: new Set(['start', 'wrong/a']), nets: new Set(['start']) },
+      {
+        ...{
+          playground: 'network',
+          starts: 3,
+          files: new Set(['start', 'wrong/a']),
+          nets: new Set(['start']),
+        },
+        blocks: new Map([['start', new Set(['forever'])]]),
+      },
     ],
   ]),
   maps: new Map([['railway', { stations: 6, roads: new Set(['3-2', '2-3']) }]]),
@@ -120,6 +128,8 @@ describe('what an item names and is not there', () => {
     ['::net{card=friendship file=wrong/b}', 'The card "friendship" has no "wrong/b".'],
     ['::net{card=friendship file=wrong/a}', '"wrong/a" of "friendship" has no network.'],
     ['::program{card=friendship file=solution}', 'The card "friendship" has no "solution".'],
+    ['::program{card=friendship only=halt}', '"start" of "friendship" has no block "halt".'],
+    ['::program{card=friendship fold=halt}', '"start" of "friendship" has no block "halt".'],
     ['::way{card=friendship}', 'The card "friendship" learns no way.'],
     ['::scene{card=friendship start=3}', 'The card "friendship" has no start pose 3.'],
     ['::map{id=moon}', 'There is no map "moon".'],
@@ -138,6 +148,9 @@ describe('what an item names and is not there', () => {
   it('is nothing where all is there', () => {
     expect(
       missing('::net{card=friendship}\n::map{id=railway start=5}\n::things{set=vessels cut=yes}'),
+    ).toEqual([])
+    expect(
+      missing('::program{card=friendship only=forever}\n::program{card=friendship fold=forever}'),
     ).toEqual([])
   })
 })

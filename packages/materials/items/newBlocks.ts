@@ -1,5 +1,6 @@
 import type { Block } from '@botgarten/blocks'
 import type { CardProgram } from '../types.ts'
+import { blocksIn } from './blocksIn.ts'
 
 /** What begins every program, and what is only written into a block. */
 const plain: ReadonlySet<string> = new Set([
@@ -19,16 +20,6 @@ export interface ProgramsOfCard {
 
 /** A block and what is in its sockets. */
 const held = (block: Block): readonly Block[] => [block, ...Object.values(block.values ?? {}).flatMap(held)]
-
-/** A block, what is in its sockets, and what stands between its arms. */
-const within = (block: Block): readonly Block[] => [
-  block,
-  ...[...Object.values(block.values ?? {}), ...Object.values(block.statements ?? {}).flat()].flatMap(within),
-]
-
-/** All blocks of a program, from top to bottom. */
-const blocksIn = ({ programs }: CardProgram): readonly Block[] =>
-  Object.values(programs).flatMap(({ stacks }) => stacks.flatMap(({ blocks }) => blocks.flatMap(within)))
 
 /** The kinds of blocks in a card's program, each once, from top to bottom. */
 export const kindsOf = (program: CardProgram): readonly string[] => [

@@ -21,6 +21,8 @@ export interface CatalogueCard {
   readonly starts: number
   readonly files: ReadonlySet<string>
   readonly nets: ReadonlySet<string>
+  /** Ids of the blocks in each program. */
+  readonly blocks: ReadonlyMap<string, ReadonlySet<string>>
 }
 
 /** What an item names and is not there, a sentence each. `pictures`: files beside the text. */
@@ -47,6 +49,7 @@ function missing(embed: Embed, catalogue: Catalogue): readonly string[] {
     case 'net':
       return missingNet(embed, catalogue)
     case 'program':
+      return missingPart(embed, catalogue)
     case 'live':
       return missingFile(embed, catalogue)
     case 'way':
@@ -86,6 +89,15 @@ function missingFile(
   const there = cards.get(card)
   if (!there) return [`There is no card "${card}".`]
   return unless(there.files.has(file), `The card "${card}" has no "${file}".`)
+}
+
+function missingPart(named: Extract<Embed, { kind: 'program' }>, catalogue: Catalogue): readonly string[] {
+  const none = missingFile(named, catalogue)
+  if (none.length > 0) return none
+  const blocks = catalogue.cards.get(named.card)!.blocks.get(named.file)
+  return [named.only, named.fold].flatMap((id) =>
+    unless(id === undefined || blocks?.has(id), `"${named.file}" of "${named.card}" has no block "${id}".`),
+  )
 }
 
 function missingNet(named: { card: string; file: string }, catalogue: Catalogue): readonly string[] {

@@ -5,6 +5,7 @@ import { learning } from '@botgarten/blocks/learning'
 import { expert } from '@botgarten/blocks/later'
 import { readCard, type CardProgram } from '../../index.ts'
 import { readMap } from '../../maps/index.ts'
+import { blocksIn } from '../blocksIn.ts'
 import { readItem } from '../index.ts'
 import type { Catalogue, CatalogueCard } from '../index.ts'
 
@@ -44,7 +45,10 @@ function cardOf(folder: string): [string, CatalogueCard] {
   const hasNet = (file: string) =>
     Object.values((read(folder, file) as CardProgram).brains).some(({ kind }) => kind === 'network')
   const named = (list: readonly string[]) => new Set(list.map((file) => file.replace(/\.json$/, '')))
-  return [id, { playground, starts: starts.length, files: named(files), nets: named(files.filter(hasNet)) }]
+  const ids = (file: string) => new Set(blocksIn(read(folder, file) as CardProgram).map((block) => block.id))
+  const blocks = new Map(files.map((file) => [file.replace(/\.json$/, ''), ids(file)]))
+  const nets = named(files.filter(hasNet))
+  return [id, { playground, starts: starts.length, files: named(files), nets, blocks }]
 }
 
 function mapOf(id: string) {
