@@ -60,12 +60,23 @@ class Shelf extends Blockly.Toolbox {
   }
 }
 
+const smallestShare = 0.8
+
 /**
  * Where a row's blocks lie. Blockly 13.3 lets each of them own its connections for a screen reader (`aria-owns`), some
  * of which are not in the page, and gives those a role that a list of options may not hold. Nobody can go to a
  * connection of a block on the shelf: they are hidden from readers instead.
  */
 class ShelfFlyout extends Blockly.VerticalFlyout {
+  /** A row whose widest block has no room beside the shelf is shown smaller, as far as it can still be read. */
+  override getFlyoutScale(): number {
+    const { scale } = this.targetWorkspace
+    const widths = this.getContents().map((item) => item.getElement().getBoundingRectangle().getWidth())
+    const needed = Math.max(0, ...widths) + this.MARGIN * 1.5 + this.tabWidth_
+    const room = this.targetWorkspace.getMetrics().viewWidth - Blockly.Scrollbar.scrollbarThickness
+    return Math.min(scale, Math.max(room / needed, scale * smallestShare))
+  }
+
   override show(contents: Parameters<Blockly.VerticalFlyout['show']>[0]) {
     super.show(contents)
     void Blockly.renderManagement
