@@ -64,6 +64,17 @@ for (const language of languages) {
       await expect(page.getByRole('heading', { level: 1 })).toHaveText(child.word('home.railway'))
       await page.goBack()
       await expect(page.getByRole('searchbox')).toHaveValue(child.word('home.railway'))
+      await page.reload()
+      await expect(page.locator('.library li')).toHaveCount(1)
+      await page.getByRole('checkbox', { name: child.word('materials.shelf.slides') }).check()
+      await expect(page.locator('.library li')).toHaveCount(0)
+      expect((await new AxeBuilder({ page }).analyze()).violations).toEqual([])
+      await child.tabsAndPresses('materials.takeAway')
+      await expect(count).toHaveText(told(items.length))
+      await expect(page.getByRole('searchbox')).toBeFocused()
+      await page.goto('/materials?module=3&kind=slides')
+      await expect(page.locator('.library li')).toHaveCount(1)
+      expect(await page.locator('.library input:checked').count()).toBe(3)
     })
 
     test('slides are turned by keys, and the teacher sees what comes next in another window', async ({

@@ -1,3 +1,4 @@
+import { axeFindings } from '../child-cards.ts'
 import { expect, test } from '../house.ts'
 
 test('slides are turned by drawing a finger across, and not by moving it down', async ({ child, page }) => {
@@ -9,4 +10,23 @@ test('slides are turned by drawing a finger across, and not by moving it down', 
   await child.drags({ x: 300, y: 300 }, { x: 600, y: 280 })
   await child.drags({ x: 300, y: 300 }, { x: 600, y: 280 })
   await expect(at(2)).toBeVisible()
+})
+
+test('where nothing fits beside the library, what is looked at lies over it and leads on', async ({
+  child,
+  page,
+}) => {
+  await page.goto('/materials')
+  const name = child.word('home.city')
+  const look = child.button('materials.look', { title: name })
+  await look.tap()
+  const over = page.getByRole('dialog', { name })
+  await expect(over.locator('.material[aria-busy="false"]')).toBeVisible()
+  expect(await axeFindings(page)).toEqual([])
+  await page.keyboard.press('Escape')
+  await expect(over).toBeHidden()
+  await expect(look).toBeFocused()
+  await look.tap()
+  await over.getByRole('link', { name: child.word('materials.open'), exact: true }).tap()
+  await expect(page.getByRole('heading', { level: 1 })).toHaveText(name)
 })

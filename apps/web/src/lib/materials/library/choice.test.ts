@@ -1,6 +1,7 @@
 import type { Item } from '@botgarten/materials/items'
 import { expect, test } from 'vitest'
-import { anything, fits, toggled } from './choice.ts'
+import { allItems } from '../library.ts'
+import { anything, fits, shelves, toggled } from './choice.ts'
 
 const item: Item = {
   ...{ id: 'sheet', kind: 'sheet', audience: 'teachers', grades: [5, 8], minutes: 45 },
@@ -27,6 +28,22 @@ test('a lesson is long enough or not', () => {
 test('one of several ways and of several sizes of groups is enough', () => {
   expect(isIn({ ways: ['unsupervised', 'supervised'], socials: ['alone', 'pairs'] })).toBe(true)
   expect([isIn({ ways: ['unsupervised'] }), isIn({ socials: ['class'] })]).toEqual([false, false])
+})
+
+test('one of several modules and of several kinds is enough', () => {
+  expect(isIn({ modules: [1, 2], shelves: ['cards', 'sheets'] })).toBe(true)
+  expect([isIn({ modules: [3] }), isIn({ shelves: ['cards'] })]).toEqual([false, false])
+})
+
+test('what belongs to no module is under none', () => {
+  expect(fits({ ...item, module: 0 }, '', { ...anything, modules: [1, 2, 3, 4] })).toBe(false)
+})
+
+test('every item stands on one shelf', () => {
+  const places = allItems.map(({ kind }) =>
+    Object.values(shelves).filter((all) => all.some((one) => one === kind)),
+  )
+  expect(new Set(places.map(({ length }) => length))).toEqual(new Set([1]))
 })
 
 test('what belongs to all ways is found under each', () => {
