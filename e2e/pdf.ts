@@ -1,7 +1,7 @@
 import { getDocument, OPS, type PDFDocumentProxy } from 'pdfjs-dist/legacy/build/pdf.mjs'
 
 /** What can be read of a PDF without looking at it. */
-interface ReadPdf {
+export interface ReadPdf {
   readonly title: string
   readonly language: string | null
   readonly tagged: boolean
@@ -19,6 +19,15 @@ interface ReadPage {
   readonly links: readonly string[]
   /** Fonts that it names and does not bring along. */
   readonly missingFonts: readonly string[]
+  /** Words that stand beyond its edges. */
+  readonly outside: readonly string[]
+  /** Letters, lines and pictures on it. */
+  readonly marks: number
+  /** Levels of its headings, from the top down. */
+  readonly headings: readonly number[]
+  /** Figures, and how many of them say nothing to ears. */
+  readonly figures: number
+  readonly silentFigures: number
 }
 
 const mm = (points: number) => Math.round((points / 72) * 25.4)
@@ -49,6 +58,8 @@ async function readPage(pdf: PDFDocumentProxy, number: number): Promise<ReadPage
   const page = await pdf.getPage(number)
   const [left, bottom, right, top] = page.view as [number, number, number, number]
   const content = await page.getTextContent()
+  const roles = rolesOf(await page.getStructTree())
+  const figures = roles.filter(({ role }) => role === 'Figure')
   const links = (await page.getAnnotations()) as { url?: string }[]
   return {
     width: mm(right - left),
@@ -59,7 +70,42 @@ async function readPage(pdf: PDFDocumentProxy, number: number): Promise<ReadPage
       .replace(/\s+/g, ' '),
     links: links.flatMap(({ url }) => url ?? []),
     missingFonts: await missingFonts(page),
+    outside: content.items.flatMap((item) => {
+      if (!('str' in item) || item.str.trim() === '') return []
+      const [x, y] = item.transform.slice(4) as [number, number]
+      const inside =
+        x >= left - 1 && x + item.width <= right + 1 && y >= bottom - 1 && y + item.height <= top + 1
+      return inside ? [] : [item.str]
+    }),
+    marks: await marksOn(page),
+    headings: roles.flatMap(({ role }) => /^H([1-6])$/.exec(role)?.[1] ?? []).map(Number),
+    figures: figures.length,
+    silentFigures: figures.filter(({ alt }) => !alt?.trim()).length,
   }
+}
+
+interface StructNode {
+  readonly role: string
+  readonly alt?: string
+  readonly children?: readonly (StructNode | { readonly type: string })[]
+}
+
+const rolesOf = (node: StructNode | null): StructNode[] =>
+  node === null
+    ? []
+    : [node, ...(node.children ?? []).flatMap((child) => ('role' in child ? rolesOf(child) : []))]
+
+const painting = new Set([
+  OPS.showText,
+  OPS.constructPath,
+  OPS.paintImageXObject,
+  OPS.paintInlineImageXObject,
+  OPS.paintImageMaskXObject,
+])
+
+async function marksOn(page: Awaited<ReturnType<PDFDocumentProxy['getPage']>>): Promise<number> {
+  const { fnArray } = await page.getOperatorList()
+  return fnArray.filter((fn) => painting.has(fn)).length
 }
 
 async function missingFonts(page: Awaited<ReturnType<PDFDocumentProxy['getPage']>>): Promise<string[]> {
