@@ -1,70 +1,13 @@
-import type { Block } from '@botgarten/blocks'
 import type { Program } from '@botgarten/programs'
-import { cardConfig, paintFloor, type World } from '@botgarten/simulation'
+import { paintFloor } from '@botgarten/simulation'
 import fc from 'fast-check'
 import { describe, expect, it } from 'vitest'
 import { createLab, type Check, type Document } from './index.ts'
+import { drive, eye, forever, net, program, turn, worldWith } from './testing/scene.ts'
 
-const world: World = {
-  size: { width: 400, height: 400 },
-  floor: { colour: '#FFFFFF' },
-  areas: [],
-  lines: [],
-  obstacles: [
-    {
-      id: 'box',
-      shape: { kind: 'rectangle', width: 30, height: 30 },
-      pose: { x: 200, y: 260, heading: 10 },
-      fixed: false,
-      colour: '#B30006',
-    },
-    {
-      id: 'square',
-      shape: { kind: 'rectangle', width: 50, height: 50 },
-      pose: { x: 330, y: 330, heading: 0 },
-      fixed: true,
-      colour: '#0057A6',
-    },
-  ],
-  robots: [
-    { id: 'bo', pose: { x: 200, y: 100, heading: 90 }, program: 'main', brain: '', config: cardConfig },
-  ],
-}
+const world = worldWith()
 const floor = paintFloor(world)
-
-const block = (id: string, type: string, rest: Partial<Block> = {}): Block => ({ id, type, ...rest })
-const number = (id: string, value: number) => block(id, 'math_number', { fields: { NUM: String(value) } })
-const list = (id: string, kind: string, items: readonly Block[]) =>
-  block(id, 'ai_easy_list', {
-    mutation: { attrs: { items: String(items.length), list_type: kind } },
-    values: Object.fromEntries(items.map((item, index) => [`ADD${index}`, item])),
-  })
-const eye = (id: string, port: number) =>
-  block(id, 'ai_nn_input_node_ultrasonic', { fields: { INPUTNODE: `ULTRASONIC_PORT_${port}` } })
-const wheel = (id: string, port: string) =>
-  block(id, 'ai_nn_output_node', { fields: { OUTPUTNODE: `MOTORPORT_${port}` } })
-const net = block('net', 'ai_neural_network', {
-  values: {
-    INPUT_LAYER: list('inputs', 'InputNode', [eye('eyeLeft', 2), eye('eyeRight', 3)]),
-    OUTPUT_LAYER: list('outputs', 'OutputNode', [wheel('wheelLeft', 'C'), wheel('wheelRight', 'B')]),
-  },
-})
-const forever = (...blocks: Block[]) =>
-  block('forever', 'robControls_loopForever', { statements: { DO: blocks } })
-const drive = (id: string, power: number, cm: number) =>
-  block(id, 'robActions_motorDiff_on_for', {
-    fields: { DIRECTION: 'FOREWARD' },
-    values: { POWER: number(`${id}P`, power), DISTANCE: number(`${id}D`, cm) },
-  })
-const turn = (id: string, power: number, degrees: number) =>
-  block(id, 'robActions_motorDiff_turn_for', {
-    fields: { DIRECTION: 'LEFT' },
-    values: { POWER: number(`${id}P`, power), DEGREE: number(`${id}D`, degrees) },
-  })
-const program = (...blocks: Block[]): Program => ({
-  stacks: [{ x: 0, y: 0, blocks: [block('start', 'robControls_start'), ...blocks] }],
-  config: { stacks: [] },
-})
+const bothEyes = net()
 
 const documentOf = (main: Program): Document => ({ programs: { main }, world, brains: {} })
 function labWith(main: Program, checks: readonly Check[] = []) {
@@ -113,7 +56,7 @@ describe('a lab', () => {
   })
 
   it('shows what a net would give while it stands, and what it gave while it runs', () => {
-    const lab = taught(labWith(program(forever(net))))
+    const lab = taught(labWith(program(forever(bothEyes))))
     const { terms, outputs } = lab.view().networks['net']!
     expect(terms).toHaveLength(4)
     expect(outputs['eyeLeft']).toBeGreaterThan(0)
@@ -124,20 +67,14 @@ describe('a lab', () => {
   })
 
   it('one neuron without a sensor does not blind the others', () => {
-    const lonely = {
-      ...net,
-      values: {
-        ...net.values!,
-        INPUT_LAYER: list('inputs', 'InputNode', [eye('eyeLeft', 2), eye('none', 4)]),
-      },
-    }
+    const lonely = net('net', '', [eye('eyeLeft', 2), eye('none', 4)])
     const { outputs } = labWith(program(forever(lonely))).view().networks['net']!
     expect(outputs['eyeLeft']).toBeGreaterThan(0)
     expect(outputs['none']).toBe(0)
   })
 
   it('a knob that is moved while it runs is another speed in the next tick', () => {
-    const lab = taught(labWith(program(forever(net))))
+    const lab = taught(labWith(program(forever(bothEyes))))
     lab.start()
     lab.advance(10)
     lab.setWeight('net', 'eyeLeft', 'wheelLeft', 0)
@@ -147,7 +84,7 @@ describe('a lab', () => {
   })
 
   it('rule 10: steps by tick, by block and by net, and goes on from there', () => {
-    const lab = labWith(program(forever(net, turn('turn', 50, 5))))
+    const lab = labWith(program(forever(bothEyes, turn('turn', 50, 5))))
     lab.step('tick')
     expect(lab.view()).toMatchObject({ phase: 'paused', tick: 1 })
     const seen = [1, 2, 3, 4].map(() => {
@@ -165,7 +102,7 @@ describe('a lab', () => {
   })
 
   it('rule 10: a run that was stepped block by block is the run that was not', () => {
-    const main = program(forever(net, turn('turn', 50, 5), drive('bit', 30, 2)))
+    const main = program(forever(bothEyes, turn('turn', 50, 5), drive('bit', 30, 2)))
     const stepped = taught(labWith(main))
     for (let step = 0; step < 100; step++) stepped.step('block')
     const whole = taught(labWith(main))
@@ -187,7 +124,7 @@ describe('a lab', () => {
   })
 
   it('blocks that are only laid out differently change nothing of the run', () => {
-    const main = program(forever(net))
+    const main = program(forever(bothEyes))
     const lab = taught(labWith(main))
     lab.start()
     lab.advance(30)
@@ -214,7 +151,7 @@ describe('a lab', () => {
   })
 
   it('a robot that was set down by hand starts from there, one that was moved while it ran does not', () => {
-    const lab = labWith(program(forever(net)))
+    const lab = labWith(program(forever(bothEyes)))
     const came = lab.place('bo', { x: 60, y: 60, heading: 0 })
     lab.reset()
     expect(robotIn(lab).pose).toEqual(came)
@@ -256,7 +193,7 @@ describe('rules 2, 7, 8: the same start state, seed and inputs are the same run'
   it('played twice it has one hash, and going back to any tick and on again has it too', () => {
     fc.assert(
       fc.property(hands, fc.nat(999), (given, back) => {
-        const main = program(forever(net))
+        const main = program(forever(bothEyes))
         const once = play(taught(labWith(main)), given, 1000)
         const end = once.hash()
         expect(play(taught(labWith(main)), given, 1000).hash()).toBe(end)
@@ -273,8 +210,8 @@ describe('rules 2, 7, 8: the same start state, seed and inputs are the same run'
   })
 
   it('being looked at changes nothing', () => {
-    const quiet = taught(labWith(program(forever(net))))
-    const watched = taught(labWith(program(forever(net))))
+    const quiet = taught(labWith(program(forever(bothEyes))))
+    const watched = taught(labWith(program(forever(bothEyes))))
     for (const lab of [quiet, watched]) lab.start()
     for (let tick = 0; tick < 700; tick++) {
       for (const lab of [quiet, watched]) lab.advance(1)

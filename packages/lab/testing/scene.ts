@@ -35,16 +35,18 @@ const list = (id: string, kind: string, items: readonly Block[]) =>
     mutation: { attrs: { items: String(items.length), list_type: kind } },
     values: Object.fromEntries(items.map((item, index) => [`ADD${index}`, item])),
   })
-const eye = (id: string, port: number) =>
+
+/** A distance sensor as an input. */
+export const eye = (id: string, port: number) =>
   block(id, 'ai_nn_input_node_ultrasonic', { fields: { INPUTNODE: `ULTRASONIC_PORT_${port}` } })
 const wheel = (id: string, port: string) =>
   block(id, 'ai_nn_output_node', { fields: { OUTPUTNODE: `MOTORPORT_${port}` } })
 
-/** Two eyes to two wheels. */
-export const net = (id = 'net', of = ''): Block =>
+/** Eyes, two of them where nothing else is said, to two wheels. */
+export const net = (id = 'net', of = '', eyes = [eye(`${of}eyeLeft`, 2), eye(`${of}eyeRight`, 3)]): Block =>
   block(id, 'ai_neural_network', {
     values: {
-      INPUT_LAYER: list(`${of}inputs`, 'InputNode', [eye(`${of}eyeLeft`, 2), eye(`${of}eyeRight`, 3)]),
+      INPUT_LAYER: list(`${of}inputs`, 'InputNode', eyes),
       OUTPUT_LAYER: list(`${of}outputs`, 'OutputNode', [
         wheel(`${of}wheelLeft`, 'C'),
         wheel(`${of}wheelRight`, 'B'),

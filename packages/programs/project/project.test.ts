@@ -2,6 +2,7 @@ import fc from 'fast-check'
 import { describe, expect, it } from 'vitest'
 import { randomPrograms } from '../testing/random-programs.ts'
 import { parseProject, ProjectError, writeProject, type Project, type ProjectReason } from '../index.ts'
+import { pathsIn, replaced } from '../testing/paths.ts'
 
 const sha256 = '0'.repeat(64)
 
@@ -252,7 +253,7 @@ describe('hostile files', () => {
   })
 
   it('with any one part replaced by anything are accepted or refused with a reason, nothing else', () => {
-    const paths = pathsIn(project, [])
+    const paths = pathsIn(project)
     const foreign = fc.oneof(fc.jsonValue({ maxDepth: 3 }), fc.constantFrom('__proto__', -1, 1e308, {}, []))
     fc.assert(
       fc.property(fc.constantFrom(...paths), foreign, (path, value) => {
@@ -272,20 +273,3 @@ describe('hostile files', () => {
     )
   })
 })
-
-type Path = readonly string[]
-
-function pathsIn(value: unknown, path: Path): Path[] {
-  const below =
-    typeof value === 'object' && value !== null
-      ? Object.entries(value).flatMap(([name, child]) => pathsIn(child, [...path, name]))
-      : []
-  return [path, ...below]
-}
-
-function replaced(data: unknown, [name, ...rest]: Path, value: unknown): unknown {
-  if (name === undefined) return value
-  const copy = structuredClone(data) as { [name: string]: unknown }
-  copy[name] = replaced(copy[name], rest, value)
-  return copy
-}

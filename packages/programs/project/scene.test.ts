@@ -4,6 +4,7 @@ import { describe, expect, it } from 'vitest'
 import { ProjectError } from './error.ts'
 import { inScene, sceneOf } from './scene-world.ts'
 import { parseScene, writeScene } from './scene.ts'
+import { pathsIn, replaced } from '../testing/paths.ts'
 
 const asset = 'a'.repeat(64)
 const pictures = {
@@ -180,7 +181,7 @@ describe('what is refused, and why', () => {
   })
 
   it('either file with any one part replaced by anything is accepted or refused with a reason, nothing else', () => {
-    const cases = [foreign, ours()].flatMap((file) => pathsIn(file, []).map((path) => ({ file, path })))
+    const cases = [foreign, ours()].flatMap((file) => pathsIn(file).map((path) => ({ file, path })))
     const odd = fc.oneof(
       fc.jsonValue({ maxDepth: 3 }),
       fc.constantFrom('__proto__', -1, 1e308, {}, [], '#12'),
@@ -199,20 +200,3 @@ describe('what is refused, and why', () => {
     )
   })
 })
-
-type Path = readonly string[]
-
-function pathsIn(value: unknown, path: Path): Path[] {
-  const below =
-    typeof value === 'object' && value !== null
-      ? Object.entries(value).flatMap(([name, child]) => pathsIn(child, [...path, name]))
-      : []
-  return [path, ...below]
-}
-
-function replaced(data: unknown, [name, ...rest]: Path, value: unknown): unknown {
-  if (name === undefined) return value
-  const copy = structuredClone(data) as { [name: string]: unknown }
-  copy[name] = replaced(copy[name], rest, value)
-  return copy
-}
