@@ -2,7 +2,11 @@ import AxeBuilder from '@axe-core/playwright'
 import { opensSettings, wish } from '../child-cards.ts'
 import { expect, test } from '../house.ts'
 import { readPdf } from '../pdf.ts'
+import { givesVoice, heardOn, said } from '../voice.ts'
 import { languages } from '../words.ts'
+
+/** A voice says a title first. */
+const starting = (title: string) => new RegExp(`^${title.replaceAll(/[.*+?^${}()|[\]\\]/g, '\\$&')}`)
 
 const ready = '.material[aria-busy="false"]'
 
@@ -32,6 +36,7 @@ for (const language of languages)
     })
 
     test('settings are at hand: clear letters, a voice, slides without Bo', async ({ child, page }) => {
+      await givesVoice(page, ['fr-FR', 'de-DE', 'en-GB'])
       await page.goto('/materials/worksheet/how-do-i-learn')
       await expect(page.locator(ready)).toBeVisible()
       await opensSettings(child, 'home')
@@ -40,15 +45,35 @@ for (const language of languages)
         await child.types('Space')
       }
       await child.types('Escape')
-      await expect(
-        child.button('comfort.read', { what: child.word('materials.thePage') }).first(),
-      ).toBeVisible()
+      const reads = async (what: string, facts = {}) => {
+        const before = (await said(page)).length
+        await child.presses('comfort.read', { what: child.word(`materials.${what}`, facts) })
+        await expect.poll(() => said(page)).toHaveLength(before + 1)
+        return (await said(page)).at(-1)!
+      }
+      expect(await reads('thePage')).toMatch(starting(await page.locator('h1').innerText()))
       const font = await page.locator('h1').evaluate((title) => getComputedStyle(title).fontFamily)
       expect(font).toContain('Atkinson')
       expect((await new AxeBuilder({ page }).analyze()).violations).toEqual([])
       await page.goto('/materials/slides/can-robots-learn-alone')
       await expect(page.locator(ready)).toBeVisible()
       await expect(page.locator('.slide .bo')).toHaveCount(0)
+
+      await page.goto('/materials/slides/how-does-your-robot-learn?slide=2')
+      const title = page.getByRole('heading', { level: 2 })
+      expect(await title.evaluate((one) => getComputedStyle(one).fontFamily)).toContain('Atkinson')
+      expect(await reads('theSlide', { number: 2 })).toMatch(starting(await title.innerText()))
+      await page.goto('/materials/questions/1')
+      const asked = await title.innerText()
+      const choices = await page.locator('.answers > button').allInnerTexts()
+      const question = await reads('theQuestion')
+      expect(question).toMatch(starting(asked))
+      expect(choices.map((choice) => question.indexOf(choice.trim()) > 0)).toEqual(choices.map(() => true))
+      await page.locator('.answers button').first().click()
+      expect(await reads('theWhy')).toContain(child.word('materials.thatHappens'))
+      expect(new Set((await heardOn(page)).languages)).toEqual(
+        new Set([{ de: 'de-DE', en: 'en-GB' }[language]]),
+      )
     })
 
     test('beside the library an item shows what it is, and leads to paper and to its questions', async ({
@@ -116,4 +141,17 @@ test('on a slide things are sorted in their place', async ({ child, page }) => {
   await page.goto('/materials/slides/can-robots-learn-alone?slide=10')
   const sorting = page.frameLocator('iframe')
   await expect(sorting.getByRole('button', { name: child.word('sorting.play'), exact: true })).toBeVisible()
+})
+
+test('where the device has no voice for the language, nothing on the materials offers one', async ({
+  child,
+  page,
+}) => {
+  await givesVoice(page, ['fr-FR'])
+  await page.addInitScript(() => localStorage.setItem('botgarten.comfort', '{"aloud":true}'))
+  await page.goto('/materials/slides/can-robots-learn-alone?slide=2')
+  await expect.poll(async () => (await heardOn(page)).asked).toBeGreaterThan(0)
+  await expect(
+    child.button('comfort.read', { what: child.word('materials.theSlide', { number: 2 }) }),
+  ).toHaveCount(0)
 })

@@ -1,37 +1,9 @@
 import { axeFindings, opensSettings, wish } from '../child-cards.ts'
 import type { Child } from '../child.ts'
 import { expect, test } from '../house.ts'
+import { givesVoice, said } from '../voice.ts'
 import { languages } from '../words.ts'
 
-/** A device with or without a voice; what is read is noted. */
-async function givesVoice(child: Child, voices: readonly string[]) {
-  await child.page.addInitScript((languages) => {
-    const said: string[] = []
-    const voices = languages.map((lang) => ({ lang, localService: true, name: lang }))
-    Object.defineProperty(window, 'said', { value: said })
-    Object.defineProperty(window, 'SpeechSynthesisUtterance', {
-      value: class {
-        text: string
-        onend?: () => void
-        constructor(text: string) {
-          this.text = text
-        }
-      },
-    })
-    const speech = new EventTarget()
-    Object.assign(speech, {
-      getVoices: () => voices,
-      cancel: () => undefined,
-      speak: (words: { text: string; onend?: () => void }) => {
-        said.push(words.text)
-        setTimeout(() => words.onend?.())
-      },
-    })
-    Object.defineProperty(window, 'speechSynthesis', { value: speech })
-  }, voices)
-}
-
-const said = (child: Child) => child.page.evaluate(() => (window as unknown as { said: string[] }).said)
 const reads = (child: Child, what: string) =>
   child.presses('comfort.read', { what: child.word(`comfort.${what}`) })
 
@@ -107,7 +79,7 @@ for (const language of languages) {
     })
 
     test('task, card, hint and blocks are read aloud in the language of now', async ({ child, page }) => {
-      await givesVoice(child, ['de-DE', 'en-GB'])
+      await givesVoice(child.page, ['de-DE', 'en-GB'])
       await child.opensLab('friendship')
       await expect(child.button('comfort.read', { what: child.word('comfort.theTask') })).toHaveCount(0)
       await opensSettings(child, 'lab')
@@ -125,26 +97,26 @@ for (const language of languages) {
         .first()
         .click({ position: { x: 8, y: 14 } })
       await reads(child, 'theBlock')
-      await expect.poll(() => said(child)).toHaveLength(4)
-      const heard = await said(child)
+      await expect.poll(() => said(page)).toHaveLength(4)
+      const heard = await said(page)
       expect(heard[1]).toContain(await page.getByRole('heading', { level: 1 }).innerText())
       expect(heard[3]).toBe(child.word('block.ai_nn_output_node.help'))
       const spot = await child.middleOf(child.block('eyeLeft').locator('text').first())
       await page.mouse.move(spot.x, spot.y)
       await page.mouse.down()
-      await expect.poll(async () => (await said(child)).length).toBe(5)
+      await expect.poll(async () => (await said(page)).length).toBe(5)
       await page.mouse.up()
     })
 
     test('a device without a voice says so', async ({ child, page }) => {
-      await givesVoice(child, ['fr-FR'])
+      await givesVoice(child.page, ['fr-FR'])
       await child.opensLab('friendship')
       await opensSettings(child, 'lab')
       await wish(child, 'aloud').click()
       await child.types('Escape')
       await reads(child, 'theTask')
       await expect(page.getByText(child.word('comfort.noVoice'))).toBeVisible()
-      expect(await said(child)).toEqual([])
+      expect(await said(page)).toEqual([])
     })
 
     test('the sound switch is kept', async ({ child }) => {

@@ -1,5 +1,6 @@
 import { readItemText } from '@botgarten/materials/items'
 import { expect, test } from 'vitest'
+import { language } from '#lib/words/language.svelte.ts'
 import { sayable } from './sayable.ts'
 
 const leadOf = (markdown: string) => sayable(readItemText(`# Title\n\n${markdown}\n`).lead)
@@ -18,4 +19,12 @@ test('a picture is said by its words, and a link by its own', () => {
 
 test('where there is only a drawing nothing is said', () => {
   expect(leadOf('::world{id=garden}')).toBeNull()
+})
+
+test.each([
+  ['de', 'Nach 5 Minuten tauschen.'],
+  ['en', 'Swap after 5 minutes.'],
+] as const)('in %s a clock says when to swap', async (locale, said) => {
+  await language.speak(locale)
+  expect(leadOf('::timer{minutes=5}')).toBe(said)
 })

@@ -1,19 +1,20 @@
 import type { Markdown } from '#lib/parts/markdown.ts'
 import { spoken } from '#lib/parts/aloud/spoken.ts'
 import type { ItemMarkdown, ItemNode } from '@botgarten/materials/items'
+import { sayableEmbed } from './sayableEmbed.ts'
 
 type Node = Markdown[number]
 
 const paragraph = (children: Markdown): Node => ({ type: 'paragraph', children })
 const said = (nodes: ItemMarkdown): Markdown => nodes.flatMap(saidOf)
 
-/** What a voice says of a node: pictures by their words, tables row by row; what is drawn is looked at. */
+/** What a voice says of a node: pictures by their words, tables row by row. */
 function saidOf(node: ItemNode): Markdown {
   switch (node.type) {
     case 'text':
       return [node]
     case 'embed':
-      return []
+      return sayableEmbed(node.embed).map((value) => paragraph([{ type: 'text', value }]))
     case 'image':
       return [paragraph([{ type: 'text', value: node.alt }])]
     case 'table':

@@ -1,6 +1,7 @@
 import type { ItemMarkdown, ItemNode, ItemText } from '@botgarten/materials/items'
 
-const headingOf = (title: string): ItemNode => ({
+/** A title as it would be written in the text. */
+export const headingOf = (title: string): ItemNode => ({
   type: 'heading',
   depth: 2,
   children: [{ type: 'text', value: title }],

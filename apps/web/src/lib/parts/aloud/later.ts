@@ -15,16 +15,20 @@ function voicesOf(speech: SpeechSynthesis): Promise<readonly SpeechSynthesisVoic
 const speaks = (language: string) => (voice: SpeechSynthesisVoice) =>
   voice.localService && voice.lang.toLowerCase().split(/[-_]/)[0] === language
 
+/** A voice on this device for "de" or "en"; undefined where there is none. */
+export async function voiceFor(language: string): Promise<SpeechSynthesisVoice | undefined> {
+  const speech = globalThis.speechSynthesis as SpeechSynthesis | undefined
+  return speech && (await voicesOf(speech)).find(speaks(language))
+}
+
 /**
  * Reads a text aloud; what was being read stops.
  * @param language "de", "en"
  * @returns when it has been read or hushed; false where the device has no voice for the language
  */
 export async function speak(text: string, language: string): Promise<boolean> {
-  const speech = globalThis.speechSynthesis as SpeechSynthesis | undefined
-  if (!speech) return false
-  speech.cancel()
-  const voice = (await voicesOf(speech)).find(speaks(language))
+  hush()
+  const voice = await voiceFor(language)
   if (!voice) return false
   const words = new SpeechSynthesisUtterance(text)
   words.voice = voice
@@ -32,7 +36,7 @@ export async function speak(text: string, language: string): Promise<boolean> {
   words.rate = 0.9
   return new Promise((resolve) => {
     words.onend = words.onerror = () => resolve(true)
-    speech.speak(words)
+    speechSynthesis.speak(words)
   })
 }
 
