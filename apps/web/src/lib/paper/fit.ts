@@ -12,9 +12,9 @@ const tallest = sheetHeight - 110
 /** Boxes of fixed height whose content may be made smaller: a card's middle, what stands on a side or a slide. */
 const boxes = '.a-card > .body, .leaf > .box'
 
-/** A card with blocks that would have to be made smaller than this is laid out more tightly instead. */
-const leastWithBlocks = 0.98
-/** How wide its picture may be then, in px of CSS. */
+/** A card that would have to be made smaller than this is laid out more tightly instead. */
+const leastOfCard = 0.98
+/** How wide its picture may be then beside blocks, in px of CSS. */
 const picturesOfTight = [300, 280, 260, 240, 220]
 
 /** Makes something smaller until it fits. How small is written to `data-zoom`. */
@@ -44,14 +44,15 @@ function fitSheet(flow: HTMLElement): void {
 
 function fitBox(box: HTMLElement): void {
   const card = box.parentElement!
-  card.classList.remove('tight')
+  card.classList.remove('tight', 'broad')
   shrink(box, least, () => tooMuch(box))
-  const full = Number(box.dataset['zoom']) < leastWithBlocks
-  if (full && box.querySelector(':scope > img ~ .columns .blocks')) fitTight(card, box)
+  const full = Number(box.dataset['zoom']) < leastOfCard
+  if (full && box.querySelector(':scope > img ~ .columns')) fitTight(card, box)
 }
 
 function fitTight(card: HTMLElement, box: HTMLElement): void {
   card.classList.add('tight')
+  card.classList.toggle('broad', box.querySelector('.columns .blocks') === null)
   box.style.setProperty('zoom', '1')
   const fits = (width: number) => {
     box.style.setProperty('--picture', `${width}px`)

@@ -1,4 +1,4 @@
-import type { ItemMarkdown, ItemText } from '@botgarten/materials/items'
+import type { ItemMarkdown, ItemNode, ItemText } from '@botgarten/materials/items'
 import { sidesOf } from '#lib/materials/sides.ts'
 
 /** A side of paper, or a slide: its heading where it has one of its own, and what stands below. */
@@ -16,3 +16,7 @@ const slidesOf = ({ title, lead, sections }: ItemText): readonly Leaf[] => [
 /** An item as what is printed of it. */
 export const leavesOf = (text: ItemText, paper: string): readonly Leaf[] =>
   paper === '16:9' ? slidesOf(text) : sidesOf(text).map((nodes) => ({ title: null, nodes }))
+
+/** A paragraph or a list without a picture. */
+export const isWords = (node: ItemNode): boolean =>
+  node.type === 'list' || (node.type === 'paragraph' && node.children.every(({ type }) => type !== 'image'))
