@@ -5,7 +5,7 @@ import { languages } from '../words.ts'
 
 for (const language of languages) {
   test.describe(`a child that reads ${language}`, () => {
-    test.use({ language })
+    test.use({ language, serviceWorkers: 'allow' })
 
     test('goes from home to a robot that finds friends, comes back, and gives the same blocks other weights', async ({
       child,

@@ -21,6 +21,7 @@ const test = base.extend<{ door: Doorman; at: string }>({
   baseURL: async ({ door, at }, use) => use(`http://${at}:${door.port}`),
 })
 test.use({
+  serviceWorkers: 'allow',
   // What the browser itself says about a server that is gone, and addresses of this machine.
   complaints: [
     /ERR_(CONNECTION_REFUSED|INTERNET_DISCONNECTED)|^A request to http:\/\/(localhost|classroom\.test):\d+\//,

@@ -27,7 +27,7 @@ test.describe.configure({ mode: 'default' })
 
 for (const language of languages) {
   test.describe(`files in a folder of a web space, in ${language}`, () => {
-    test.use({ language })
+    test.use({ language, serviceWorkers: 'allow' })
 
     test('the lab opens from home, drives, keeps and loads anew; nothing outside of the folder is asked for', async ({
       child,

@@ -1,6 +1,8 @@
 import { expect, test } from '../house.ts'
 import { trafficOf } from '../traffic.ts'
 
+test.use({ serviceWorkers: 'allow' })
+
 // What is fetched for times without a network comes after the page stands, through the service worker, and is counted apart:
 // offline.spec.ts.
 test('the whole lab comes in at most 30 requests and 0.6 MB', async ({ page, child }) => {
