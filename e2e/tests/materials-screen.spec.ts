@@ -35,6 +35,24 @@ for (const language of languages)
       expect(await seen()).toBe(3)
     })
 
+    test('from its dialog in the lab a card goes to paper, on a page of A5 of its own', async ({
+      child,
+      page,
+    }) => {
+      await child.opensLab('fear')
+      await child.presses('lab.card')
+      const card = child.word('home.fear')
+      await page
+        .getByRole('dialog', { name: card })
+        .getByRole('link', { name: child.word('lab.onPaper'), exact: true })
+        .click()
+      const paper = page.locator('html[data-print=ready] .paper')
+      await expect(paper.getByRole('heading', { name: card }).first()).toBeVisible()
+      await expect(page).toHaveURL(/\/materials\/card\/fear\?paper=a5$/)
+      const { pages } = await readPdf(await page.pdf({ preferCSSPageSize: true, printBackground: true }))
+      expect(pages.map(({ width, height }) => `${width} × ${height}`)).toEqual(['148 × 210', '148 × 210'])
+    })
+
     test('settings are at hand: clear letters, a voice, slides without Bo', async ({ child, page }) => {
       await givesVoice(page, ['fr-FR', 'de-DE', 'en-GB'])
       await page.goto('/materials/worksheet/how-do-i-learn')
@@ -154,4 +172,33 @@ test('where the device has no voice for the language, nothing on the materials o
   await expect(
     child.button('comfort.read', { what: child.word('materials.theSlide', { number: 2 }) }),
   ).toHaveCount(0)
+})
+
+test('where the device keeps nothing, a slide shows the card with its start program, and says so', async ({
+  child,
+  page,
+}) => {
+  await page.addInitScript(() =>
+    Object.defineProperty(IDBFactory.prototype, 'open', {
+      value: () => {
+        throw new DOMException('Nothing is kept here.', 'SecurityError')
+      },
+    }),
+  )
+  await page.goto('/materials/slides/how-does-your-robot-learn?slide=7')
+  await expect(page.getByText(child.word('materials.startInstead'))).toBeVisible()
+  const lab = page.frameLocator('iframe')
+  await lab
+    .getByRole('button', { name: child.word('lab.start'), exact: true })
+    .first()
+    .click()
+  await expect(lab.getByRole('button', { name: child.word('lab.stop'), exact: true }).first()).toBeVisible()
+  await lab.getByRole('button', { name: child.word('lab.networkTab'), exact: true }).click()
+  const weights = lab.getByRole('slider', {
+    name: new RegExp(child.word('network.weight', { from: '.+', to: '.+' })),
+  })
+  await expect(weights.first()).toBeVisible()
+  expect(new Set(await weights.evaluateAll((all) => all.map((one) => one.ariaValueNow)))).toEqual(
+    new Set(['0']),
+  )
 })
