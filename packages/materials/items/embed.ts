@@ -26,6 +26,8 @@ const embed = v.variant('kind', [
     ...{ kind: v.literal('program'), card: id, file },
     ...{ only: v.optional(block), fold: v.optional(block) },
   }),
+  /** The robot of a card: as it greets, or from above, large, with the names of its parts. */
+  v.strictObject({ kind: v.literal('robot'), card: id, view: v.picklist(['front', 'above']) }),
   /** One block as it lies in the toolbox. */
   v.strictObject({ kind: v.literal('block'), type: v.string() }),
   /** A map, with its task where one is named; a closed road is closed in the direction that is written. */
@@ -46,6 +48,8 @@ const embed = v.variant('kind', [
   v.strictObject({ kind: v.literal('things'), set: id, cut: v.optional(v.picklist(['yes', 'no']), 'no') }),
   /** A code to photograph that opens `card:<id>` or `item:<id>` at the address where this lab lives. */
   v.strictObject({ kind: v.literal('qr'), to: v.pipe(v.string(), v.regex(/^(card|item):[a-z0-9-]+$/)) }),
+  /** One round of a way of learning as a flow diagram. */
+  v.strictObject({ kind: v.literal('flow'), id: v.picklist(['q-learning']) }),
   /** The table of trials: empty, or filled from real ones. */
   v.strictObject({ kind: v.literal('trials'), card: id, rows: count }),
   /** Lines to write on. */

@@ -91,6 +91,7 @@ describe('the words of an item', () => {
   it.each([
     ['Kein Titel', /first line/],
     ['# T\n\n::fly{id=a}', /Line 3.*fly/],
+    ['# T\n\n::flow{id=k-means}', /Line 3.*q-learning/],
     ['# T\n\n::map{railway}', /Line 3.*must be "name=value"/],
     ['# T\n\n::map{id=railway start=drei}', /Line 3.*start/],
     ['# T\n\n::map{id=railway size=3}', /Line 3.*size/],
@@ -130,6 +131,7 @@ describe('what an item names and is not there', () => {
     ['::program{card=friendship file=solution}', 'The card "friendship" has no "solution".'],
     ['::program{card=friendship only=halt}', '"start" of "friendship" has no block "halt".'],
     ['::program{card=friendship fold=halt}', '"start" of "friendship" has no block "halt".'],
+    ['::robot{card=friends view=above}', 'There is no card "friends".'],
     ['::way{card=friendship}', 'The card "friendship" learns no way.'],
     ['::scene{card=friendship start=3}', 'The card "friendship" has no start pose 3.'],
     ['::map{id=moon}', 'There is no map "moon".'],

@@ -46,6 +46,8 @@ function missing(embed: Embed, catalogue: Catalogue): readonly string[] {
   switch (embed.kind) {
     case 'card':
       return unless(catalogue.cards.has(embed.id), `There is no card "${embed.id}".`)
+    case 'robot':
+      return unless(catalogue.cards.has(embed.card), `There is no card "${embed.card}".`)
     case 'net':
       return missingNet(embed, catalogue)
     case 'program':

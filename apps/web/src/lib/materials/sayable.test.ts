@@ -1,6 +1,8 @@
 import { readItemText } from '@botgarten/materials/items'
 import { expect, test } from 'vitest'
 import { language } from '#lib/words/language.svelte.ts'
+import { flows } from './drawn/flow/flows.ts'
+import { wordOf } from './drawn/flow/words.ts'
 import { sayable } from './sayable.ts'
 
 const leadOf = (markdown: string) => sayable(readItemText(`# Title\n\n${markdown}\n`).lead)
@@ -27,4 +29,9 @@ test.each([
 ] as const)('in %s a clock says when to swap', async (locale, said) => {
   await language.speak(locale)
   expect(leadOf('::timer{minutes=5}')).toBe(said)
+})
+
+test('what stands in the boxes of a flow diagram is said box by box', () => {
+  const said = leadOf('::flow{id=q-learning}')
+  for (const { id } of flows['q-learning'].boxes) expect(said).toContain(wordOf(id))
 })

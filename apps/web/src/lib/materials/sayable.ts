@@ -6,6 +6,7 @@ import { sayableEmbed } from './sayableEmbed.ts'
 type Node = Markdown[number]
 
 const paragraph = (children: Markdown): Node => ({ type: 'paragraph', children })
+const sentence = (value: string): Node => paragraph([{ type: 'text', value }])
 const said = (nodes: ItemMarkdown): Markdown => nodes.flatMap(saidOf)
 
 /** What a voice says of a node: pictures by their words, tables row by row. */
@@ -14,9 +15,9 @@ function saidOf(node: ItemNode): Markdown {
     case 'text':
       return [node]
     case 'embed':
-      return sayableEmbed(node.embed).map((value) => paragraph([{ type: 'text', value }]))
+      return sayableEmbed(node.embed).map(sentence)
     case 'image':
-      return [paragraph([{ type: 'text', value: node.alt }])]
+      return [sentence(node.alt)]
     case 'table':
       return [node.head, ...node.rows].map((row) =>
         paragraph(
