@@ -1,5 +1,5 @@
 import { globSync, readFileSync } from 'node:fs'
-import AxeBuilder from '@axe-core/playwright'
+import { axeFindings } from '../child-cards.ts'
 import { expect, test } from '../house.ts'
 import { languages } from '../words.ts'
 
@@ -34,8 +34,7 @@ for (const language of languages) {
           await page.goto(`/materials/${kind}/${id}`)
           await expect(page.locator(ready)).toBeVisible()
           await expect(page.getByRole('heading', { level: 1 })).toHaveCount(1)
-          const { violations } = await new AxeBuilder({ page }).analyze()
-          wrong.push(...violations.map((one) => `${id}: ${one.id} ${one.nodes[0]?.html}`))
+          wrong.push(...(await axeFindings(page)).map((one) => `${id}: ${one}`))
           const wider = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth)
           if (wider > 0) wrong.push(`${id} is ${wider} px wider than the screen`)
           const cut = await page
@@ -55,7 +54,7 @@ for (const language of languages) {
       const count = page.locator('.library').getByRole('status')
       const told = (some: number) => child.word('materials.fit', { count: some, of: items.length })
       await expect(count).toHaveText(told(items.length))
-      expect((await new AxeBuilder({ page }).analyze()).violations).toEqual([])
+      expect(await axeFindings(page)).toEqual([])
       await page.getByRole('checkbox', { name: child.word('materials.wayName.reinforcement') }).check()
       await expect(count).not.toHaveText(told(items.length))
       await page.getByRole('searchbox').fill(child.word('home.railway'))
@@ -68,7 +67,7 @@ for (const language of languages) {
       await expect(page.locator('.library li')).toHaveCount(1)
       await page.getByRole('checkbox', { name: child.word('materials.shelf.slides') }).check()
       await expect(page.locator('.library li')).toHaveCount(0)
-      expect((await new AxeBuilder({ page }).analyze()).violations).toEqual([])
+      expect(await axeFindings(page)).toEqual([])
       await child.tabsAndPresses('materials.takeAway')
       await expect(count).toHaveText(told(items.length))
       await expect(page.getByRole('searchbox')).toBeFocused()
@@ -99,7 +98,7 @@ for (const language of languages) {
       await expect(presenter.getByText(child.word('materials.slideOf', { number: 3, of: 15 }))).toBeVisible()
       await presenter.keyboard.press('End')
       await expect(at(15)).toBeVisible()
-      expect((await new AxeBuilder({ page: presenter }).analyze()).violations).toEqual([])
+      expect(await axeFindings(presenter)).toEqual([])
       await page.bringToFront()
       await child.types('Home', 'Escape')
       await expect(child.button('materials.present')).toBeVisible()
@@ -131,7 +130,7 @@ for (const language of languages) {
       await child.types('Enter')
       const why = page.locator('.why')
       await expect(why).not.toBeEmpty()
-      expect((await new AxeBuilder({ page }).analyze()).violations).toEqual([])
+      expect(await axeFindings(page)).toEqual([])
       await page.reload()
       await child.presses('materials.before')
       await expect(why).not.toBeEmpty()
