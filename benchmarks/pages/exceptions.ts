@@ -9,7 +9,14 @@ export interface Exception {
   readonly because: string
 }
 
-export const exceptions: readonly Exception[] = []
+export const exceptions: readonly Exception[] = [
+  {
+    items: ['further-material'],
+    kind: 'language',
+    what: /“(Machine Learning for Kids|Elements of AI|UNESCO: AI competency|University of Helsinki)/,
+    because: 'names of courses, a framework and a university, as their makers write them',
+  },
+]
 
 /** The exception that a finding falls under. */
 export const exceptionFor = (

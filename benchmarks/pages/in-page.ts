@@ -33,7 +33,11 @@ export function lookAtPaper(): SeenPaper {
     upwards(element).some((one) => {
       const { clipPath, display, visibility, opacity } = getComputedStyle(one)
       return (
-        clipPath.startsWith('inset(50%') || display === 'none' || visibility === 'hidden' || opacity === '0'
+        one.matches('.for-ears-only') ||
+        clipPath.startsWith('inset(50%') ||
+        display === 'none' ||
+        visibility === 'hidden' ||
+        opacity === '0'
       )
     }),
   )
@@ -155,9 +159,9 @@ export function lookAtPaper(): SeenPaper {
     ).length
 
   function parts(): SeenPart[] {
-    const all = [...paper.querySelectorAll('figure, img, table, section, .paper-code, .things, svg')].filter(
-      (element) => !isForEars(element) && !element.parentElement!.closest('svg, figure'),
-    )
+    const all = [
+      ...paper.querySelectorAll('figure, img, table, section, .paper-code, .things, .bo, svg'),
+    ].filter((element) => !isForEars(element) && !element.parentElement!.closest('svg, figure, .bo'))
     return all.map((element) => ({
       name: element.getAttribute('aria-label') ?? element.getAttribute('alt') ?? element.localName,
       box: boxOf(element.getBoundingClientRect()),

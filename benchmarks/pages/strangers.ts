@@ -8,8 +8,8 @@ const ownWords: { readonly [language: string]: readonly string[] } = {
   ),
 }
 
-/** Addresses, names with strokes, and the licence. */
-const notWords = /CC BY|\S*[-/]\S*/g
+/** Addresses, names with strokes, and what is spelt in capitals, as licences are. */
+const notWords = /\S*[-/]\S*|\p{Lu}{2,}/gu
 
 function words(line: string): readonly string[] {
   return line.split(' ')
