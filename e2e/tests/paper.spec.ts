@@ -99,6 +99,49 @@ function numbersOfNoProgram([card, said]: readonly [string, string]): string[] {
   return numbers.filter((number) => !own.includes(number)).map((number) => `${card}: ${number}`)
 }
 
+test.describe('in the longer of the languages', () => {
+  test.use({ language: 'de' })
+
+  test('whole programs, nets and the flow diagram can be read, and no word leaves its box', async ({
+    page,
+  }) => {
+    const wrong: string[] = []
+    for (const [item, least] of [
+      ['sheet/q-program', 8],
+      ['sheet/q-flow', 8],
+      ['solution/solutions-network', 7],
+    ] as const) {
+      await opensPaper(page, item)
+      wrong.push(...(await page.evaluate(smallerThan, least)))
+    }
+    expect(wrong).toEqual([])
+  })
+})
+
+/** Words on blocks, beside nodes and in boxes that have less pt than this, and boxes too small for theirs. */
+function smallerThan(least: number): string[] {
+  const zoomOf = (element: Element) => (element as Element & { currentCSSZoom: number }).currentCSSZoom
+  const scaleOf = (text: Element) =>
+    text instanceof SVGTextElement
+      ? text.getBoundingClientRect().height / text.getBBox().height
+      : zoomOf(text)
+  const words = [...document.querySelectorAll('.blocks text, .net .label > *, .flow-diagram :is(small, b)')]
+  const sizes = words
+    // What is in a folded block is not shown.
+    .filter((word) => word.textContent.trim() !== '' && word.getBoundingClientRect().height > 0)
+    .map((word) => ({
+      word: word.textContent.trim(),
+      pt: (parseFloat(getComputedStyle(word).fontSize) * scaleOf(word) * 72) / 96,
+    }))
+  const boxes = [...document.querySelectorAll('.flow-diagram li')]
+  const full = boxes.filter((box) => box.scrollHeight > box.clientHeight || box.scrollWidth > box.clientWidth)
+  return [
+    ...(sizes.length === 0 ? ['no words'] : []),
+    ...sizes.filter(({ pt }) => pt < least - 0.05).map(({ word, pt }) => `“${word}” has ${pt.toFixed(1)} pt`),
+    ...full.map((box) => `“${box.textContent.trim()}” leaves its box`),
+  ]
+}
+
 /** What stands on the blocks of each front, by the card's id. */
 function blocksByCard(): [string, string][] {
   return [...document.querySelectorAll('.a-card:has(.columns .blocks)')].map((card) => [

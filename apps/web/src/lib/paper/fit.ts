@@ -34,6 +34,8 @@ function fitSheet(flow: HTMLElement): void {
   for (const figure of flow.querySelectorAll<HTMLElement>('figure, img'))
     if (heightOf(figure) > tallest) shrink(figure, least, () => heightOf(figure) > tallest)
   flow.style.setProperty('zoom', '1')
+  // Blocks of whole programs are as small as they may be.
+  if (flow.closest('.solution')) return
   // Where pages end something is left free: what seems to fit by a line does not.
   const pages = Math.floor((heightOf(flow) + spare) / sheetHeight)
   if (pages === 0) return

@@ -1,0 +1,102 @@
+import { labelSides, type Side } from '#lib/drawing/labels.ts'
+import type { NetworkLayout } from '#lib/drawing/network.ts'
+import type { Point, Size } from '#lib/drawing/points.ts'
+import { freeLine, knobPlace, stagger, type Scale, type Track } from '#lib/drawing/track.ts'
+import { settleDeep } from '#lib/playgrounds/neural-network/deep/layout.ts'
+
+/** A net as it is drawn: how many neurons each layer has, and the weights link by link as the stage draws them. */
+export interface DrawnNet {
+  readonly counts: readonly number[]
+  readonly weights: readonly number[]
+  readonly scale: Scale
+}
+
+export const settleOf = ({ counts }: DrawnNet) => (counts.length > 2 ? settleDeep : stagger)
+
+const radius = 24
+/** Names stand beside the first and the last layer. */
+const side = 124
+/** Between two layers' nodes, and between those of three and more. */
+const apart = { two: 212, more: 256 }
+const lowestRow = 88
+/** Over the first row and below the last there is room for a weight. */
+const edge = { written: 58, empty: 44 }
+const growth = [1, 1.15, 1.3, 1.45, 1.6, 1.8, 2]
+
+/** A net that stands still, with names beside it: rows as low as they can be without a weight on another, a knob or a node. */
+export function drawnLayout(net: DrawnNet): NetworkLayout {
+  const layouts = growth.map((by) => layoutWith(net, lowestRow * by))
+  const covered = layouts.map((layout) => coveredIn(net, layout) + knobsIn(net, layout))
+  return layouts[covered.indexOf(Math.min(...covered))]!
+}
+
+function layoutWith({ counts, weights }: DrawnNet, row: number): NetworkLayout {
+  const gap = counts.length > 2 ? apart.more : apart.two
+  const rows = Math.max(...counts)
+  const top = weights.some((weight) => weight !== 0) ? edge.written : edge.empty
+  const height = 2 * top + (rows - 1) * row
+  return {
+    radius,
+    columns: counts.map((count, k) =>
+      Array.from({ length: count }, (_, at) => ({
+        x: side + k * gap,
+        y: height / 2 + (at - (count - 1) / 2) * row,
+      })),
+    ),
+    stage: { width: 2 * side + (counts.length - 1) * gap, height },
+    labels: 'beside',
+    labelWidth: side - radius - 14,
+    places: true,
+  }
+}
+
+/** Its links, as the stage draws them. */
+function tracksOf(net: DrawnNet, layout: NetworkLayout): readonly Track[] {
+  const lines = layout.columns
+    .slice(1)
+    .flatMap((ends, l) =>
+      layout.columns[l]!.flatMap((start) => ends.map((end) => freeLine(start, end, radius, net.scale))),
+    )
+  return settleOf(net)(lines)
+}
+
+/** From a knob's middle to that of its weight, as `Knob.svelte` writes it, and how large things are, in px. */
+const offsets: { readonly [side in Side]: Point } = {
+  ...{ above: { x: 0, y: -39 }, below: { x: 0, y: 39 } },
+  ...{ right: { x: 42, y: 0 }, left: { x: -42, y: 0 } },
+}
+const sizes = { weight: { width: 46, height: 28 }, knob: { width: 30, height: 30 } }
+const node: Size = { width: 2 * radius, height: 2 * radius }
+
+/** How much of each other weights, knobs and nodes cover, in px². */
+export function coveredIn(net: DrawnNet, layout: NetworkLayout): number {
+  const knobs = tracksOf(net, layout).map((track, i) => knobPlace(track, net.weights[i]!))
+  const sides = labelSides(knobs, net.weights, layout.stage)
+  const written = knobs.flatMap(({ x, y }, i) => {
+    const off = offsets[sides[i]!]
+    return net.weights[i] === 0 ? [] : [{ x: x + off.x, y: y + off.y }]
+  })
+  const things = [
+    ...knobs.map((at) => ({ at, size: sizes.knob })),
+    ...layout.columns.flat().map((at) => ({ at, size: node })),
+  ]
+  const sum = (all: readonly number[]) => all.reduce((a, b) => a + b, 0)
+  return sum(
+    written.map((at, i) => {
+      const others = written.slice(i + 1).map((other) => ({ at: other, size: sizes.weight }))
+      return sum([...things, ...others].map((thing) => shared(at, sizes.weight, thing.at, thing.size)))
+    }),
+  )
+}
+
+/** How much knobs cover each other: some always do where equal weights cross. */
+function knobsIn(net: DrawnNet, layout: NetworkLayout): number {
+  const knobs = tracksOf(net, layout).map((track, i) => knobPlace(track, net.weights[i]!))
+  return knobs
+    .flatMap((a, i) => knobs.slice(i + 1).map((b) => Math.max(0, 28 - Math.hypot(a.x - b.x, a.y - b.y))))
+    .reduce((sum, one) => sum + one, 0)
+}
+
+const shared = (a: Point, aSize: Size, b: Point, bSize: Size): number =>
+  Math.max(0, (aSize.width + bSize.width) / 2 - Math.abs(a.x - b.x)) *
+  Math.max(0, (aSize.height + bSize.height) / 2 - Math.abs(a.y - b.y))
