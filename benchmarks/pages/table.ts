@@ -30,13 +30,19 @@ function rowOf(looked: Looked) {
   ]
 }
 
+/** Findings of a kind in one line, the first of them in words. */
+const linesOf = (looked: Looked) =>
+  kinds.flatMap((kind) => {
+    const some = openOf(looked).filter((finding) => finding.kind === kind)
+    if (some.length === 0) return []
+    const told = some.slice(0, 4).map(({ what }) => what)
+    const more = some.length > told.length ? [`and ${some.length - told.length} more`] : []
+    return [`${looked.id}, ${looked.language}, ${looked.paper}: ${kind}: ${[...told, ...more].join(', ')}`]
+  })
+
 /** What was found, a row an item, and all that is open in words. */
 export function tableOf(all: readonly Looked[]): Table {
-  const open = all.flatMap((looked) =>
-    openOf(looked).map(
-      ({ kind, what }) => `${looked.id}, ${looked.language}, ${looked.paper}: ${kind}: ${what}`,
-    ),
-  )
+  const open = all.flatMap(linesOf)
   const meant = exceptions.map(
     ({ kind, items, what, because }) =>
       `Meant to be so (${kind}, ${items?.join(', ') ?? 'everywhere'}, /${what.source}/): ${because}`,
