@@ -1,6 +1,6 @@
 import { readFileSync } from 'node:fs'
 import { expect, test } from 'vitest'
-import { programOf } from './programs.ts'
+import { learningOf, programOf } from './programs.ts'
 
 const content = new URL('../../../../../content/cards/', import.meta.url)
 const written = (file: string): unknown => JSON.parse(readFileSync(new URL(file, content), 'utf8'))
@@ -23,4 +23,9 @@ test.each([
   ['friendship', 'wrong/no-such-slip'],
 ])('"%s" with "%s" is a mistake of the content, and says so', async (card, file) => {
   await expect(programOf(card, file)).rejects.toThrow(`There is no "${file}" of "${card}".`)
+})
+
+test('a card for learning by trying is known by what its start program learns', async () => {
+  expect(await learningOf('railway', 'start')).toMatchObject({ map: 'railway', start: 3, goal: 1 })
+  expect(await learningOf('friendship', 'start')).toBeUndefined()
 })
