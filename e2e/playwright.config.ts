@@ -13,8 +13,7 @@ export default defineConfig<{ hand: 'mouse' | 'finger' }>({
   workers: 2,
   fullyParallel: true,
   forbidOnly: true,
-  // Where nobody looks on, a test has a second try, and `npm test` names it: see scripts/prepare/counts.mjs.
-  retries: process.env['CI'] ? 1 : 0,
+  retries: 0,
   timeout: 120_000,
   expect: { timeout: 30_000 },
   reporter: 'list',

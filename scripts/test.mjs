@@ -4,7 +4,7 @@ import { mkdtempSync, readFileSync, rmSync } from 'node:fs'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import { ensureChromium } from '../e2e/chromium.mjs'
-import { countOfPlaywright, countOfVitest, oneStep, unsteady } from './prepare/counts.mjs'
+import { countOfPlaywright, countOfVitest, failedIn, oneStep } from './prepare/counts.mjs'
 import { installWhenNeeded } from './prepare/install.mjs'
 import { asScript, npm, npmAside } from './prepare/run.mjs'
 import { runtime } from './prepare/runtime.mjs'
@@ -49,11 +49,11 @@ const trials = [
 /** What a page held may be long; its first lines tell where the child was. */
 const mostOfAPage = 6000
 
-/** Counts the browser tests, and shows what can be found out about those that did not pass at once. */
+/** Counts the browser tests, and shows what the pages of those held that failed. */
 function countBrowserTests() {
   const report = readJson(browser)
-  for (const { title, passed, pages } of unsteady(report)) {
-    console.log(`\n!! ${title}: ${passed ? 'passed on its second try' : 'failed twice'}`)
+  for (const { title, pages } of failedIn(report)) {
+    console.log(`\n!! ${title}`)
     for (const page of pages) console.log(readFileSync(page, 'utf8').slice(0, mostOfAPage))
   }
   return countOfPlaywright(report)

@@ -15,34 +15,29 @@ export function countOfVitest({ numTotalTests, numPassedTests, numFailedTestSuit
 }
 
 /**
- * A test that passed on its second try has shown what it was to show; it is named (`unsteady`), so that it is mended.
  * @param {{ stats: { expected: number, unexpected: number, flaky: number, skipped: number }, errors: unknown[] }} report
  * @returns {Count}
  */
 export function countOfPlaywright({ stats, errors }) {
-  return {
-    passed: stats.expected + stats.flaky,
-    failed: stats.unexpected + stats.skipped + errors.length,
-  }
+  return { passed: stats.expected, failed: stats.unexpected + stats.flaky + stats.skipped + errors.length }
 }
 
 /** @typedef {{ title: string, specs?: readonly Spec[], suites?: readonly Suite[] }} Suite */
-/** @typedef {{ title: string, file: string, tests: readonly { status: string, results: readonly Result[] }[] }} Spec */
+/** @typedef {{ title: string, tests: readonly { status: string, results: readonly Result[] }[] }} Spec */
 /** @typedef {{ attachments: readonly { name: string, path?: string }[] }} Result */
 
 /**
- * Tests that did not pass at once, each with what its page held then, as files with the roles and names that were on it.
+ * Tests that failed, each with what its page held then, as files with the roles and names that were on it.
  * @param {{ suites: readonly Suite[] }} report
- * @returns {{ title: string, passed: boolean, pages: readonly string[] }[]} `passed`: on the second try
+ * @returns {{ title: string, pages: readonly string[] }[]}
  */
-export function unsteady({ suites }) {
+export function failedIn({ suites }) {
   return suites.flatMap(function named({ title, specs = [], suites = [] }) {
     const own = specs.flatMap((spec) =>
       spec.tests
         .filter(({ status }) => status === 'unexpected' || status === 'flaky')
-        .map(({ status, results }) => ({
+        .map(({ results }) => ({
           title: `${title} › ${spec.title}`,
-          passed: status === 'flaky',
           pages: results.flatMap(({ attachments }) =>
             attachments.flatMap(({ name, path }) => (name === 'error-context' && path ? [path] : [])),
           ),
