@@ -61,13 +61,14 @@ function countBrowserTests() {
 
 const readJson = (path) => JSON.parse(readFileSync(path, 'utf8'))
 
-/** What a step counted; a step that broke before it could count is one failure. */
+/** What a step counted; a step that cannot be counted is one failure. */
 function countOf({ count = oneStep }, failed) {
   try {
     const counted = count(failed)
     return failed && counted.failed === 0 ? { ...counted, failed: 1 } : counted
-  } catch {
-    return oneStep(failed)
+  } catch (cause) {
+    console.error(cause)
+    return oneStep(true)
   }
 }
 
