@@ -1,4 +1,21 @@
-import { whileNoLab } from './lock.ts'
+import { LAB_LOCK } from './lock.ts'
+
+/** A lab that was just closed may hold its lock for a moment longer: how long to wait for that, in ms. */
+const PATIENCE = 2000
+
+/** Does something while no lab is open, in no tab. @returns whether it was done */
+async function whileNoLab(deed: () => Promise<void>): Promise<boolean> {
+  let begun = false
+  await navigator.locks
+    .request(LAB_LOCK, { signal: AbortSignal.timeout(PATIENCE) }, () => {
+      begun = true
+      return deed()
+    })
+    .catch((cause: unknown) => {
+      if (begun) throw cause
+    })
+  return begun
+}
 
 /** A version of the product that has come and waits. The home page asks for it: between lessons, never in one. */
 export class Update {
@@ -22,8 +39,11 @@ export class Update {
       // The first one of all is no news.
       if (found.waiting && workers.controller) this.#waiting = found.waiting
     }
+    const watch = () => found.installing?.addEventListener('statechange', see)
     see()
-    found.addEventListener('updatefound', () => found.installing?.addEventListener('statechange', see))
+    // The page's own registering may have found it already.
+    watch()
+    found.addEventListener('updatefound', watch)
     await found.update().catch(() => 'without a network there is nothing new')
     see()
   }
