@@ -4,7 +4,7 @@ import type { CardProgram } from '@botgarten/materials'
 import { networks } from '@botgarten/programs'
 import { expect, test } from 'vitest'
 import { unitScale } from '#lib/drawing/track.ts'
-import { coveredIn, drawnLayout, type DrawnNet } from './netLayout.ts'
+import { coveredIn, drawnLayout, knobsIn, type DrawnNet } from './netLayout.ts'
 import { drawnNet } from './net.ts'
 
 const content = new URL('../../../../../../content/', import.meta.url)
@@ -19,6 +19,10 @@ const nets = files.flatMap((file) => {
 
 test.each(nets)('no weight covers another, a knob or a node: %s', (_, net) => {
   expect(coveredIn(net, drawnLayout(net))).toBe(0)
+})
+
+test.each(nets)('no knob covers another: %s', (_, net) => {
+  expect(knobsIn(net, drawnLayout(net))).toBe(0)
 })
 
 const allAlike: DrawnNet = { counts: [2, 2], weights: [0.5, 0.5, 0.5, 0.5], scale: unitScale }

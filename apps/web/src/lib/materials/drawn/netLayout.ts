@@ -22,25 +22,34 @@ const lowestRow = 88
 /** Over the first row and below the last there is room for a weight. */
 const edge = { written: 58, empty: 44 }
 const growth = [1, 1.15, 1.3, 1.45, 1.6, 1.8, 2]
+/** How far apart rows are beside those of the first layer, where knobs of equal weights meet in the middle otherwise. */
+const spreads = [1.25, 1.55, 2.5]
 
-/** A net that stands still, with names beside it: rows as low as they can be without a weight on another, a knob or a node. */
+/** A net that stands still, with names beside it: as low as it can be without a knob or a weight on anything else. */
 export function drawnLayout(net: DrawnNet): NetworkLayout {
-  const layouts = growth.map((by) => layoutWith(net, lowestRow * by))
-  const covered = layouts.map((layout) => coveredIn(net, layout) + knobsIn(net, layout))
-  return layouts[covered.indexOf(Math.min(...covered))]!
+  const withSpread = (spread: number) => growth.map((by) => layoutWith(net, lowestRow * by, spread))
+  const spread = spreads.flatMap(withSpread).sort((a, b) => a.stage.height - b.stage.height)
+  const layouts = [...withSpread(1), ...spread]
+  let best = { layout: layouts[0]!, covered: Infinity }
+  for (const layout of layouts) {
+    const covered = coveredIn(net, layout) + knobsIn(net, layout)
+    if (covered < best.covered) best = { layout, covered }
+    if (covered === 0) break
+  }
+  return best.layout
 }
 
-function layoutWith({ counts, weights }: DrawnNet, row: number): NetworkLayout {
+function layoutWith({ counts, weights }: DrawnNet, row: number, spread: number): NetworkLayout {
   const gap = counts.length > 2 ? apart.more : apart.two
-  const rows = Math.max(...counts)
+  const rows = counts.map((_, k) => (k === 0 ? row : row * spread))
   const top = weights.some((weight) => weight !== 0) ? edge.written : edge.empty
-  const height = 2 * top + (rows - 1) * row
+  const height = 2 * top + Math.max(...counts.map((count, k) => (count - 1) * rows[k]!))
   return {
     radius,
     columns: counts.map((count, k) =>
       Array.from({ length: count }, (_, at) => ({
         x: side + k * gap,
-        y: height / 2 + (at - (count - 1) / 2) * row,
+        y: height / 2 + (at - (count - 1) / 2) * rows[k]!,
       })),
     ),
     stage: { width: 2 * side + (counts.length - 1) * gap, height },
@@ -89,11 +98,19 @@ export function coveredIn(net: DrawnNet, layout: NetworkLayout): number {
   )
 }
 
-/** How much knobs cover each other: some always do where equal weights cross. */
-function knobsIn(net: DrawnNet, layout: NetworkLayout): number {
+/** From the middle of a knob to the outer end of its outline, in px: one at 0 is smaller. */
+const reach = (weight: number) => (weight === 0 ? 13 : 16)
+
+/** How much knobs cover each other, in px. */
+export function knobsIn(net: DrawnNet, layout: NetworkLayout): number {
   const knobs = tracksOf(net, layout).map((track, i) => knobPlace(track, net.weights[i]!))
   return knobs
-    .flatMap((a, i) => knobs.slice(i + 1).map((b) => Math.max(0, 28 - Math.hypot(a.x - b.x, a.y - b.y))))
+    .flatMap((a, i) =>
+      knobs.slice(i + 1).map((b, j) => {
+        const touching = reach(net.weights[i]!) + reach(net.weights[i + 1 + j]!)
+        return Math.max(0, touching - Math.hypot(a.x - b.x, a.y - b.y))
+      }),
+    )
     .reduce((sum, one) => sum + one, 0)
 }
 
