@@ -23,7 +23,7 @@ const late = [
 
 /** What goes wrong with the blocks of a pack, with files, and while a world is built. */
 const lateProblems =
-  /^problem\.(link\w+|nothingToTake|homeTooBig|notJson|tooBig|notAProject|newerVersion|notKept|notXml|unsafeXml|notOpenRoberta|otherRobot|tooManyBlocks|tooDeep|tooManyNeurons|tooManyInLayer|noSuchStation|startIsGoal|emptyObstacle|groupsFromTo|fewReadings|noGroupsYet|noSuchGroup|picture\w+|sceneNotJson|notAScene|isAProject)\./
+  /^problem\.(link\w+|nothingToTake|homeTooBig|notJson|tooBig|notAProject|newerVersion|notKept|notXml|unsafeXml|notOpenRoberta|otherRobot|tooManyBlocks|tooManyThings|tooDeep|tooManyNeurons|tooManyInLayer|noSuchStation|startIsGoal|emptyObstacle|groupsFromTo|fewReadings|noGroupsYet|noSuchGroup|picture\w+|sceneNotJson|notAScene|isAProject)\./
 
 /** Words of blocks that come in a pack have its names. */
 const ofPacks = /^(block\.(ai_q_|rl_|ai_sorting_|ai_nn_hidden)|choice\.(relu|sigmoid|tanh|threshold|linear)$)/
@@ -39,7 +39,10 @@ const ofComfort = /^comfort\.(projector|quiet|letters|aloud)/
 
 /** What stands on a card, in the menus and in what the lab says when something has gone wrong or well. */
 const ofDialogs =
-  /^lab\.(need|conflict|gone|keepCopy|loadNewer|fullT|refused|success|rays|trail|onPaper|openFile|saveFile|cardNumber|youNeed|minutes|pairs|fromGrade|firstDrive|mission|further|showProgram)/
+  /^lab\.(need|conflict|gone|keepCopy|loadNewer|fullT|refused|success|rays|trail|onPaper|openFile|saveFile|saveOpenRoberta|cardNumber|youNeed|minutes|pairs|fromGrade|firstDrive|mission|further|showProgram)/
+
+/** Home says it when it has found a new version: its words come then. */
+const ofVersion = /^offline\.newVersion/
 
 const isLate = (key: string) =>
   late.includes(key.split('.')[0]!) ||
@@ -48,13 +51,14 @@ const isLate = (key: string) =>
   lateProblems.test(key) ||
   ofTime.test(key) ||
   ofDialogs.test(key) ||
-  ofComfort.test(key)
+  ofComfort.test(key) ||
+  ofVersion.test(key)
 
 /** What a block does is asked for when a hand rests on one. */
 const isHelp = (key: string) => /^block\.\w+\.help$/.test(key)
 
 /** No page says what a block is called: its words stand on it. */
-const isSaid = (key: string) => !/^block\.\w+\.name$/.test(key)
+const isSaid = (key: string) => !/^(\$schema|block\.\w+\.name)$/.test(key)
 
 /** Pages that the lab never shows have a table of their own: sorting, the learning materials, what this lab is. */
 const partOf = (key: string) =>

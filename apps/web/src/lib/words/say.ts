@@ -51,9 +51,18 @@ export const fetchExpertWords = (): Promise<void> => fetchAlways('expert')
 /** Brings what every block does: before a hand that rests on one is told. */
 export const fetchHelp = (): Promise<void> => fetchAlways('help')
 
-/** A part that comes late (`later.ts`), once its words have come too. */
-export const withWords = async <Part>(part: Promise<Part>): Promise<Part> =>
-  (await Promise.all([part, fetchLateWords()]))[0]
+/**
+ * A part that comes late (`later.ts`), once its words have come too.
+ * @param lost takes back the wish for it where it cannot be brought, so that the next press asks anew
+ */
+export async function withWords<Part>(part: Promise<Part>, lost?: () => void): Promise<Part> {
+  try {
+    return (await Promise.all([part, fetchLateWords()]))[0]
+  } catch (cause) {
+    lost?.()
+    throw cause
+  }
+}
 
 const parts = Object.keys(files) as readonly Part[]
 const bringing = Object.fromEntries(

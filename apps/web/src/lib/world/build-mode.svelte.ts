@@ -50,7 +50,7 @@ export class BuildMode {
 
   async #open(): Promise<Opened> {
     if (this.#shop) return this.#shop
-    const { openWorkshop } = await withWords(import('./building/later.ts'))
+    const { openWorkshop } = await withWords(import('./building/later.ts'), () => (this.#on = false))
     this.#shop ??= await openWorkshop(this)
     return this.#shop
   }

@@ -1,0 +1,45 @@
+import { readFileSync } from 'node:fs'
+import { leftEye, leftWheel } from '../child.ts'
+import { expect, test } from '../house.ts'
+import { languages } from '../words.ts'
+
+const built = new URL('../../apps/web/.svelte-kit/output/client/.vite/manifest.json', import.meta.url)
+const manifest = JSON.parse(readFileSync(built, 'utf8')) as { readonly [source: string]: { file: string } }
+const part = `**/${manifest['src/routes/lab/[card]/parts/later.ts']!.file}`
+
+for (const language of languages)
+  test.describe(`a part of the lab that does not come, in ${language}`, () => {
+    // What the browser itself says about it: the cause stays in its console.
+    test.use({ language, complaints: [/ERR_FAILED|Failed to fetch/] })
+
+    test('is said, every press asks for it again, and once it is there the page loads anew with all that was done', async ({
+      child,
+      page,
+    }) => {
+      await child.opensLab('friendship')
+      await child.typesWeight(leftEye, leftWheel, 0.4)
+      await child.seesSaved()
+      const note = page.getByRole('status').filter({ hasText: child.word('offline.partLost') })
+      const close = note.getByRole('button', { name: child.word('parts.close') })
+      await page.route(part, (route) => route.abort())
+      for (const press of ['lab.card', 'lab.card', 'lab.menu', 'lab.menu']) {
+        await child.presses(press)
+        await close.click()
+        await expect(note).toBeHidden()
+      }
+
+      await child.presses('lab.card')
+      await page.route('**/lab/friendship*', (route) => route.abort())
+      await child.presses('parts.again')
+      await expect(note).toBeVisible()
+      await child.seesWeight(leftEye, leftWheel, 0.4)
+
+      await page.unrouteAll()
+      await child.presses('parts.again')
+      await expect(note).toBeHidden()
+      await child.seesLab()
+      await child.seesWeight(leftEye, leftWheel, 0.4)
+      await child.presses('lab.card')
+      await expect(page.getByRole('dialog')).toBeVisible()
+    })
+  })
