@@ -1,6 +1,6 @@
 export default {
   outdir: './src/lib/words/generated',
   strategy: ['baseLocale'],
-  outputStructure: 'message-modules',
+  outputStructure: 'locale-modules',
   emitTsDeclarations: true,
 }
