@@ -1,13 +1,5 @@
-import { expect, type Locator, type Page } from '@playwright/test'
-import AxeBuilder from '@axe-core/playwright'
+import { expect, type Locator } from '@playwright/test'
 import type { Child } from './child.ts'
-
-/** What axe finds, a line each: the rule and where. What it does not find wrong is not carried out of the page, nor is a page opened to gather it. */
-export async function axeFindings(page: Page): Promise<string[]> {
-  const axe = new AxeBuilder({ page }).options({ resultTypes: ['violations'] }).setLegacyMode(true)
-  const { violations } = await axe.analyze()
-  return violations.flatMap(({ id, nodes }) => nodes.map(({ target }) => `${id}: ${target.join(' ')}`))
-}
 
 /** The node of an input or an output in the network, by its name. */
 export const node = (child: Child, layer: 'showWhere' | 'showSum', name: string): Locator =>

@@ -100,7 +100,8 @@ async function takeInOrder(steps, environment, aside = false) {
 }
 
 async function takeAll() {
-  const environment = { CHROMIUM: await ensureChromium() }
+  // Programs that are started many times are compiled once.
+  const environment = { CHROMIUM: await ensureChromium(), NODE_COMPILE_CACHE: join(folder, 'compiled') }
   const counts = [await take(types, environment)]
   if (counts.every(good)) {
     const lanes = [takeInOrder(readings, environment, true), takeInOrder([unitTests], environment)]

@@ -1,4 +1,5 @@
-import { axeFindings, opensSettings } from '../child-cards.ts'
+import { axeFindings } from '../axe.ts'
+import { opensSettings } from '../child-cards.ts'
 import { Builder } from '../child-build.ts'
 import { Shelf } from '../child-projects.ts'
 import { RobotHands } from '../child-robot.ts'

@@ -1,5 +1,4 @@
-import AxeBuilder from '@axe-core/playwright'
-import type { Page } from '@playwright/test'
+import { axeFindings } from '../axe.ts'
 import type { Child } from '../child.ts'
 import { expect, test } from '../house.ts'
 import { languages } from '../words.ts'
@@ -8,12 +7,6 @@ const sizes = [
   { width: 1366, height: 768 },
   { width: 390, height: 844 },
 ]
-
-/** What axe finds, a line each: the rule and where. */
-async function findings(page: Page): Promise<string[]> {
-  const { violations } = await new AxeBuilder({ page }).analyze()
-  return violations.flatMap(({ id, nodes }) => nodes.map(({ target }) => `${id}: ${target.join(' ')}`))
-}
 
 /** What accessible.spec.ts does not see: the pages about projects, and the one about Botgarten. */
 const screens: { readonly [name: string]: (child: Child) => Promise<void> } = {
@@ -52,7 +45,7 @@ for (const language of languages) {
         const found: { [screen: string]: string[] } = {}
         for (const [screen, show] of Object.entries(screens)) {
           await show(child)
-          found[screen] = await findings(page)
+          found[screen] = await axeFindings(page)
         }
         expect(found).toEqual(Object.fromEntries(Object.keys(screens).map((screen) => [screen, []])))
       })

@@ -1,5 +1,5 @@
-import AxeBuilder from '@axe-core/playwright'
 import type { Locator, Page } from '@playwright/test'
+import { axeFindings } from '../axe.ts'
 import { BlockHands } from '../child-blocks.ts'
 import { Comer } from '../child-open-roberta.ts'
 import { expect, test } from '../house.ts'
@@ -13,11 +13,6 @@ const wait = 'robControls_wait_time'
 const words = {
   en: { if: 'if', more: 'random number', unknown: 'xyzzy' },
   de: { if: 'wenn', more: 'Zufallszahl', unknown: 'xyzzy' },
-}
-
-async function findings(page: Page): Promise<string[]> {
-  const { violations } = await new AxeBuilder({ page }).analyze()
-  return violations.flatMap(({ id, nodes }) => nodes.map(({ target }) => `${id}: ${target.join(' ')}`))
 }
 
 const boxOf = async (thing: Locator) => (await thing.boundingBox())!
@@ -135,11 +130,11 @@ for (const language of languages) {
       await child.presses('shelf.inAll')
       await expect(hands.all).toBeChecked()
       await expect(hands.hits.first()).toContainText(words[language].more, { ignoreCase: true })
-      expect(await findings(page)).toEqual([])
+      expect(await axeFindings(page)).toEqual([])
       await page.keyboard.press('Escape')
       await expect(hands.field).toHaveCount(0)
       await expect(child.button('editor.search')).toBeFocused()
-      expect(await findings(page)).toEqual([])
+      expect(await axeFindings(page)).toEqual([])
       await hands.searches(words[language].more)
       await hands.hits.first().click()
       await expect(child.canvas.getByText(words[language].more).first()).toBeVisible()

@@ -1,4 +1,5 @@
-import { axeFindings, setsKnob } from '../child-cards.ts'
+import { axeFindings } from '../axe.ts'
+import { setsKnob } from '../child-cards.ts'
 import { BlockHands } from '../child-blocks.ts'
 import { NetHands } from '../child-network.ts'
 import { TimeHands } from '../child-time.ts'

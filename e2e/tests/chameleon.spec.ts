@@ -1,4 +1,5 @@
-import { axeFindings, chooses, setsKnob } from '../child-cards.ts'
+import { axeFindings } from '../axe.ts'
+import { chooses, setsKnob } from '../child-cards.ts'
 import type { Child } from '../child.ts'
 import { TimeHands } from '../child-time.ts'
 import { expect, test } from '../house.ts'

@@ -1,5 +1,5 @@
 import { readFile } from 'node:fs/promises'
-import { axeFindings } from '../child-cards.ts'
+import { axeFindings } from '../axe.ts'
 import { leftEye, leftWheel, rightEye } from '../child.ts'
 import { NetHands } from '../child-network.ts'
 import { expect, test } from '../house.ts'

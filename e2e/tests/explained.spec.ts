@@ -1,5 +1,5 @@
 import type { Project } from '@botgarten/programs'
-import { axeFindings } from '../child-cards.ts'
+import { axeFindings } from '../axe.ts'
 import { AskingHands } from '../child-explained.ts'
 import type { Child } from '../child.ts'
 import { expect, test } from '../house.ts'

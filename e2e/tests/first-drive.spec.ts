@@ -1,4 +1,4 @@
-import { axeFindings } from '../child-cards.ts'
+import { axeFindings } from '../axe.ts'
 import { TimeHands } from '../child-time.ts'
 import { expect, test } from '../house.ts'
 import { languages } from '../words.ts'

@@ -1,4 +1,4 @@
-import { axeFindings } from '../child-cards.ts'
+import { axeFindings } from '../axe.ts'
 import { Asker } from '../child-inside.ts'
 import { TimeHands } from '../child-time.ts'
 import { leftEye, leftWheel, rightWheel } from '../child.ts'

@@ -1,4 +1,5 @@
-import { axeFindings, opensSettings, wish } from '../child-cards.ts'
+import { axeFindings } from '../axe.ts'
+import { opensSettings, wish } from '../child-cards.ts'
 import { expect, test } from '../house.ts'
 import { readPdf } from '../pdf.ts'
 import { givesVoice, heardOn, said } from '../voice.ts'

@@ -1,5 +1,5 @@
 import { globSync, readFileSync } from 'node:fs'
-import { axeFindings } from '../child-cards.ts'
+import { axeFindings } from '../axe.ts'
 import { expect, test } from '../house.ts'
 import { languages } from '../words.ts'
 

@@ -1,4 +1,4 @@
-import { axeFindings } from '../child-cards.ts'
+import { axeFindings } from '../axe.ts'
 import { expect, test } from '../house.ts'
 
 test('slides are turned by drawing a finger across, and not by moving it down', async ({ child, page }) => {

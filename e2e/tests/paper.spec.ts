@@ -4,7 +4,7 @@ import { globSync, mkdtempSync, readdirSync, readFileSync, rmSync } from 'node:f
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import type { Page } from '@playwright/test'
-import { axeFindings } from '../child-cards.ts'
+import { axeFindings } from '../axe.ts'
 import { expect, test } from '../house.ts'
 import { readPdf } from '../pdf.ts'
 import { languages } from '../words.ts'

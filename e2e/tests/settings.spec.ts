@@ -1,4 +1,5 @@
-import { axeFindings, opensSettings, wish } from '../child-cards.ts'
+import { axeFindings } from '../axe.ts'
+import { opensSettings, wish } from '../child-cards.ts'
 import type { Child } from '../child.ts'
 import { expect, test } from '../house.ts'
 import { givesVoice, said } from '../voice.ts'

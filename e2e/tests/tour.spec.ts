@@ -1,5 +1,6 @@
 import type { Locator } from '@playwright/test'
-import { axeFindings, node } from '../child-cards.ts'
+import { axeFindings } from '../axe.ts'
+import { node } from '../child-cards.ts'
 import { leftWheel, type Child } from '../child.ts'
 import { expect, test } from '../house.ts'
 import { languages } from '../words.ts'
