@@ -115,7 +115,8 @@ export class BlockHands {
       this.#page.evaluate(() => {
         const here = document.activeElement
         const isPaper = here?.closest('.blocklySvg') != null
-        const isBlock = here?.matches('.blocklyPath') ?? false
+        // A number is its field and nothing else.
+        const isBlock = here?.matches('.blocklyPath, .math_number > *') ?? false
         return { isPaper, isBlock, block: here?.closest('[data-id]')?.getAttribute('data-id') ?? null }
       })
     for (let presses = 0; presses < 60 && !(await at()).isPaper; presses += 1)
@@ -127,6 +128,29 @@ export class BlockHands {
     for (let presses = 0; presses < 5 && !(await at()).isBlock; presses += 1)
       await this.#page.keyboard.press('ArrowLeft')
     expect(await at()).toEqual({ isPaper: true, isBlock: true, block })
+  }
+
+  /** Brings a block to the gap of a parent where another one sits: it goes in there, if it fits. */
+  async joins(by: 'hand' | 'keys', block: string, sits: string) {
+    if (by === 'keys') return this.#joinsByKeys(block, sits)
+    const { x, y } = (await this.#child.block(block).boundingBox())!
+    const to = (await this.#child.block(sits).boundingBox())!
+    await this.#child.drags({ x: x + 5, y: y + 15 }, { x: to.x + 8, y: to.y + 18 })
+    await expect(this.#page.locator('.blocklyDragging')).toHaveCount(0)
+  }
+
+  async #joinsByKeys(block: string, sits: string) {
+    await this.goesTo(block)
+    await this.#page.keyboard.press('m')
+    await expect(this.#page.locator('.blocklyDragging')).toHaveCount(1)
+    // What would go out of its place is marked.
+    const marked = this.#page.locator(`.blocklyReplaceable[data-id="${sits}"]`)
+    for (let presses = 0; presses < 6 && (await marked.count()) === 0; presses += 1) {
+      await this.#page.keyboard.press('ArrowDown')
+      await this.#child.watches(2)
+    }
+    await this.#page.keyboard.press('Enter')
+    await expect(this.#page.locator('.blocklyDragging')).toHaveCount(0)
   }
 
   /** Blocks of a type in the file that the child saves. */
