@@ -1,6 +1,7 @@
 import type { LoadedCard } from '#lib/content/cards.ts'
 import { floorAddress, loadCard, loadFreeLab } from '#lib/content/cards.ts'
 import { bringFor, bringLearning } from '#lib/editor/packs.ts'
+import { keepsAnything } from '#lib/storage/database.ts'
 import { freshId, load } from '#lib/storage/projects.ts'
 import { cardProject } from '@botgarten/materials'
 import type { Project } from '@botgarten/programs'
@@ -20,6 +21,8 @@ export interface Opened {
   readonly expert: boolean
   /** Message keys of what went wrong on the way; the lab stands all the same. */
   readonly trouble: 'brokenHere' | 'floorMissing' | null
+  /** Does this device keep anything at all? */
+  readonly keeps: boolean
 }
 
 /** What a route of the lab shows: a card, or `free`; null where no card has this name. */
@@ -43,6 +46,7 @@ export async function openLab(name: string, projectId: string | null): Promise<O
     floorAddress: pictureOf(project),
     expert,
     trouble: kept.broken ? 'brokenHere' : floor ? null : 'floorMissing',
+    keeps: kept.revision > 0 || (await keepsAnything()),
   }
 }
 

@@ -49,6 +49,8 @@ export class Session {
     this.lab = new RunningLab(project, opened.floor, card?.card.checks ?? [])
     this.keeper = new Keeper(opened.id, opened.revision)
     this.keeper.whenRenamed = (name) => (this.#name = name)
+    // What can be kept nowhere is not called saved, not even before the first change.
+    if (!opened.keeps) this.keeper.changed(() => this.project)
     this.undo = new UndoStack({
       blocks: (direction, program) => this.#goBack(direction, program),
       robots: (document, stood) => this.#crew(document, stood),
