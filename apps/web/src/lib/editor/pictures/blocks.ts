@@ -1,13 +1,15 @@
 import * as Blockly from 'blockly/core'
 import { asset } from '$app/paths'
 import { stacksOf, toolbox, type Block, type Template } from '@botgarten/blocks'
+import type { Program } from '@botgarten/programs'
 import '../editor.css'
 import { fetchBlocklyWords } from '../blockly-words.ts'
 import { fontReady, options } from '../looks.ts'
-import { bringLearning } from '../packs.ts'
-import { append } from '../program.ts'
+import { bringFor, bringLearning } from '../packs.ts'
+import { append, toWorkspace } from '../program.ts'
 import { setUp, speak } from '../setup.ts'
 import { stateOfTemplate } from '../state.ts'
+import type { CardProgram } from '@botgarten/materials'
 import type { Locale } from '#lib/words/language.svelte.ts'
 
 /** Blocks as a drawing; `width`, `height` in px at the scale of the editor's own blocks, 1. */
@@ -19,6 +21,21 @@ export interface BlockPicture {
   readonly look: string
   readonly width: number
   readonly height: number
+}
+
+/** A card's program, drawn by the editor's own renderer; `dress` changes what stands on the paper. */
+export async function drawProgram(
+  program: CardProgram,
+  locale: Locale,
+  letters: boolean,
+  dress: (paper: Blockly.WorkspaceSvg) => void,
+): Promise<BlockPicture> {
+  await Promise.all([bringFor(program), fetchBlocklyWords(locale), fontReady(letters)])
+  const first: Program = Object.values(program.programs)[0]!
+  return drawn(locale, letters, (paper) => {
+    toWorkspace(first, paper)
+    dress(paper)
+  })
 }
 
 const onShelf = (type: string) =>
@@ -59,11 +76,7 @@ export async function drawExample(
 }
 
 /** The drawing stays when the paper it was made on is thrown away: only the styles of the editor are needed. */
-export function drawn(
-  locale: Locale,
-  letters: boolean,
-  fill: (paper: Blockly.WorkspaceSvg) => void,
-): BlockPicture {
+function drawn(locale: Locale, letters: boolean, fill: (paper: Blockly.WorkspaceSvg) => void): BlockPicture {
   setUp()
   speak(locale)
   const host = document.createElement('div')

@@ -1,13 +1,14 @@
-import * as Blockly from 'blockly/core'
+import type * as Blockly from 'blockly/core'
 
 /** Blockly's name for what is written on a folded block. */
 const written = '_TEMP_COLLAPSED_FIELD'
-const { STATEMENT } = Blockly.inputs.inputTypes
+/** Of an input that holds statements: Blockly's number for it. */
+const statement: Blockly.inputs.inputTypes = 3
 
 /** What a folded block says: its own words up to the blocks that stand in it, and that there are some. */
 export function phraseOf(block: Blockly.Block): string {
   const own = block.inputList.filter(({ fieldRow }) => fieldRow.every(({ name }) => name !== written))
-  const first = own.findIndex(({ type }) => type === STATEMENT)
+  const first = own.findIndex(({ type }) => type === statement)
   const words = own
     .slice(0, first < 0 ? own.length : first)
     .flatMap(({ fieldRow, connection }) => [
