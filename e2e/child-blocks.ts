@@ -132,6 +132,7 @@ export class BlockHands {
 
   /** Brings a block to the gap of a parent where another one sits: it goes in there, if it fits. */
   async joins(by: 'hand' | 'keys', block: string, sits: string) {
+    await expect(this.#child.block(block)).toBeVisible()
     if (by === 'keys') return this.#joinsByKeys(block, sits)
     const { x, y } = (await this.#child.block(block).boundingBox())!
     const to = (await this.#child.block(sits).boundingBox())!
