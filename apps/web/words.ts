@@ -25,8 +25,9 @@ const late = [
 const lateProblems =
   /^problem\.(link\w+|nothingToTake|homeTooBig|notJson|tooBig|notAProject|newerVersion|notKept|notXml|unsafeXml|notOpenRoberta|otherRobot|tooManyBlocks|tooManyThings|tooDeep|tooManyNeurons|tooManyInLayer|noSuchStation|startIsGoal|emptyObstacle|groupsFromTo|fewReadings|noGroupsYet|noSuchGroup|picture\w+|sceneNotJson|notAScene|isAProject)\./
 
-/** Words of blocks that come in a pack have its names. */
-const ofPacks = /^(block\.(ai_q_|rl_|ai_sorting_|ai_nn_hidden)|choice\.(relu|sigmoid|tanh|threshold|linear)$)/
+/** Words of blocks that come in a pack have its names; what their lists offer comes with them. */
+const ofPacks =
+  /^(block\.(ai_q_|rl_|ai_sorting_|ai_nn_hidden)|choice\.(relu|sigmoid|tanh|threshold|linear|MAP_\w+|slowly|medium|fast|aLot|aLittle|rarely|often|sometimes|group\w+)$)/
 
 /** What a second robot is called is said in the world. */
 const ofCrew = /^robots\.(?!name$)/
