@@ -134,7 +134,7 @@ const chunks = [
   { name: 'drawing', test: /src[\\/]lib[\\/](drawing|world)[\\/]/, minShareCount: 2 },
   {
     name: 'engine',
-    test: /[\\/](packages[\\/](?!blocks|learning|numbers|materials[\\/](things|maps|items|questions)|simulation[\\/](floor[\\/]png|body[\\/]plugged))|node_modules[\\/]planck[\\/]|src[\\/]lib[\\/](?!materials|paper|parts[\\/](page|card)[\\/](?!face)|storage|share|floor|editor[\\/](learning|expert|layers|pictures)|playgrounds[\\/](sorting|q-learning|neural-network[\\/]deep)))/,
+    test: /[\\/](packages[\\/](?!blocks|learning|numbers|materials[\\/](things|maps|items|questions)|simulation[\\/](floor[\\/]png|body[\\/]plugged))|node_modules[\\/]planck[\\/]|src[\\/]lib[\\/](?!materials|paper|parts[\\/](ErrorScreen|(page|card)[\\/](?!face))|storage|share|floor|editor[\\/](learning|expert|layers|pictures)|playgrounds[\\/](sorting|q-learning|neural-network[\\/]deep)))/,
     minShareCount: 2,
   },
 ]
