@@ -9,19 +9,20 @@ for (const language of languages) {
   test.describe(`blocks and what they mean, in ${language}`, () => {
     test.use({ language })
 
-    test('only what fits is joined: a number goes where a number belongs, a text stays out', async ({
-      child,
-    }) => {
-      const hands = new BlockHands(child)
-      await child.opensLab('free')
-      await child.opensProject('Beside', besides())
-      const inWait = child.block('b4').locator('[data-id]')
-      await expect(inWait).toHaveAttribute('data-id', 'b3')
-      await hands.joins('hand', 'b1', 'b3')
-      await expect(inWait).toHaveAttribute('data-id', 'b3')
-      await hands.joins('hand', 'b2', 'b3')
-      await expect(inWait).toHaveAttribute('data-id', 'b2')
-    })
+    for (const by of ['hand', 'keys'] as const)
+      test(`only what fits is joined by ${by}: a number goes where a number belongs, a text stays out`, async ({
+        child,
+      }) => {
+        const hands = new BlockHands(child)
+        await child.opensLab('free')
+        await child.opensProject('Beside', besides())
+        const inWait = child.block('b4').locator('[data-id]')
+        await expect(inWait).toHaveAttribute('data-id', 'b3')
+        await hands.joins(by, 'b1', 'b3')
+        await expect(inWait).toHaveAttribute('data-id', 'b3')
+        await hands.joins(by, 'b2', 'b3')
+        await expect(inWait).toHaveAttribute('data-id', 'b2')
+      })
 
     for (const by of ['hand', 'keys'] as const)
       test(`a robot reads on its display what another has sent it, put together by ${by}`, async ({
