@@ -1,7 +1,10 @@
+import { availableParallelism } from 'node:os'
 import { defineConfig } from 'vitest/config'
 
 export default defineConfig({
   test: {
+    // On two cores one worker leaves the other idle once the code has been read.
+    maxWorkers: availableParallelism(),
     projects: [
       {
         test: {
