@@ -1,7 +1,19 @@
 import { globSync, readFileSync } from 'node:fs'
+import { basename } from 'node:path'
 
 export const languages = ['en', 'de'] as const
 export type Language = (typeof languages)[number]
+
+/**
+ * The languages in which the tests of a file run: one of them, the same at every run and spread evenly over the
+ * files, or all where `BOTGARTEN_LANGUAGES` is `all`. Behaviour does not depend on the language; that words fit on
+ * every screen in every language has a test of its own.
+ */
+export function languagesOf(file: string): readonly Language[] {
+  if (process.env['BOTGARTEN_LANGUAGES'] === 'all') return languages
+  const sum = [...basename(file)].reduce((sum, letter) => sum + letter.charCodeAt(0), 0)
+  return [languages[sum % languages.length]!]
+}
 
 type Facts = { readonly [name: string]: string | number }
 type Tree = string | { readonly [key: string]: Tree }

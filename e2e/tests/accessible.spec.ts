@@ -3,7 +3,7 @@ import { axeFindings } from '../axe.ts'
 import { leftEye, leftWheel, rightEye, rightWheel, type Child } from '../child.ts'
 import { expect, test } from '../house.ts'
 import { projectFile } from '../projects.ts'
-import { languages } from '../words.ts'
+import { languagesOf } from '../words.ts'
 
 const sizes = [
   { width: 1366, height: 768 },
@@ -95,7 +95,7 @@ const faces: { readonly [name: string]: (child: Child, phone: boolean) => Promis
   },
 }
 
-for (const language of languages)
+for (const language of languagesOf(import.meta.filename))
   for (const size of sizes)
     test.describe(`at ${size.width} × ${size.height}, in ${language}`, () => {
       test.use({ language, viewport: size, complaints: [/status of 404/] })

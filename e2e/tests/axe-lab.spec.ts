@@ -7,7 +7,7 @@ import { TimeHands } from '../child-time.ts'
 import type { Child } from '../child.ts'
 import { expect, test } from '../house.ts'
 import { freeProgram } from '../projects.ts'
-import { languages } from '../words.ts'
+import { languagesOf } from '../words.ts'
 
 // accessible.spec.ts and axe.spec.ts look at 1366.
 const sizes = [
@@ -114,7 +114,7 @@ async function findsNothing(child: Child, faces: Faces) {
   expect(found).toEqual(Object.fromEntries(Object.keys(faces).map((face) => [face, []])))
 }
 
-for (const language of languages)
+for (const language of languagesOf(import.meta.filename))
   for (const size of sizes)
     test.describe(`at ${size.width} × ${size.height}, in ${language}`, () => {
       test.use({ language, viewport: size })

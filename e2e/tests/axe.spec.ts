@@ -1,7 +1,7 @@
 import { axeFindings } from '../axe.ts'
 import type { Child } from '../child.ts'
 import { expect, test } from '../house.ts'
-import { languages } from '../words.ts'
+import { languagesOf } from '../words.ts'
 
 const sizes = [
   { width: 1366, height: 768 },
@@ -33,7 +33,7 @@ const screens: { readonly [name: string]: (child: Child) => Promise<void> } = {
   },
 }
 
-for (const language of languages) {
+for (const language of languagesOf(import.meta.filename)) {
   test.describe(`in ${language}`, () => {
     test.use({ language })
 

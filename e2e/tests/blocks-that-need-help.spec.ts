@@ -1,7 +1,7 @@
 import type { Child } from '../child.ts'
 import { expect, test } from '../house.ts'
 import { freeProgram, projectFile } from '../projects.ts'
-import { languages } from '../words.ts'
+import { languagesOf } from '../words.ts'
 
 /** The panel below the blocks that says what is wrong. */
 const panel = (child: Child, problem: string, facts = {}) =>
@@ -16,7 +16,7 @@ const badge = (child: Child, block: string, problem: string, facts = {}) =>
     })
     .first()
 
-for (const language of languages) {
+for (const language of languagesOf(import.meta.filename)) {
   test.describe(`blocks that need help, in ${language}`, () => {
     test.use({ language })
 

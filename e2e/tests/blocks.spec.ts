@@ -4,7 +4,7 @@ import { BlockHands } from '../child-blocks.ts'
 import { Comer } from '../child-open-roberta.ts'
 import { expect, test } from '../house.ts'
 import { freeProgram } from '../projects.ts'
-import { languages } from '../words.ts'
+import { languagesOf } from '../words.ts'
 
 /** Waits of 0.1 s, a minute and half a minute: `b2`, `b4`, `b6`. */
 const waits = freeProgram('Waits', (make) => [make.wait(100), make.wait(60_000), make.wait(30_000)])
@@ -31,7 +31,7 @@ async function expectRoom(page: Page, hands: BlockHands, search: Locator) {
   expect(below.y + below.height).toBeLessThanOrEqual(page.viewportSize()!.height)
 }
 
-for (const language of languages) {
+for (const language of languagesOf(import.meta.filename)) {
   test.describe(`the whole block language, in ${language}`, () => {
     test.use({ language })
 

@@ -3,7 +3,7 @@ import type { Child } from '../child.ts'
 import { finger } from '../hand.ts'
 import { expect, test } from '../house.ts'
 import { freeProgram } from '../projects.ts'
-import { languages } from '../words.ts'
+import { languagesOf } from '../words.ts'
 
 const waits = freeProgram('Waits', (make) => [make.wait(100), make.wait(200)])
 /** A program to put blocks into, and how many it has. */
@@ -16,7 +16,7 @@ async function opensWaits(child: Child) {
 
 const searched = { en: 'if', de: 'wenn' } as const
 
-for (const language of languages) {
+for (const language of languagesOf(import.meta.filename)) {
   test.describe(`blocks by a finger, in ${language}`, () => {
     test.use({ language })
 

@@ -4,7 +4,7 @@ import type { Child } from '../child.ts'
 import { expect, test } from '../house.ts'
 import { picture } from '../png.ts'
 import { freeProgram } from '../projects.ts'
-import { languages } from '../words.ts'
+import { languagesOf } from '../words.ts'
 
 async function builds(child: Child, place = 'free'): Promise<Builder> {
   await child.opensLab(place)
@@ -42,7 +42,7 @@ const json = (data: unknown) => Buffer.from(JSON.stringify(data))
 const floorPicture = (child: Child) => new Builder(child).world.locator('image').first()
 const file = async (child: Child) => JSON.parse(await child.savesFile()) as { assets: object; world: { size: object; floor: { asset?: string }; areas: object[]; lines: object[]; obstacles: { shape: object; fixed: boolean; colour: string }[] } } // prettier-ignore
 
-for (const language of languages) {
+for (const language of languagesOf(import.meta.filename)) {
   test.describe(`a child that reads ${language}`, () => {
     test.use({ language })
 

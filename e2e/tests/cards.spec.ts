@@ -5,7 +5,7 @@ import { NetHands } from '../child-network.ts'
 import { TimeHands } from '../child-time.ts'
 import { leftWheel, rightWheel, type Child } from '../child.ts'
 import { expect, test } from '../house.ts'
-import { languages } from '../words.ts'
+import { languagesOf } from '../words.ts'
 
 const part = (child: Child, colour: string) =>
   child.word('network.name', {
@@ -28,7 +28,7 @@ const newer = [
   ['crossed-wires', 'lost-links', 'all-the-same', 'if-then', 'either-or'],
 ]
 
-for (const language of languages) {
+for (const language of languagesOf(import.meta.filename)) {
   test.describe(`in ${language}`, () => {
     test.use({ language })
 

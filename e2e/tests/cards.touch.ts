@@ -1,11 +1,11 @@
 import { leftEye, leftWheel, rightEye, rightWheel, type Sensor } from '../child.ts'
 import { TimeHands } from '../child-time.ts'
 import { expect, test } from '../house.ts'
-import { languages } from '../words.ts'
+import { languagesOf } from '../words.ts'
 
 const light: Sensor = { sensor: 'light', port: '1', place: 'front' }
 
-for (const language of languages) {
+for (const language of languagesOf(import.meta.filename)) {
   test.describe(`a child that reads ${language} and has nothing but a finger`, () => {
     test.use({ language })
 

@@ -3,7 +3,7 @@ import { chooses, setsKnob } from '../child-cards.ts'
 import type { Child } from '../child.ts'
 import { TimeHands } from '../child-time.ts'
 import { expect, test } from '../house.ts'
-import { languages } from '../words.ts'
+import { languagesOf } from '../words.ts'
 
 const sees = (child: Child, colour: string) =>
   child.word('network.name', {
@@ -13,7 +13,7 @@ const sees = (child: Child, colour: string) =>
 const lamp = (child: Child, colour: string) =>
   child.word('neuron.lamp', { OUTPUTNODE: child.word(`choice.${colour}`) })
 
-for (const language of languages) {
+for (const language of languagesOf(import.meta.filename)) {
   test.describe(`in ${language}`, () => {
     test.use({ language })
 

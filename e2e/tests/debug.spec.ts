@@ -1,11 +1,11 @@
 import { expect, test } from '../house.ts'
 import { freeProgram } from '../projects.ts'
-import { languages } from '../words.ts'
+import { languagesOf } from '../words.ts'
 
 /** Drive, turn, wait: three blocks in a row. */
 const steps = freeProgram('Steps', (make) => [make.wait(100), make.wait(200), make.wait(300)])
 
-for (const language of languages) {
+for (const language of languagesOf(import.meta.filename)) {
   test.describe(`looking closely, in ${language}`, () => {
     test.use({ language })
 

@@ -4,9 +4,9 @@ import { leftEye, leftWheel, rightEye } from '../child.ts'
 import { NetHands } from '../child-network.ts'
 import { expect, test } from '../house.ts'
 import { emptyNet } from '../projects.ts'
-import { languages } from '../words.ts'
+import { languagesOf } from '../words.ts'
 
-for (const language of languages)
+for (const language of languagesOf(import.meta.filename))
   test.describe(`a child that reads ${language}`, () => {
     test.use({ language })
 

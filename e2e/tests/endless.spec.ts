@@ -2,7 +2,7 @@ import type { Project } from '@botgarten/programs'
 import { TimeHands } from '../child-time.ts'
 import { expect, test } from '../house.ts'
 import { freeProgram } from '../projects.ts'
-import { languages } from '../words.ts'
+import { languagesOf } from '../words.ts'
 
 const calls = { mutation: { attrs: { name: 'again' } } }
 
@@ -93,7 +93,7 @@ const endless: readonly Endless[] = [
   { name: 'Growing', text: growing(), block: 'b4', problem: 'listTooLong', facts: { most: 10_000 } },
 ]
 
-for (const language of languages) {
+for (const language of languagesOf(import.meta.filename)) {
   test.describe(`programs without end, in ${language}`, () => {
     test.use({ language })
 

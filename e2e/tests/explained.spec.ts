@@ -4,7 +4,7 @@ import { AskingHands } from '../child-explained.ts'
 import type { Child } from '../child.ts'
 import { expect, test } from '../house.ts'
 import { freeProgram } from '../projects.ts'
-import { languages } from '../words.ts'
+import { languagesOf } from '../words.ts'
 
 const waits = freeProgram('Waits', (make) => [make.wait(100), make.wait(200)])
 
@@ -19,7 +19,7 @@ async function heads(child: Child) {
   }
 }
 
-for (const language of languages) {
+for (const language of languagesOf(import.meta.filename)) {
   test.describe(`what a block does, in ${language}`, () => {
     test.use({ language })
 

@@ -1,11 +1,11 @@
 import { AskingHands } from '../child-explained.ts'
 import { expect, test } from '../house.ts'
 import { freeProgram } from '../projects.ts'
-import { languages } from '../words.ts'
+import { languagesOf } from '../words.ts'
 
 const waits = freeProgram('Waits', (make) => [make.wait(100), make.wait(200)])
 
-for (const language of languages) {
+for (const language of languagesOf(import.meta.filename)) {
   test.describe(`what a block does, by a finger, in ${language}`, () => {
     test.use({ language })
 

@@ -1,7 +1,7 @@
 import type { Page } from '@playwright/test'
 import { leftEye, leftWheel, rightEye, rightWheel, type Child } from '../child.ts'
 import { expect, test } from '../house.ts'
-import { languages } from '../words.ts'
+import { languagesOf } from '../words.ts'
 
 /** Bo drives towards the square. */
 async function drivesOff(child: Child) {
@@ -30,7 +30,7 @@ const movements = (child: Child) =>
     () => document.getAnimations().filter(({ playState }) => playState === 'running').length,
   )
 
-for (const language of languages) {
+for (const language of languagesOf(import.meta.filename)) {
   test.describe(`a child that reads ${language}`, () => {
     test.use({ language })
 

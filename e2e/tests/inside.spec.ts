@@ -3,9 +3,9 @@ import { Asker } from '../child-inside.ts'
 import { TimeHands } from '../child-time.ts'
 import { leftEye, leftWheel, rightWheel } from '../child.ts'
 import { expect, test } from '../house.ts'
-import { languages } from '../words.ts'
+import { languagesOf } from '../words.ts'
 
-for (const language of languages) {
+for (const language of languagesOf(import.meta.filename)) {
   test.describe(`a child that reads ${language}`, () => {
     test.use({ language })
 

@@ -1,9 +1,9 @@
 import { leftEye, leftWheel, rightEye, rightWheel } from '../child.ts'
 import { TimeHands } from '../child-time.ts'
 import { expect, test } from '../house.ts'
-import { languages } from '../words.ts'
+import { languagesOf } from '../words.ts'
 
-for (const language of languages) {
+for (const language of languagesOf(import.meta.filename)) {
   test.describe(`a child that reads ${language}`, () => {
     test.use({ language, serviceWorkers: 'allow' })
 

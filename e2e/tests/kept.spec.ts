@@ -1,7 +1,7 @@
 import type { BrowserContext, CDPSession, Page } from '@playwright/test'
 import { Child, leftEye, leftWheel, rightEye, rightWheel } from '../child.ts'
 import { expect, test } from '../house.ts'
-import { languages } from '../words.ts'
+import { languagesOf } from '../words.ts'
 
 /** Lets the browser believe that the disk has room for so many bytes; undefined: as much as there is. */
 async function roomFor(session: CDPSession, origin: string, quotaSize?: number) {
@@ -20,7 +20,7 @@ async function crash(page: Page, context: BrowserContext) {
   await crashed
 }
 
-for (const language of languages) {
+for (const language of languagesOf(import.meta.filename)) {
   test.describe(`a child that reads ${language}`, () => {
     test.use({ language })
 

@@ -1,7 +1,7 @@
 import { leftEye, leftWheel, rightEye, rightWheel, type Child } from '../child.ts'
 import { TimeHands } from '../child-time.ts'
 import { expect, test } from '../house.ts'
-import { languages } from '../words.ts'
+import { languagesOf } from '../words.ts'
 
 /** Takes the lamp block from the shelf and puts it behind the network, by Blockly's own keys. */
 async function putsALampIntoTheLoop(child: Child) {
@@ -31,7 +31,7 @@ async function putsALampIntoTheLoop(child: Child) {
 const lampBehindTheNetwork = (child: Child) => child.block('net').locator('.actions_bricklight_on_ev3')
 const isBehindTheNetwork = async (child: Child) => (await lampBehindTheNetwork(child).count()) > 0
 
-for (const language of languages) {
+for (const language of languagesOf(import.meta.filename)) {
   test.describe(`a child with nothing but keys, in ${language}`, () => {
     test.use({ language })
 

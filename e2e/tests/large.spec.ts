@@ -1,7 +1,7 @@
 import { bigFile } from '../big-file.ts'
 import { Comer } from '../child-open-roberta.ts'
 import { expect, test } from '../house.ts'
-import { languages } from '../words.ts'
+import { languagesOf } from '../words.ts'
 
 const big = bigFile(10, 50)
 const looped = bigFile(2, 100, true)
@@ -14,7 +14,7 @@ const order = (xml: string) =>
     .slice(1)
     .map((stack) => [...stack.matchAll(/<block [^>]*id="([^"]+)"/g)].map(([, id]) => id))
 
-for (const language of languages) {
+for (const language of languagesOf(import.meta.filename)) {
   test.describe(`a program of 2,010 blocks, in ${language}`, () => {
     test.use({ language })
 

@@ -1,13 +1,13 @@
 import { readFileSync } from 'node:fs'
 import { leftEye, leftWheel } from '../child.ts'
 import { expect, test } from '../house.ts'
-import { languages } from '../words.ts'
+import { languagesOf } from '../words.ts'
 
 const built = new URL('../../apps/web/.svelte-kit/output/client/.vite/manifest.json', import.meta.url)
 const manifest = JSON.parse(readFileSync(built, 'utf8')) as { readonly [source: string]: { file: string } }
 const part = `**/${manifest['src/routes/lab/[card]/parts/later.ts']!.file}`
 
-for (const language of languages)
+for (const language of languagesOf(import.meta.filename))
   test.describe(`a part of the lab that does not come, in ${language}`, () => {
     // What the browser itself says about it: the cause stays in its console.
     test.use({ language, complaints: [/ERR_FAILED|Failed to fetch/] })

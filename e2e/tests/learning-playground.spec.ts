@@ -1,9 +1,9 @@
 import { axeFindings } from '../axe.ts'
 import { Learner, learningProject } from '../child-learning.ts'
 import { expect, test } from '../house.ts'
-import { languages } from '../words.ts'
+import { languagesOf } from '../words.ts'
 
-for (const language of languages) {
+for (const language of languagesOf(import.meta.filename)) {
   test.describe(`the playground for learning by trying in ${language}`, () => {
     test.use({ language })
 

@@ -2,9 +2,9 @@ import { axeFindings } from '../axe.ts'
 import { Learner } from '../child-learning.ts'
 import { TimeHands } from '../child-time.ts'
 import { expect, test } from '../house.ts'
-import { languages } from '../words.ts'
+import { languagesOf } from '../words.ts'
 
-for (const language of languages) {
+for (const language of languagesOf(import.meta.filename)) {
   test.describe(`learning by trying in ${language}`, () => {
     test.use({ language })
 

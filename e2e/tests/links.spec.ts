@@ -4,7 +4,7 @@ import { Child, leftEye, leftWheel } from '../child.ts'
 import { Shelf } from '../child-projects.ts'
 import { expect, test } from '../house.ts'
 import { freeProgram } from '../projects.ts'
-import { languages } from '../words.ts'
+import { languagesOf } from '../words.ts'
 
 /** A text of a project that does not become smaller by compressing. */
 function noise(length: number): string {
@@ -12,7 +12,7 @@ function noise(length: number): string {
   return Array.from({ length }, () => (seed = (seed * 48271) % 2147483647) % 10).join('')
 }
 
-for (const language of languages) {
+for (const language of languagesOf(import.meta.filename)) {
   test.describe(`a project as a link, in ${language}`, () => {
     test.use({ language })
 

@@ -1,7 +1,7 @@
 import { expect, test } from '../house.ts'
-import { languages } from '../words.ts'
+import { languagesOf } from '../words.ts'
 
-for (const language of languages) {
+for (const language of languagesOf(import.meta.filename)) {
   test.describe(`addresses that lead nowhere, in ${language}`, () => {
     // The browser itself notes that the server has answered with 404.
     test.use({ language, complaints: [/status of 404/] })

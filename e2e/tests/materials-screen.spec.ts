@@ -3,14 +3,14 @@ import { opensSettings, wish } from '../child-cards.ts'
 import { expect, test } from '../house.ts'
 import { readPdf } from '../pdf.ts'
 import { givesVoice, heardOn, said } from '../voice.ts'
-import { languages } from '../words.ts'
+import { languagesOf, languages } from '../words.ts'
 
 /** A voice says a title first. */
 const starting = (title: string) => new RegExp(`^${title.replaceAll(/[.*+?^${}()|[\]\\]/g, '\\$&')}`)
 
 const ready = '.material[aria-busy="false"]'
 
-for (const language of languages)
+for (const language of languagesOf(import.meta.filename))
   test.describe(`learning materials on the screen, in ${language}`, () => {
     test.use({ language })
 

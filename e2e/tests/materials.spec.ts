@@ -1,7 +1,7 @@
 import { globSync, readFileSync } from 'node:fs'
 import { axeFindings } from '../axe.ts'
 import { expect, test } from '../house.ts'
-import { languages } from '../words.ts'
+import { languagesOf } from '../words.ts'
 
 const content = new URL('../../content/materials/', import.meta.url)
 const items = globSync('*/*/item.json', { cwd: content })
@@ -23,7 +23,7 @@ test('the page of every item and of all questions is the same file: one is kept 
   expect(new Set(pages).size).toBe(1)
 })
 
-for (const language of languages) {
+for (const language of languagesOf(import.meta.filename)) {
   test.describe(`learning materials, in ${language}`, () => {
     test.use({ language })
 

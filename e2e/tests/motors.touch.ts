@@ -1,8 +1,8 @@
 import { RobotHands } from '../child-robot.ts'
 import { expect, test } from '../house.ts'
-import { languages } from '../words.ts'
+import { languagesOf } from '../words.ts'
 
-for (const language of languages) {
+for (const language of languagesOf(import.meta.filename)) {
   test.describe(`Bo's motors by a finger, in ${language}`, () => {
     test.use({ language })
 

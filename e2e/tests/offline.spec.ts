@@ -6,7 +6,7 @@ import { Child, leftEye, leftWheel, rightEye, rightWheel } from '../child.ts'
 import { Shelf } from '../child-projects.ts'
 import { doormanOf, type Doorman } from '../doorman.ts'
 import { expect, test as base } from '../house.ts'
-import { languages } from '../words.ts'
+import { languagesOf } from '../words.ts'
 
 /** A name that leads to this machine: for the browser it is a classroom's server, plain http. */
 const classroom = 'classroom.test'
@@ -37,7 +37,7 @@ async function isKept(page: Page) {
   await page.waitForFunction(() => navigator.serviceWorker.controller?.state === 'activated')
 }
 
-for (const language of languages) {
+for (const language of languagesOf(import.meta.filename)) {
   test.describe(`the cable is pulled, in ${language}`, () => {
     test.use({ language })
 

@@ -4,7 +4,7 @@ import { Comer, openRobertaFile } from '../child-open-roberta.ts'
 import { RobotHands } from '../child-robot.ts'
 import { expect, test } from '../house.ts'
 import { freeProgram } from '../projects.ts'
-import { languages } from '../words.ts'
+import { languagesOf } from '../words.ts'
 
 const friendship = openRobertaFile('thesis/friendship')
 const action = openRobertaFile('programs/upstream__xNN__action')
@@ -87,7 +87,7 @@ const refused = [
   },
 ] as const
 
-for (const language of languages) {
+for (const language of languagesOf(import.meta.filename)) {
   test.describe(`files of Open Roberta, in ${language}`, () => {
     test.use({ language })
 

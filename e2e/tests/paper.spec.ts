@@ -7,7 +7,7 @@ import type { Page } from '@playwright/test'
 import { axeFindings } from '../axe.ts'
 import { expect, test } from '../house.ts'
 import { readPdf } from '../pdf.ts'
-import { languages } from '../words.ts'
+import { languagesOf, languages } from '../words.ts'
 
 interface Held {
   readonly type: string
@@ -39,7 +39,7 @@ async function opensPaper(page: Page, item: string, wish = 'paper=a4') {
   await page.locator('html[data-print=ready]').waitFor({ state: 'attached' })
 }
 
-for (const language of languages)
+for (const language of languagesOf(import.meta.filename))
   test.describe(`on paper, in ${language}`, () => {
     test.use({ language })
 

@@ -5,7 +5,7 @@ import { join } from 'node:path'
 import { Learner } from '../child-learning.ts'
 import { expect, test } from '../house.ts'
 import { readPdf } from '../pdf.ts'
-import { languages } from '../words.ts'
+import { languagesOf } from '../words.ts'
 
 const house = join(import.meta.dirname, '../..')
 const folders: string[] = []
@@ -41,7 +41,7 @@ const foreign = {
   en: /\b(und|der|die|nicht|Läufe|Belohnung|drucken)\b/,
 }
 
-for (const language of languages)
+for (const language of languagesOf(import.meta.filename))
   test(`botgarten print: cards on A4 and A5 and a sheet, in ${language}`, async () => {
     const [two, one] = [fresh(), fresh()]
     const said = ['--lang', language, '--address', 'https://botgarten.example.org/school']

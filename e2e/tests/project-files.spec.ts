@@ -2,7 +2,7 @@ import type { Project } from '@botgarten/programs'
 import { leftEye, leftWheel, rightEye, rightWheel, type Child } from '../child.ts'
 import { expect, test } from '../house.ts'
 import { freeProgram, projectFile } from '../projects.ts'
-import { languages } from '../words.ts'
+import { languagesOf } from '../words.ts'
 
 const good = projectFile('friendship', 'start')
 const read = (text: string) => JSON.parse(text) as Project
@@ -38,7 +38,7 @@ async function isToldWhy(child: Child, problem: string, facts: object) {
 /** Names of all projects that home offers. */
 const offered = (child: Child) => child.page.locator('a.tile:not([href$="/lab/free"]) b').allTextContents()
 
-for (const language of languages) {
+for (const language of languagesOf(import.meta.filename)) {
   test.describe(`project files, in ${language}`, () => {
     test.use({ language })
 

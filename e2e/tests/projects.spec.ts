@@ -4,7 +4,7 @@ import { opensSettings, wish } from '../child-cards.ts'
 import { Shelf } from '../child-projects.ts'
 import { expect, test } from '../house.ts'
 import { freeProgram } from '../projects.ts'
-import { languages, type Language } from '../words.ts'
+import { languagesOf, type Language } from '../words.ts'
 
 /** Puts projects of these names on the device, the last one changed last. */
 async function keeps(child: Child, ...names: readonly string[]) {
@@ -25,7 +25,7 @@ const otherTab = async (context: BrowserContext, language: Language) =>
   new Child(await context.newPage(), language)
 const heading = (child: Child) => child.page.getByRole('heading', { level: 1 })
 
-for (const language of languages) {
+for (const language of languagesOf(import.meta.filename)) {
   test.describe(`my projects, in ${language}`, () => {
     test.use({ language })
 

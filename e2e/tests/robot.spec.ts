@@ -3,7 +3,7 @@ import type { Child } from '../child.ts'
 import { RobotHands } from '../child-robot.ts'
 import { expect, test } from '../house.ts'
 import { freeProgram, projectFile } from '../projects.ts'
-import { languages } from '../words.ts'
+import { languagesOf } from '../words.ts'
 
 /** The panel below the blocks that says what is wrong. */
 const said = (child: Child, problem: string, facts = {}) =>
@@ -23,7 +23,7 @@ const keyProgram = () =>
     return [shown, make.forever(make.ifElse(key, [lamp('GREEN')], [lamp('RED')]))]
   })
 
-for (const language of languages) {
+for (const language of languagesOf(import.meta.filename)) {
   test.describe(`the robot, in ${language}`, () => {
     test.use({ language })
 

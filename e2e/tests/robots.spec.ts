@@ -1,9 +1,9 @@
 import { leftEye, leftWheel, rightWheel } from '../child.ts'
 import { TimeHands } from '../child-time.ts'
 import { expect, test } from '../house.ts'
-import { languages } from '../words.ts'
+import { languagesOf } from '../words.ts'
 
-for (const language of languages) {
+for (const language of languagesOf(import.meta.filename)) {
   test.describe(`several robots, in ${language}`, () => {
     test.use({ language })
 

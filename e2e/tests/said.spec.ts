@@ -1,9 +1,9 @@
 import { leftEye, leftWheel, rightEye, rightWheel } from '../child.ts'
 import { expect, test } from '../house.ts'
 import { wordNet } from '../projects.ts'
-import { languages } from '../words.ts'
+import { languagesOf } from '../words.ts'
 
-for (const language of languages) {
+for (const language of languagesOf(import.meta.filename)) {
   test.describe(`what Botgarten says in ${language}`, () => {
     test.use({ language })
 

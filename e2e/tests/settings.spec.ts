@@ -3,7 +3,7 @@ import { opensSettings, wish } from '../child-cards.ts'
 import type { Child } from '../child.ts'
 import { expect, test } from '../house.ts'
 import { givesVoice, said } from '../voice.ts'
-import { languages } from '../words.ts'
+import { languagesOf } from '../words.ts'
 
 const reads = (child: Child, what: string) =>
   child.presses('comfort.read', { what: child.word(`comfort.${what}`) })
@@ -11,7 +11,7 @@ const reads = (child: Child, what: string) =>
 const fontOf = (child: Child) =>
   child.page.locator('h1').evaluate((title) => getComputedStyle(title).fontFamily)
 
-for (const language of languages) {
+for (const language of languagesOf(import.meta.filename)) {
   test.describe(`in ${language}`, () => {
     test.use({ language })
 

@@ -1,8 +1,8 @@
 import { SortingHands } from '../child-sorting.ts'
 import { expect, test } from '../house.ts'
-import { languages } from '../words.ts'
+import { languagesOf } from '../words.ts'
 
-for (const language of languages) {
+for (const language of languagesOf(import.meta.filename)) {
   test.describe(`sorting with a finger in ${language}`, () => {
     test.use({ language })
 

@@ -3,7 +3,7 @@ import { Child, leftEye, leftWheel, rightEye, rightWheel } from '../child.ts'
 import { Shelf } from '../child-projects.ts'
 import { expect, test as base } from '../house.ts'
 import { serveFolder, type WebSpace } from '../web-space.ts'
-import { languages } from '../words.ts'
+import { languagesOf } from '../words.ts'
 
 const operator =
   '# Unsere Schule\n\nFrag **Frau Lee**: [schreib ihr](mailto:lee@school.example) <script>alert(1)</script>'
@@ -25,7 +25,7 @@ const test = base.extend<object, { space: WebSpace }>({
 // One build, one worker.
 test.describe.configure({ mode: 'default' })
 
-for (const language of languages) {
+for (const language of languagesOf(import.meta.filename)) {
   test.describe(`files in a folder of a web space, in ${language}`, () => {
     test.use({ language, serviceWorkers: 'allow' })
 

@@ -1,7 +1,7 @@
 import { leftEye, leftWheel, rightWheel, type Child } from '../child.ts'
 import { TimeHands } from '../child-time.ts'
 import { expect, test } from '../house.ts'
-import { languages } from '../words.ts'
+import { languagesOf } from '../words.ts'
 
 /** Bo circles for two seconds, then a knob is turned, then Bo goes on for two more. */
 async function drivesTwice(child: Child): Promise<TimeHands> {
@@ -18,7 +18,7 @@ async function drivesTwice(child: Child): Promise<TimeHands> {
   return time
 }
 
-for (const language of languages) {
+for (const language of languagesOf(import.meta.filename)) {
   test.describe(`the time machine, in ${language}`, () => {
     test.use({ language })
 

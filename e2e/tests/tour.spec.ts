@@ -3,7 +3,7 @@ import { axeFindings } from '../axe.ts'
 import { node } from '../child-cards.ts'
 import { leftWheel, type Child } from '../child.ts'
 import { expect, test } from '../house.ts'
-import { languages } from '../words.ts'
+import { languagesOf } from '../words.ts'
 
 const tour = ({ page, word }: { page: Child['page']; word: (key: string) => string }) =>
   page.getByRole('region', { name: word('tour.title'), exact: true })
@@ -45,7 +45,7 @@ async function lights(child: Child, block: string | null) {
   await expect(child.page.locator('.stage .glows')).toHaveCount(block ? 1 : 0)
 }
 
-for (const language of languages) {
+for (const language of languagesOf(import.meta.filename)) {
   test.describe(`in ${language}`, () => {
     test.use({ language })
 

@@ -1,7 +1,7 @@
 import type { BrowserContext } from '@playwright/test'
 import { Child, leftEye, leftWheel, rightEye, rightWheel } from '../child.ts'
 import { expect, test } from '../house.ts'
-import { languages, type Language } from '../words.ts'
+import { languagesOf, type Language } from '../words.ts'
 
 /** A second tab on the same project. `deaf`: it does not hear what other tabs save. */
 async function secondTab(context: BrowserContext, language: Language, deaf: boolean): Promise<Child> {
@@ -23,7 +23,7 @@ async function savesInBoth(child: Child, other: Child) {
 const copied = (child: Child) => child.word('session.copy', { name: child.word('home.friendship') })
 const link = (child: Child, name: string) => child.page.getByRole('link', { name })
 
-for (const language of languages) {
+for (const language of languagesOf(import.meta.filename)) {
   test.describe(`two tabs on one project, in ${language}`, () => {
     test.use({ language })
 

@@ -1,6 +1,6 @@
 import { leftEye, leftWheel, rightEye, rightWheel, type Child } from '../child.ts'
 import { expect, test } from '../house.ts'
-import { languages } from '../words.ts'
+import { languagesOf } from '../words.ts'
 
 /** Where the square is said to be, in cm. */
 const squareAt = async (child: Child) =>
@@ -31,7 +31,7 @@ async function changesFourThings(child: Child) {
   return states
 }
 
-for (const language of languages) {
+for (const language of languagesOf(import.meta.filename)) {
   test.describe(`undo and redo, in ${language}`, () => {
     test.use({ language })
 
