@@ -27,7 +27,7 @@ test.describe.configure({ mode: 'default' })
 
 for (const language of languagesOf(import.meta.filename)) {
   test.describe(`files in a folder of a web space, in ${language}`, () => {
-    test.use({ language, serviceWorkers: 'allow' })
+    test.use({ language })
 
     test('the lab opens from home, drives, keeps and loads anew; nothing outside of the folder is asked for', async ({
       child,
@@ -81,6 +81,10 @@ for (const language of languagesOf(import.meta.filename)) {
       await page.getByRole('link', { name: 'Apache License 2.0' }).click()
       await expect(page.locator('body')).toContainText('Apache License')
     })
+  })
+
+  test.describe(`files in a folder of a web space that are kept for offline use, in ${language}`, () => {
+    test.use({ language, serviceWorkers: 'allow' })
 
     test('starts with the cable pulled after one visit', async ({ page, space, context }) => {
       const child = new Child(page, language)
