@@ -6,7 +6,7 @@ describe.each(networkCards)('the solution of %s', (file) => {
   const { card, failures } = solved(file)
 
   it.each(card.starts.map((_, start) => start))(
-    'holds from start pose %i on ten seeds with noise',
+    'holds from start pose %i on every seed with noise',
     (start) => {
       expect(seeds.flatMap((seed) => failures(start, seed, { noise: 10 }))).toEqual([])
     },

@@ -18,7 +18,7 @@ describe.each(networkCards)('the solution of %s', (file) => {
   const failing = (seed: number) => (seed === seeds[0] ? failures : lasting)
 
   it.each(card.starts.map((_, start) => start))(
-    'holds from start pose %i with unlike wheels on ten seeds',
+    'holds from start pose %i with unlike wheels on every seed',
     (start) => {
       const found = wheels.flatMap((strength) =>
         seeds
