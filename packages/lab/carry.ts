@@ -1,4 +1,4 @@
-import type { Pose, RobotState, Simulation } from '@botgarten/simulation'
+import { samePose, type Pose, type RobotState, type Simulation } from '@botgarten/simulation'
 
 interface Placed {
   readonly id: string
@@ -14,7 +14,10 @@ type Poses = { readonly [id: string]: Pose }
 export function carryOver(from: Simulation, to: Simulation, stood: Poses = {}): Poses {
   const [was, next] = [from.keyframe(), to.keyframe()]
   const before = new Map(everything(from).map(({ id, pose }) => [id, pose]))
-  const isNew = everything(to).filter(({ id, pose }) => !samePose(before.get(id), pose))
+  const isNew = everything(to).filter(({ id, pose }) => {
+    const was = before.get(id)
+    return !was || !samePose(was, pose)
+  })
   const news = new Set(isNew.map(({ id }) => id))
   const ids = new Set(['edge', ...everything(to).map(({ id }) => id)])
   const things = new Map(was.obstacles.map((thing) => [thing.id, thing]))
@@ -33,8 +36,6 @@ export function carryOver(from: Simulation, to: Simulation, stood: Poses = {}): 
 }
 
 const everything = ({ world }: Simulation): readonly Placed[] => [...world.obstacles, ...world.robots]
-
-const samePose = (a: Pose | undefined, b: Pose) => a?.x === b.x && a.y === b.y && a.heading === b.heading
 
 const touchingOnly = (robot: RobotState, ids: ReadonlySet<string>): RobotState => ({
   ...robot,

@@ -1,5 +1,5 @@
 export type * from './types.ts'
-export { degreesOf, radiansOf } from './angles.ts'
+export { degreesOf, radiansOf, samePose } from './angles.ts'
 export { rollsOn } from './body/late.ts'
 export { encoder, isPressed, pressKey, resetEncoder, resetGyro, resetTimer, timer } from './body/panel.ts'
 export {

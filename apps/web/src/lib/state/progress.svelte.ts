@@ -1,6 +1,6 @@
 import type { Card } from '@botgarten/materials'
 import type { Progress } from '@botgarten/programs'
-import type { Pose } from '@botgarten/simulation'
+import { samePose, type Pose } from '@botgarten/simulation'
 
 /** How far a child has come with a card: from where it was solved, and how many hints were asked for. */
 export class CardProgress {
@@ -28,6 +28,16 @@ export class CardProgress {
     this.#startedFrom = this.#card?.playground === 'q-learning' ? 0 : this.startAt(pose)
   }
 
+  /** Does the present run count? It began on a start pose, and no hand has helped. */
+  get counts(): boolean {
+    return this.#startedFrom !== null && this.#startedFrom >= 0
+  }
+
+  /** The present run began on none of the card's start poses. */
+  get beganElsewhere(): boolean {
+    return this.#card !== undefined && this.#startedFrom === -1
+  }
+
   /** A hand has helped: this run solves nothing. */
   helped(): void {
     this.#startedFrom = null
@@ -36,7 +46,7 @@ export class CardProgress {
   /** Notes from which start pose the card was solved. Returns whether that is new. */
   solved(): boolean {
     const from = this.#startedFrom
-    if (from === null || from < 0 || this.#now.starts.includes(from)) return false
+    if (from === null || !this.counts || this.#now.starts.includes(from)) return false
     this.#now = { ...this.#now, starts: [...this.#now.starts, from].sort() }
     return true
   }
@@ -45,6 +55,3 @@ export class CardProgress {
     this.#now = { ...this.#now, hints: Math.max(shown, this.#now.hints) }
   }
 }
-
-const samePose = (a: Pose, b: Pose | undefined) =>
-  b !== undefined && Math.abs(a.x - b.x) + Math.abs(a.y - b.y) + Math.abs(a.heading - b.heading) < 1e-6

@@ -5,6 +5,7 @@ import type { Workshop } from '../workshop.ts'
 import { most, sceneOf, type Project, type Scene } from '@botgarten/programs'
 import {
   COLOURS,
+  samePose,
   type Area,
   type Line,
   type Obstacle,
@@ -12,7 +13,7 @@ import {
   type Shape,
   type World,
 } from '@botgarten/simulation'
-import { freshId, itemOf, moved, poseOf, put, samePose, wallBetween, withItem, without } from './edits.ts'
+import { freshId, itemOf, moved, poseOf, put, wallBetween, withItem, without } from './edits.ts'
 import type { Item, Kind } from './edits.ts'
 import { Floors } from './floors.ts'
 import Over from './Over.svelte'

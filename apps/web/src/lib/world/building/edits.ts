@@ -61,8 +61,6 @@ export function poseOf(item: Item): Pose {
   return { x: (left + right) / 2, y: (bottom + top) / 2, heading: 0 }
 }
 
-export const samePose = (a: Pose, b: Pose): boolean => a.x === b.x && a.y === b.y && a.heading === b.heading
-
 export function boxOf(points: readonly Point[]) {
   const xs = points.map(({ x }) => x)
   const ys = points.map(({ y }) => y)

@@ -23,6 +23,20 @@ describe('Bo on its colourful floor', () => {
     },
   )
 
+  test('by itself turns the short way, round after round: it never spins', () => {
+    const bo = rover(1)
+    let before = bo.pose().heading
+    let turned = 0
+    for (let second = 0; second < 300; second += 1) {
+      bo.advance(60, 'lanes')
+      const by = ((bo.pose().heading - before + 540) % 360) - 180
+      before = bo.pose().heading
+      // A lane between two turns ends the one before.
+      turned = Math.abs(by) < 1 ? 0 : turned + by
+      expect(Math.abs(turned)).toBeLessThan(300)
+    }
+  })
+
   test('is driven by hand, and stands when nobody drives', () => {
     const bo = rover(1)
     const { x } = bo.pose()

@@ -1,5 +1,6 @@
 import {
   createSimulation,
+  degreesOf,
   paintFloor,
   setMotor,
   stopMotors,
@@ -62,7 +63,7 @@ const read = (simulation: Simulation): Reading =>
 
 function poseOf(simulation: Simulation): Pose {
   const { x, y, heading } = simulation.state.robots[0]!
-  return { x, y, heading: (heading * 180) / 3.141592653589793 }
+  return { x, y, heading: degreesOf(heading) }
 }
 
 function steer(simulation: Simulation, way: Way | null): void {
