@@ -150,6 +150,68 @@ describe('a lab', () => {
     expect(robotIn(lab).pose.heading).not.toBeCloseTo(90, 0)
   })
 
+  describe('rule 9: after a program has ended', () => {
+    const ended = () => {
+      const lab = labWith(program(drive('far', 60, 30)))
+      lab.start()
+      lab.advance(600)
+      expect(lab.view().phase).toBe('ended')
+      return lab
+    }
+
+    it('Start begins where it began, the pushed box too: the same program does the same', () => {
+      const start = robotIn(labWith(program())).pose
+      const lab = labWith(program(drive('far', 60, 170)))
+      const box = lab.view().obstacles[0]!.pose
+      lab.start()
+      lab.advance(900)
+      expect(lab.view().phase).toBe('ended')
+      const [end, hash] = [lab.view().obstacles[0]!.pose, lab.hash()]
+      expect(end).not.toEqual(box)
+      lab.start()
+      expect(robotIn(lab).pose).toEqual(start)
+      expect(lab.view().obstacles[0]!.pose).toEqual(box)
+      lab.advance(900)
+      expect(lab.hash()).toBe(hash)
+    })
+
+    it('a step begins it there too', () => {
+      const lab = ended()
+      lab.step('tick')
+      expect(robotIn(lab).pose.y).toBeLessThan(102)
+    })
+
+    it('a robot that a hand has set down or driven since starts from there', () => {
+      const placed = ended()
+      const came = placed.place('bo', { x: 60, y: 60, heading: 0 })
+      placed.start()
+      expect(robotIn(placed).pose).toEqual(came)
+      const driven = ended()
+      const end = robotIn(driven).pose
+      driven.press('up', true)
+      driven.advance(30)
+      driven.press('up', false)
+      driven.advance(5)
+      const { pose } = robotIn(driven)
+      expect(pose.y).toBeGreaterThan(end.y + 2)
+      driven.start()
+      expect(robotIn(driven).pose).toEqual(pose)
+      driven.advance(600)
+      driven.start()
+      expect(robotIn(driven).pose.y).toBe(100)
+    })
+
+    it('a program that was stopped goes on from where everything stands', () => {
+      const lab = labWith(program(drive('far', 60, 30)))
+      lab.start()
+      lab.advance(20)
+      lab.stop()
+      const { pose } = robotIn(lab)
+      lab.start()
+      expect(robotIn(lab).pose).toEqual(pose)
+    })
+  })
+
   it('a robot that was set down by hand starts from there, one that was moved while it ran does not', () => {
     const lab = labWith(program(forever(bothEyes)))
     const came = lab.place('bo', { x: 60, y: 60, heading: 0 })

@@ -45,6 +45,8 @@ class OneLab implements Lab {
   #held: readonly DriveKey[] = []
   #buttons: readonly { readonly robot: number; readonly key: RobotKey }[] = []
   #other: Other | null = null
+  /** Has a hand driven a robot while no run was on? Then that is where it starts. */
+  #handDrove = false
   #stops: Stops = new Set()
 
   load(document: Document, floor: Floor, options: Options): void {
@@ -56,6 +58,7 @@ class OneLab implements Lab {
 
   reset(): void {
     this.#phase = 'ready'
+    this.#handDrove = false
     this.#simulation = this.#atStart()
     this.#begin()
   }
@@ -93,8 +96,10 @@ class OneLab implements Lab {
 
   start(): void {
     this.#run.toNow()
+    if (this.#phase === 'ended' && !this.#handDrove) this.#simulation = this.#atStart()
     for (const robot of this.#simulation.state.robots) freshRobot(robot)
     this.#begin()
+    this.#handDrove = false
     this.#phase = 'running'
   }
 
@@ -206,7 +211,9 @@ class OneLab implements Lab {
   press(key: DriveKey, down: boolean, robot?: string): void {
     this.#held = [...this.#held.filter((held) => held !== key), ...(down ? [key] : [])]
     // In the past nobody drives; a key that is let go of there is let go of when it is over.
-    if (!this.#run.inPast) this.#give({ kind: 'key', key, down, robot: this.#robotAt(robot) })
+    if (this.#run.inPast) return
+    this.#handDrove ||= down && !this.#isOn
+    this.#give({ kind: 'key', key, down, robot: this.#robotAt(robot) })
   }
 
   pressButton(key: RobotKey, down: boolean, robot?: string): void {

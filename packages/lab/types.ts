@@ -133,6 +133,10 @@ export interface Lab {
    * `stood`: where things stood when a step was done that is taken back: there they stand again, their start is as before.
    */
   rebuild(document: Document, floor?: Floor, stood?: { readonly [id: string]: Pose }): void
+  /**
+   * Begins a run from where everything stands. After programs that have ended: from the start poses, as they began, unless a
+   * hand has driven a robot since.
+   */
   start(): void
   /** Ends the run, in the present. */
   stop(): void
