@@ -8,7 +8,7 @@ import type { Session } from './session.svelte.ts'
 import { Loudspeaker } from './sound.svelte.ts'
 
 /** What is said at the foot of the world, as `session.<notice>`. */
-export type Notice = 'away' | 'bumped' | 'floorMissing'
+export type Notice = 'away' | 'bumped' | 'elsewhere' | 'floorMissing'
 
 /** What is said in a dialog: keys of words, so that it follows the language. */
 export interface Message {
@@ -27,8 +27,10 @@ export class Desk {
   readonly speaker = new Loudspeaker()
   #session: Session
   #shown = $state.raw<Finding | null>(null)
-  #celebrates = $state(false)
-  #celebrated = false
+  /** All goals are green, in a run that counts or in one that does not. */
+  #success = $state<'counts' | 'uncounted' | null>(null)
+  /** Has this run succeeded before? */
+  #succeeded = false
   #settings = $state.raw(readSetting<Settings>('settings', { rays: true, trail: true }))
   #sizes = $state.raw(readSetting<object>('sizes', {}))
   notice = $state.raw<Notice | null>(null)
@@ -44,8 +46,8 @@ export class Desk {
   get shown() {
     return this.#shown
   }
-  get celebrates() {
-    return this.#celebrates
+  get success() {
+    return this.#success
   }
   get settings() {
     return this.#settings
@@ -74,7 +76,7 @@ export class Desk {
         untrack(() => this.#failed(failure))
       })
       $effect(() => {
-        if (succeeded) this.#celebrate()
+        if (succeeded) untrack(() => this.#succeed())
       })
       $effect(() => {
         // In the free lab pushing is no mistake.
@@ -121,23 +123,23 @@ export class Desk {
   }
 
   /** Once a run, however often the checks turn green in it. */
-  #celebrate(): void {
-    if (this.#celebrated) return
-    this.#celebrated = true
-    this.#celebrates = true
-    this.#session.noteSuccess()
+  #succeed(): void {
+    if (this.#succeeded) return
+    this.#succeeded = true
+    this.#success = this.#session.noteSuccess() ? 'counts' : 'uncounted'
   }
 
   closeSuccess(): void {
-    this.#celebrates = false
+    this.#success = null
   }
 
   start(): void {
     this.speaker.wake()
     this.notice = null
-    this.#celebrated = false
-    this.#celebrates = false
+    this.#succeeded = false
+    this.#success = null
     this.#shown = this.#session.start()
+    if (this.#session.lab.view.phase === 'running' && this.#session.beganElsewhere) this.notice = 'elsewhere'
   }
 
   step(kind: StepKind): void {

@@ -54,7 +54,10 @@ export class Session {
     this.undo = new UndoStack({
       blocks: (direction, program) => this.#goBack(direction, program),
       robots: (document, stood) => this.#crew(document, stood),
-      place: (id, pose, start) => this.#changed(() => this.lab.place(id, pose, start)),
+      place: (id, pose, start) => {
+        this.#progress.helped()
+        this.#changed(() => this.lab.place(id, pose, start))
+      },
       brain: (id, brain) => this.#changed(() => this.lab.setBrain(id, brain)),
       future: () => this.#changed(() => this.lab.swap()),
       hasFuture: () => this.lab.facts.other,
@@ -191,6 +194,8 @@ export class Session {
 
   editProgram(program: Program, id: string = this.robot.program): void {
     this.#changed(() => this.lab.edit({ ...this.lab.document.programs, [id]: program }))
+    // Other blocks are another run, from where Bo stands now.
+    if (this.lab.view.tick === 0) this.#progress.begin(this.lab.view.robots[0]?.pose)
     this.#look()
     if (this.#stuck !== undefined) this.lab.stop()
   }
@@ -284,15 +289,21 @@ export class Session {
       return this.findings.find(({ stops }) => stops) ?? null
     }
     if (this.learnFirst()) return null
-    this.#progress.begin(this.lab.view.robots[0]?.pose)
     this.lab.start()
+    this.#progress.begin(this.lab.view.robots[0]?.pose)
     this.undo.begin()
     return null
   }
 
-  /** Notes from which start pose the card was solved. */
-  noteSuccess(): void {
+  /** The run has begun somewhere else than the card's start poses: it cannot count. */
+  get beganElsewhere(): boolean {
+    return this.#progress.beganElsewhere
+  }
+
+  /** All checks are green: notes from which start pose. Returns whether that counts. */
+  noteSuccess(): boolean {
     if (this.#progress.solved()) this.keeper.changed(() => this.project)
+    return this.#progress.counts
   }
 
   askHint(shown: number): void {

@@ -17,6 +17,14 @@ export function taskOf(card: LoadedCard | null, green: readonly string[]): Task 
   return { title: goal.call, sentence: goal.sentence, goals }
 }
 
+/** All goals are green in a run that does not count: from which start pose it is tried again. */
+export function againFrom({ card }: LoadedCard, chosen: number, passedStarts: readonly number[]): NextStep {
+  // Bo learns its way, and drives it from the way's start.
+  if (card.playground === 'q-learning') return { kind: 'again', index: null }
+  const open = card.starts.findIndex((_, start) => !passedStarts.includes(start))
+  return { kind: 'again', index: chosen >= 0 ? chosen : Math.max(0, open) }
+}
+
 /** After a card has been solved from a start pose: another pose first, then the next card. */
 export function nextStep(card: LoadedCard, passedStarts: readonly number[]): NextStep {
   const index = card.card.starts.findIndex((_, start) => !passedStarts.includes(start))

@@ -60,9 +60,10 @@ export interface WorldNotice {
   readonly text: string
 }
 
-/** All goals are green: what comes next. `start`: index of a pose not yet passed. */
+/** All goals are green: what comes next. `start`: index of a pose not yet passed · `again`: that did not count, it is tried from this pose. */
 export type NextStep =
   | { readonly kind: 'start'; readonly index: number }
+  | { readonly kind: 'again'; readonly index: number | null }
   | { readonly kind: 'card'; readonly href: string; readonly name: string }
   | { readonly kind: 'none' }
 
@@ -128,7 +129,7 @@ export interface LabFrameProps {
   hints: Hints | null
   /** The child asks for one more hint; `shown` is how many are seen then. */
   onhint: (shown: number) => void
-  /** Set when all goals have turned green, null otherwise. Bo cheers once each time it is set. */
+  /** Set when all goals have turned green, null otherwise. Bo cheers once each time it is set to what counts. */
   success: NextStep | null
   /** The next step was taken (`start`) or put away. */
   onsuccessclose: () => void
