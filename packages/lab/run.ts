@@ -7,6 +7,7 @@ import { withHandOnKeys } from './inputs/keys.ts'
 import { repeats } from './inputs/repeats.ts'
 import type { Brains } from './robots/brains.ts'
 import { mailOf } from './robots/mail.ts'
+import { nextTurn } from './robots/next-turn.ts'
 import { robotRun, type RobotRun } from './robots/run.ts'
 import { poseIn, type Course, type Moment } from './timeline/moment.ts'
 import { shared } from './timeline/shared.ts'
@@ -170,9 +171,14 @@ export class Run {
     this.tick++
     this.#part = this.#given = 0
     this.#addHash()
-    observe(this.checks, this.watches, this.seconds, this.simulation)
+    observe(this.checks, this.watches, this.seconds, this.simulation, this.#nextTurn)
     if (!this.#now) this.#remember()
     else if (this.tick >= this.#now.tick) this.toNow()
+  }
+
+  #nextTurn = (mirrored: boolean) => {
+    const { config } = this.simulation.world.robots[0]!
+    return nextTurn(this.robots[0]!, config, this.seconds, mirrored)
   }
 
   #remember(): void {

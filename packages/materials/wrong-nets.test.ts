@@ -8,11 +8,14 @@ const everywhere = (brain: Brain, weight: number) => changed(brain, (row) => row
 const mirrored = (brain: Brain) => changed(brain, (row) => row.toReversed())
 
 /** The brain with other numbers at each neuron's links to the layer behind it, in the order of that layer. */
-function changed(brain: Brain, change: (row: readonly number[]) => readonly number[]): Brain {
+function changed(brain: Brain, change: (row: readonly number[], from: string) => readonly number[]): Brain {
   const rows = brain.layers.slice(0, -1).flatMap((layer, at) =>
     layer.map(({ id }) => {
       const behind = brain.layers[at + 1]!
-      const numbers = change(behind.map((to) => weightOf(brain.weights, id, to.id)))
+      const numbers = change(
+        behind.map((to) => weightOf(brain.weights, id, to.id)),
+        id,
+      )
       return [id, Object.fromEntries(behind.map((to, k) => [to.id, numbers[k]!]))] as const
     }),
   )
@@ -59,6 +62,40 @@ describe.each(withNets)('%s', (file) => {
       withBrain((brain) => everywhere(brain, 0)),
     )
     expect(starts.filter((start) => failures(start, 1, {}).length === 0)).toEqual([])
+  })
+})
+
+describe('Fear asks that the eyes decide', () => {
+  const file = networkCards.find((one) => one.includes('06-fear'))!
+  const starts = solved(file).card.starts.map((_, start) => start)
+  const passing = (change: (brain: Brain) => Brain) => {
+    const { failures } = solved(file, withBrain(change))
+    return starts.filter((start) => failures(start, 1, {}).length === 0)
+  }
+
+  // Each of these passes one of the start poses, the first pair all three, where only the way is looked at.
+  it.each([
+    [0.5, 0.6],
+    [0.5, 0.4],
+    [0.4, 0.5],
+    [0.6, 0.3],
+    [0.4, 0.45],
+  ])(
+    'both eyes alike, %d and %d, only ever turn Bo to one side: refused from every start pose',
+    (...pair) => {
+      expect(passing((brain) => changed(brain, () => pair))).toEqual([])
+    },
+  )
+
+  it.each(['eyeLeft', 'eyeRight'])('so does %s alone', (eye) => {
+    const alone = (brain: Brain) => changed(brain, (_, from) => (from === eye ? [0.4, 0.6] : [0, 0]))
+    expect(passing(alone)).toEqual([])
+  })
+
+  it.each([0.5, 0.7, 0.9])('crossed links of %d each are right from every start pose', (weight) => {
+    const crossed = (brain: Brain) =>
+      changed(brain, (_, from) => (from === 'eyeLeft' ? [0, weight] : [weight, 0]))
+    expect(passing(crossed)).toEqual(starts)
   })
 })
 

@@ -2,6 +2,7 @@ import type { Simulation } from '@botgarten/simulation'
 import type { Check, CheckResult } from '../types.ts'
 import type { AnyKind } from './kind.ts'
 import { kinds } from './kinds.ts'
+import type { Moment } from './moment.ts'
 
 /** One check under way. Plain data, so that a keyframe holds it. */
 export interface Watch {
@@ -27,9 +28,10 @@ export function observe(
   watches: Watch[],
   seconds: number,
   { world, state, read }: Pick<Simulation, 'world' | 'state' | 'read'>,
+  nextTurn: Moment['nextTurn'] = () => null,
 ): void {
   const passed = (id: string) => watches[checks.findIndex((check) => check.id === id)]?.passed ?? false
-  const moment = { seconds, world, simulation: state, read, passed }
+  const moment: Moment = { seconds, world, simulation: state, read, nextTurn, passed }
   checks.forEach((check, index) => {
     const kept = watches[index]!
     const passes = kindOf(check).observe(check, moment, kept.memory as never)

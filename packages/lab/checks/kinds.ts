@@ -1,4 +1,5 @@
 import { arrives } from './arrives.ts'
+import { eyesDecide } from './eyesDecide.ts'
 import type { AnyKind } from './kind.ts'
 import { laps } from './laps.ts'
 import { led } from './led.ts'
@@ -17,6 +18,7 @@ import { visits } from './visits.ts'
 /** Every kind of check by its name in `card.json`. */
 export const kinds: { readonly [kind: string]: AnyKind } = {
   arrives,
+  eyesDecide,
   laps,
   led,
   near,

@@ -23,6 +23,11 @@ export interface Moment {
   readonly simulation: SimulationState
   /** Reads a sensor of a robot, as its program would. */
   readonly read: Simulation['read']
+  /**
+   * How the first robot's program would turn it in the next tick, right wheel minus left wheel in percent; `mirrored`: had each
+   * of its sensors seen what the one on the other side sees. null where it would set no wheel.
+   */
+  nextTurn(mirrored: boolean): Percent | null
   /** Has another check of the card passed? */
   passed(checkId: string): boolean
 }

@@ -66,9 +66,14 @@ export class RobotBrains {
 
   /** One run of a network. Unknown networks give nothing. */
   think(id: string, inputs: readonly number[]): readonly number[] {
-    const net = this.#nets.get(id)
     this.runs++
     this.lastInputs.set(id, inputs.slice())
+    return this.would(id, inputs)
+  }
+
+  /** What a run would give, without being one. */
+  would(id: string, inputs: readonly number[]): readonly number[] {
+    const net = this.#nets.get(id)
     return net ? forward(net, inputs) : []
   }
 }
