@@ -3,6 +3,7 @@ import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import { afterEach, beforeEach, expect, test } from 'vitest'
 import { readOperator } from './operator.ts'
+import { Trouble } from './prepare/run.mjs'
 
 let folder = ''
 beforeEach(() => (folder = mkdtempSync(join(tmpdir(), 'botgarten-operator-'))))
@@ -19,6 +20,14 @@ test('a file that is named comes first, and is missed aloud', () => {
   const [usual, named] = [join(folder, 'operator.md'), join(folder, 'ours.md')]
   writeFileSync(usual, 'usual')
   expect(() => readOperator({ BOTGARTEN_OPERATOR: named }, usual)).toThrow(named)
+  expect(() => readOperator({ BOTGARTEN_OPERATOR: named }, usual)).toThrow(Trouble)
   writeFileSync(named, 'named')
   expect(readOperator({ BOTGARTEN_OPERATOR: named }, usual)).toBe('named')
+})
+
+test('a folder in place of the file is a sentence too, without a stack', () => {
+  expect(() => readOperator({}, folder)).toThrow(Trouble)
+  expect(() => readOperator({ BOTGARTEN_OPERATOR: folder }, folder)).toThrow(
+    /cannot be read \(EISDIR\).+leave/,
+  )
 })

@@ -1,6 +1,8 @@
 // The last step of `npm start`: serves the build on all addresses until it is told to stop.
 import { networkInterfaces } from 'node:os'
 import { addresses } from './addresses.ts'
+import { whenParentEnds } from './prepare/parent.mjs'
+import { Trouble } from './prepare/run.mjs'
 import { startServer } from './server.ts'
 
 const port = Number(process.argv[2])
@@ -11,6 +13,7 @@ function explain(error: NodeJS.ErrnoException) {
   }
   if (error.code === 'EACCES')
     return `Port ${port} is not ours to use. Choose one from 1024 on: npm start -- --port 4173`
+  if (error instanceof Trouble) return error.message
   throw error
 }
 
@@ -20,6 +23,7 @@ try {
   console.log(['', 'Botgarten is open at', ...open, 'Ctrl+C closes it.'].join('\n'))
   const stop = () => void server.close()
   for (const signal of ['SIGINT', 'SIGTERM', 'SIGHUP'] as const) process.once(signal, stop)
+  whenParentEnds(stop)
 } catch (error) {
   console.error(explain(error as NodeJS.ErrnoException))
   process.exitCode = 1

@@ -3,6 +3,7 @@ import { spawn } from 'node:child_process'
 import { buildWhenNeeded } from './prepare/build.mjs'
 import { house, inHouse } from './prepare/house.mjs'
 import { installWhenNeeded } from './prepare/install.mjs'
+import { whenParentEnds } from './prepare/parent.mjs'
 import { portFrom } from './prepare/port.mjs'
 import { asScript } from './prepare/run.mjs'
 import { runtime } from './prepare/runtime.mjs'
@@ -11,6 +12,8 @@ function serve(port) {
   const args = ['--disable-warning=ExperimentalWarning', inHouse('scripts', 'serve.ts'), String(port)]
   const server = spawn(runtime(), args, { cwd: house, stdio: 'inherit' })
   for (const signal of ['SIGINT', 'SIGTERM', 'SIGHUP']) process.on(signal, () => server.kill(signal))
+  // Who calls this script from a shell of their own may leave that shell and keep the lab.
+  if (process.env.npm_lifecycle_event) whenParentEnds(() => server.kill('SIGTERM'))
   return new Promise((done) => server.once('exit', (code) => done(code ?? 1)))
 }
 

@@ -7,8 +7,7 @@ import { inHouse } from '../../scripts/prepare/house.mjs'
 /** The last step of `npm start`, as a process of its own. */
 const serve = (port: number) => spawn(process.execPath, [inHouse('scripts', 'serve.ts'), String(port)])
 
-async function opened() {
-  const process = serve(0)
+async function opened(process = serve(0)) {
   let said = ''
   process.stdout.on('data', (part) => (said += String(part)))
   await expect.poll(() => said).toContain('Ctrl+C')
@@ -37,4 +36,25 @@ test('a busy port is answered by one sentence with a way out', async () => {
   expect(ended).toEqual([1, null])
   first.process.kill('SIGINT')
   expect(await once(first.process, 'exit')).toEqual([0, null])
+})
+
+test('a server whose shell is killed, as npm kills its own, does not stay behind', async () => {
+  const script = `"${process.execPath}" "${inHouse('scripts', 'serve.ts')}" 0; :`
+  const { process: shell, port } = await opened(spawn('sh', ['-c', script]))
+  shell.kill('SIGTERM')
+  const answer = () =>
+    fetch(`http://127.0.0.1:${port}/`).then(
+      ({ status }) => status,
+      () => 'gone',
+    )
+  await expect.poll(answer).toBe('gone')
+})
+
+test('an operator file that is not there is one sentence', async () => {
+  const missing = spawn(process.execPath, [inHouse('scripts', 'serve.ts'), '0'], {
+    env: { ...process.env, BOTGARTEN_OPERATOR: '/nope' },
+  })
+  const [complaint, ended] = await Promise.all([text(missing.stderr), once(missing, 'exit')])
+  expect(complaint.trim()).toMatch(/^BOTGARTEN_OPERATOR names a file that is not there: \/nope\. .+$/)
+  expect(ended).toEqual([1, null])
 })
