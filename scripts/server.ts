@@ -34,11 +34,27 @@ async function handlerOf(build: string): Promise<Handler> {
   return ((await import(path)) as { handler: Handler }).handler
 }
 
+/** What no page of the lab asks for, nor anything that it may ever hold in a frame. */
+const unused = [
+  'camera',
+  'microphone',
+  'geolocation',
+  'display-capture',
+  'payment',
+  'usb',
+  'serial',
+  'bluetooth',
+]
+const permissions = [...unused, 'hid', 'midi'].map((name) => `${name}=()`).join(', ')
+
 /** What every answer carries. SvelteKit replaces the policy on pages it renders, and the caching of what has a hash in its name. */
 function dress(response: ServerResponse, policy: string) {
   response.setHeader('content-security-policy', policy)
   response.setHeader('x-content-type-options', 'nosniff')
   response.setHeader('referrer-policy', 'same-origin')
+  response.setHeader('permissions-policy', permissions)
+  // A page of somebody else that opened the lab has no hold on its window; the presenter's window is our own.
+  response.setHeader('cross-origin-opener-policy', 'same-origin')
   response.setHeader('cache-control', 'no-cache')
 }
 

@@ -17,6 +17,8 @@ function expectGuarded(headers: { [name: string]: string }) {
   expect(policy['base-uri']).toEqual(["'none'"])
   expect(headers['x-content-type-options']).toBe('nosniff')
   expect(headers['referrer-policy']).toBe('same-origin')
+  expect(headers['cross-origin-opener-policy']).toBe('same-origin')
+  expect(headers['permissions-policy']).toMatch(/\bcamera=\(\).*\bmicrophone=\(\)/)
 }
 
 for (const path of ['/', '/lab/friendship', '/lab/fear']) {
@@ -40,6 +42,22 @@ test('an unknown address answers 404 as a page, guarded like the others', async 
   expect(answer.headers()['content-type']).toContain('text/html')
   expectGuarded(answer.headers())
   expect(directivesOf(answer.headers()['content-security-policy'])['script-src']).toContain("'self'")
+})
+
+test.describe('an address of no card and no item', () => {
+  test.use({ complaints: [/404/] })
+
+  for (const path of ['/lab/nothing', '/materials/sheet/nothing'])
+    test(`${path} answers 404, with the page that says so to a child`, async ({ child, page }) => {
+      const answer = await page.goto(path)
+      expect(answer!.status()).toBe(404)
+      expectGuarded(await answer!.allHeaders())
+      await expect(
+        page.getByRole('heading', {
+          name: child.word(path.startsWith('/lab') ? 'lab.unknownCardTitle' : 'parts.lostTitle'),
+        }),
+      ).toBeVisible()
+    })
 })
 
 test('a broken address is refused and does not end the server', async ({ request }) => {
