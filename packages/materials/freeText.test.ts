@@ -64,3 +64,30 @@ test('whatever is written, only what the page can show comes out', () => {
     ),
   )
 })
+
+/** Levels of a tree. */
+const depthOf = (nodes: FreeText): number =>
+  Math.max(0, ...nodes.map((node) => 1 + ('children' in node ? depthOf(node.children) : 0)))
+
+test.each([
+  ['4,000 quotes in each other', '>'.repeat(4000) + ' Ms Lee'],
+  ['as many quotes as fit', '> '.repeat(50_000)],
+  ['as many numbered lists as fit', '1. '.repeat(33_000)],
+  [
+    'lists, each a step further in',
+    Array.from({ length: 300 }, (_, i) => `${' '.repeat(2 * i)}- a`).join('\n'),
+  ],
+  ['links that never end', '[a]('.repeat(25_000)],
+])('%s are read within two seconds, and can be drawn', (_, markdown) => {
+  const begun = performance.now()
+  const tree = readFreeText(markdown)
+  expect(performance.now() - begun).toBeLessThan(2000)
+  expect(depthOf(tree)).toBeLessThan(50)
+  if (markdown.includes('Ms Lee')) expect(JSON.stringify(tree)).toContain('Ms Lee')
+})
+
+test('quotes and lists that somebody means stay as they are', () => {
+  const words = (nodes: FreeText): string =>
+    nodes.map((node) => ('children' in node ? words(node.children) : node.value)).join('|')
+  expect(words(readFreeText('> > > a\n\n- - b\n\n-1 c\n\n1) d'))).toBe('a|b|-1 c|d')
+})
