@@ -77,7 +77,7 @@ export class Learner {
   /** Gives the playground all of the window. */
   async fills() {
     await this.child.presses('lab.fill', { pane: this.child.word('lab.learning') })
-    await expect(this.child.button('q.change')).toBeVisible()
+    await expect(this.child.button('lab.shrink')).toBeVisible()
   }
 
   /** How much of the covers of roads can be seen, 0..1; of some roads: `5-7|6-7`. */

@@ -54,10 +54,14 @@ const wishes = screens
   .filter(({ name }) => wanted.length === 0 || wanted.some((part) => name.includes(part)))
   .flatMap((screen) => languages.flatMap((language) => sizes.map((size) => ({ screen, language, size }))))
   .filter(({ screen, size }) => (isPhone(size) ? !screen.neverPhone : !screen.phoneOnly))
+const missing: string[] = []
 for (const wish of wishes)
-  await take(browser, server.url, wish).catch((cause: unknown) =>
-    console.error(wish.screen.name, wish.language, wish.size.width, cause),
-  )
-console.log(`${wishes.length} pictures in ${folder}`)
+  await take(browser, server.url, wish).catch((cause: unknown) => {
+    const [what] = String(cause).split('\n\nCall log')
+    missing.push(`${wish.screen.name} ${wish.language} ${wish.size.width}: ${what}`)
+  })
+console.log(`${wishes.length - missing.length} of ${wishes.length} pictures in ${folder}`)
+for (const line of missing) console.error(line)
 await browser.close()
 await server.close()
+process.exitCode = missing.length === 0 ? 0 : 1
