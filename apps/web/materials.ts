@@ -17,7 +17,14 @@ const text = (...path: string[]) => readFileSync(join(content, ...path), 'utf8')
 const json = (...path: string[]): unknown => JSON.parse(text(...path))
 const foldersWith = (file: string) => files(`materials/*/*/${file}`).map(dirname)
 
-const items = () => foldersWith('item.json').map((folder) => readItem(json(folder, 'item.json')))
+/** `01-one-day`: the number of an item among those of its kind. */
+const numberOf = (folder: string) => Number(/^\d+/.exec(basename(folder))?.[0])
+
+const items = () =>
+  foldersWith('item.json').map((folder) => ({
+    ...readItem(json(folder, 'item.json')),
+    number: numberOf(folder),
+  }))
 const questions = () =>
   foldersWith('question.json').map((folder) => readQuestion(json(folder, 'question.json')))
 

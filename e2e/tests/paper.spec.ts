@@ -34,8 +34,10 @@ const oneOfEach = [
   ['worksheet', 'three-ways'],
 ] as const
 
-async function opensPaper(page: Page, item: string, wish = 'paper=a4') {
-  await page.goto(`/materials/${item}?${wish}&address=https://botgarten.example.org`)
+const home = 'https://botgarten.example.org'
+
+async function opensPaper(page: Page, item: string, wish = 'paper=a4', address = home) {
+  await page.goto(`/materials/${item}?${wish}&address=${address}`)
   await page.locator('html[data-print=ready]').waitFor({ state: 'attached' })
 }
 
@@ -159,6 +161,37 @@ function typed(program: unknown): string[] {
     return value
   })
   return all
+}
+
+test('of each kind every link on paper leads to the address that was given', async ({ page, house }) => {
+  const { links } = await printed(page, `${home}/school`)
+  const ours = links.filter(({ url }) => /\/(lab|materials)\//.test(url))
+  expect(ours.filter(({ url }) => !url.startsWith(`${home}/school/`))).toEqual([])
+  expect(links.filter(({ url }) => url.startsWith(house))).toEqual([])
+  expect(ours).toContainEqual({ id: 'one-day', url: `${home}/school/materials/worksheet/evaluation-poster` })
+})
+
+test('without an address links are names with numbers, and none leads to the machine that prints', async ({
+  page,
+  house,
+}) => {
+  const { links, texts } = await printed(page, '')
+  expect(links.filter(({ url }) => url.startsWith(house))).toEqual([])
+  expect(texts.get('one-day')).toContain('Slides 1 (How does your robot learn?)')
+  expect(texts.get('one-day')).toContain('Poster (Worksheet 4: What was the most fun?)')
+})
+
+/** Links and words in the PDFs of an item of each kind. */
+async function printed(page: Page, address: string) {
+  const links: { id: string; url: string }[] = []
+  const texts = new Map<string, string>()
+  for (const [kind, id] of [...oneOfEach, ['kit', 'sorting-game']]) {
+    await opensPaper(page, `${kind}/${id}`, 'paper=a4', address)
+    const { pages } = await readPdf(await page.pdf({ preferCSSPageSize: true, printBackground: true }))
+    links.push(...pages.flatMap((one) => one.links.map((url) => ({ id: id, url }))))
+    texts.set(id, pages.map(({ text }) => text).join(' '))
+  }
+  return { links, texts }
 }
 
 test('each kind is printed from its own page as large as its paper, without the bar', async ({ page }) => {

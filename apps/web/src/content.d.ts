@@ -7,7 +7,9 @@ declare module '*.md' {
 declare module 'content:materials/heads' {
   import type { Item } from '@botgarten/materials/items'
   import type { Question } from '@botgarten/materials/questions'
-  const heads: { readonly items: readonly Item[]; readonly questions: readonly Question[] }
+  /** `number`: of the item's folder, among those of its kind. */
+  type NumberedItem = Item & { readonly number: number }
+  const heads: { readonly items: readonly NumberedItem[]; readonly questions: readonly Question[] }
   export default heads
 }
 

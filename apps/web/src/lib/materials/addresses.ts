@@ -1,4 +1,6 @@
 import { resolve } from '$app/paths'
+import { allCards } from '#lib/content/cards.ts'
+import { m } from '#lib/words/generated/messages.js'
 import { say } from '#lib/words/say.ts'
 import { itemNamed, textOf } from './library.ts'
 
@@ -22,6 +24,21 @@ export function nameOfTarget(target: string): string {
   const [kind, id] = target.split(':') as [string, string]
   const item = itemNamed(id)
   return kind === 'item' && item ? textOf(item).title : say(`home.${id}`)
+}
+
+/**
+ * What somebody looks for who has only paper: `Folien 1: Wie lernt dein Roboter?`, `NN 5: Freundschaft`.
+ * Where the words of the link already end with the number, the name is enough.
+ */
+export function numberedName(target: string, words = ''): string {
+  const [kind, id] = target.split(':') as [string, string]
+  const item = kind === 'item' ? itemNamed(id) : undefined
+  const name = nameOfTarget(target)
+  if (item && new RegExp(`\\b${item.number}$`).test(words)) return name
+  const number = item
+    ? m['materials.kindAndNumber']({ kind: say(`materials.kind.${item.kind}`), number: item.number })
+    : allCards.find((card) => card.id === id)?.code
+  return number === undefined ? name : m['materials.numberedName']({ number, name })
 }
 
 /** Address of a picture by its path below `content/materials`. */

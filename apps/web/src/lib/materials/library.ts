@@ -24,10 +24,10 @@ export async function fetchItems(locale: Locale = language.locale): Promise<void
 }
 
 /** All learning materials, in the order of their folders. */
-export const allItems: readonly Item[] = heads.items
+export const allItems = heads.items
 export const allQuestions: readonly Question[] = heads.questions
 
-export const itemNamed = (id: string): Item | undefined => allItems.find((item) => item.id === id)
+export const itemNamed = (id: string) => allItems.find((item) => item.id === id)
 
 /** A card of the lab alone, as an item of two sides; undefined for what is no card. */
 export function cardItem(id: string): Item | undefined {
