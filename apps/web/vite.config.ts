@@ -7,6 +7,7 @@ import { readCard } from '../../packages/materials/card.ts'
 import { readCardText } from '../../packages/materials/cardText.ts'
 import { examples } from './examples.ts'
 import { materials } from './materials.ts'
+import { notices } from './notices.ts'
 import { pixels } from './pixels.ts'
 import { webSpace } from './web-space.ts'
 import { words } from './words.ts'
@@ -153,6 +154,7 @@ export default defineConfig({
     ...words,
     lessPhysics,
     lessXml,
+    notices,
     sveltekit({
       adapter: folder ? webSpace(folder) : adapter({ precompress: true }),
       // The sizes of the one build are not those of the other.

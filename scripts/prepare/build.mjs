@@ -15,8 +15,10 @@ const sources = [
   'apps/web/package.json',
   'apps/web/project.inlang/paraglide.config.js',
   'apps/web/project.inlang/settings.json',
-  'apps/web/vite.config.ts',
-  'apps/web/web-space.ts',
+  ...['data', 'examples', 'materials', 'notices', 'pixels', 'vite.config', 'web-space', 'words'].map(
+    (name) => `apps/web/${name}.ts`,
+  ),
+  'NOTICE',
   'content',
   'package-lock.json',
   'packages',

@@ -1,4 +1,5 @@
 import { expect, test } from 'vitest'
+import { unlike } from '../../../notices.ts'
 import { fonts, libraries } from './notices.ts'
 
 test('each font is named with whose it is', () => {
@@ -10,11 +11,37 @@ test('each font is named with whose it is', () => {
 
 test('each library is named with whose it is and its licence', () => {
   expect(libraries.map(([name]) => name)).toEqual(
-    expect.arrayContaining(['Blockly', 'Svelte', 'valibot', 'idb']),
+    expect.arrayContaining(['Blockly', 'Svelte', 'valibot', 'idb', 'sax', 'lean-qr']),
   )
   for (const [name, whose, licence] of libraries) {
     expect(name).not.toBe('')
     expect(whose).toMatch(/^Copyright /)
-    expect(licence).toMatch(/^(MIT|ISC|Apache License)/)
+    expect(licence).toMatch(/^(MIT|ISC|Apache License|Blue Oak Model License)/)
   }
+})
+
+const table = `Libraries
+
+Svelte           Copyright Svelte        MIT  svelte, esm-env
+SvelteKit        Copyright Kit           MIT  @sveltejs/kit
+micromark, more  Copyright Titus Wormer  MIT  micromark*
+
+MIT`
+
+test('the build ends where a library is served without its notice, and where a notice is of nothing served', () => {
+  const at = (path: string) => `/home/lab/node_modules/${path}`
+  const served = [at('svelte/src/index.js'), at('@sveltejs/kit/src/a.js'), at('micromark-util-x/index.js')]
+  expect(unlike([...served, '/home/lab/apps/web/src/a.ts'], table)).toEqual({
+    unlisted: [],
+    unused: ['esm-env'],
+  })
+  expect(
+    unlike(
+      [at('esm-env/a.js'), at('other/node_modules/lean-qr/b.js'), 'C:\\x\\node_modules\\@a\\b\\c.js'],
+      table,
+    ),
+  ).toEqual({
+    unlisted: ['@a/b', 'lean-qr'],
+    unused: ['svelte', '@sveltejs/kit', 'micromark*'],
+  })
 })
