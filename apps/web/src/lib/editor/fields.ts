@@ -14,14 +14,48 @@ export interface FileField extends Blockly.Field {
 
 export const isFileField = (field: Blockly.Field): field is FileField => 'toFile' in field
 
+/**
+ * What a hand may hit around a field's text: at least as high as its pill, 24 px at the start scale; the style sheet adds
+ * what a finger needs. On a block that is nothing but its field only the text would be there, 16 px high.
+ */
+class Reach {
+  readonly #rect: SVGElement
+
+  constructor(group: SVGElement) {
+    this.#rect = Blockly.utils.dom.createSvgElement('rect', { class: 'editor-reach', fill: 'transparent' })
+    group.prepend(this.#rect)
+  }
+
+  fit({ width, height }: Blockly.utils.Size) {
+    const wide = Math.max(width, reach)
+    const high = Math.max(height, reach)
+    const place = { x: (width - wide) / 2, y: (height - high) / 2, width: wide, height: high }
+    for (const [name, value] of Object.entries(place)) this.#rect.setAttribute(name, String(value))
+  }
+}
+
+/** 24 px where blocks start, at a scale of 0.76. */
+const reach = 32
+
 /** A number in a white pill. Takes both decimal signs and shows the one of the language. */
 export class NumberField extends Blockly.FieldNumber implements FileField {
   #told: Told | null = null
+  #reach: Reach | null = null
   readonly #decimal: string
 
   constructor(look: { preset: number; min?: number; max?: number; step?: number }, decimal: string) {
     super(look.preset, look.min, look.max, look.step)
     this.#decimal = decimal
+  }
+
+  override initView() {
+    super.initView()
+    if (this.fieldGroup_) this.#reach = new Reach(this.fieldGroup_)
+  }
+
+  protected override updateSize_(margin?: number) {
+    super.updateSize_(margin)
+    this.#reach?.fit(this.size_)
   }
 
   /** A number that a file brought is shown even where it lies outside of what a hand may set. */
@@ -74,8 +108,20 @@ export class NumberField extends Blockly.FieldNumber implements FileField {
 
 /** Free text in a white pill. */
 export class TextField extends Blockly.FieldTextInput implements FileField {
+  #reach: Reach | null = null
+
   constructor(preset: string) {
     super(preset, undefined, { spellcheck: false })
+  }
+
+  override initView() {
+    super.initView()
+    if (this.fieldGroup_) this.#reach = new Reach(this.fieldGroup_)
+  }
+
+  protected override updateSize_(margin?: number) {
+    super.updateSize_(margin)
+    this.#reach?.fit(this.size_)
   }
 
   /** An empty field is wide enough to be hit. */
