@@ -28,6 +28,7 @@ test('things on one place move apart, each once', () => {
   const spots = apart(
     Array.from({ length: 12 }, () => ({ x: 100, y: 100 })),
     40,
+    { left: 0, top: 0, width: 400, height: 400 },
   )
   expect(spots[0]).toEqual({ x: 100, y: 100 })
   spots.forEach((a, index) =>
@@ -35,6 +36,22 @@ test('things on one place move apart, each once', () => {
       .slice(index + 1)
       .forEach((b) => expect(Math.hypot(a.x - b.x, a.y - b.y)).toBeGreaterThanOrEqual(37.9)),
   )
+})
+
+test('on the smallest plane twelve things each have 44 px for a finger, and all stay on it', () => {
+  const small = fieldIn({ width: 299, height: 295 })
+  const spots = apart(
+    Array.from({ length: 12 }, () => ({ x: small.x(10), y: small.y(10) })),
+    47,
+    small,
+  )
+  spots.forEach((a, index) => {
+    expect(a.x).toBeGreaterThanOrEqual(small.left)
+    expect(a.x).toBeLessThanOrEqual(small.left + small.width)
+    expect(a.y).toBeGreaterThanOrEqual(small.top)
+    expect(a.y).toBeLessThanOrEqual(small.top + small.height)
+    spots.slice(index + 1).forEach((b) => expect(Math.hypot(a.x - b.x, a.y - b.y)).toBeGreaterThanOrEqual(44))
+  })
 })
 
 test('without a column things lie in the middle of that axis', () => {

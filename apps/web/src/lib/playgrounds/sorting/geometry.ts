@@ -11,11 +11,14 @@ const margin = { left: 46, right: 22, top: 22, bottom: 46 }
 const inset = 34
 const PLANE = 10
 
-export interface Field {
+interface Area {
   readonly left: number
   readonly top: number
   readonly width: number
   readonly height: number
+}
+
+export interface Field extends Area {
   /** Along the two axes, 0 to 10, to the screen. */
   x(value: number): number
   y(value: number): number
@@ -50,19 +53,22 @@ export const spotOf = (field: Field, row: readonly number[], [x, y]: Work['axes'
   y: field.y(along(row, y)),
 })
 
-/** Things that lie on each other move apart a little, always the same way: each can be seen and touched. */
-export function apart(spots: readonly Spot[], least: number): Spot[] {
+/** Things that lie on each other move apart a little, always the same way: each can be seen and touched, none leaves the area. */
+export function apart(spots: readonly Spot[], least: number, area: Area): Spot[] {
   const found: Spot[] = []
-  for (const spot of spots) found.push(freeNear(spot, found, least))
+  for (const spot of spots) found.push(freeNear(spot, found, least, area))
   return found
 }
 
-function freeNear(spot: Spot, taken: readonly Spot[], least: number): Spot {
+function freeNear(spot: Spot, taken: readonly Spot[], least: number, area: Area): Spot {
+  const { left, top, width, height } = area
+  const isInside = ({ x, y }: Spot) => x >= left && x <= left + width && y >= top && y <= top + height
   for (let ring = 0; ring < 12; ring++)
     for (let step = 0; step < Math.max(1, 6 * ring); step++) {
       const [right, up] = around(ring, step)
       const near = { x: spot.x + right * least, y: spot.y + up * least }
-      if (taken.every(({ x, y }) => (x - near.x) ** 2 + (y - near.y) ** 2 >= (least * 0.95) ** 2)) return near
+      const isFree = ({ x, y }: Spot) => (x - near.x) ** 2 + (y - near.y) ** 2 >= (least * 0.95) ** 2
+      if (isInside(near) && taken.every(isFree)) return near
     }
   return spot
 }

@@ -10,6 +10,9 @@ import { pointsIn } from './work.ts'
 /** What a tap on the plane does to points. */
 export type Tool = 'look' | 'add' | 'remove'
 
+/** Between the middles of two things in px: each has 44 for a finger. */
+const leastApart = 47
+
 const colourOf = (row: readonly number[]) => row.map((value) => (value / 10) * 255)
 
 /** The desk as it lies on the screen: where everything is, and what a finger or a key does to it. */
@@ -35,7 +38,9 @@ export class PlaneView {
   readonly field = $derived.by(() => fieldIn(this.room))
   readonly spots = $derived.by(() => {
     const places = this.#table.rows.map((row) => spotOf(this.field, row, this.#axes))
-    return this.isThings ? apart(places, Math.min(54, this.room.width / 12)) : places
+    return this.isThings
+      ? apart(places, Math.min(54, Math.max(leastApart, this.room.width / 12)), this.field)
+      : places
   })
   readonly flags = $derived.by(() => this.#centres.map((centre) => spotOf(this.field, centre, this.#axes)))
   /** From what is touched to every flag. */
