@@ -1,6 +1,6 @@
 import fc from 'fast-check'
 import { expect, test } from 'vitest'
-import { arrangementOf, bordersOf, gap, gridOfTwo, moved } from './arrangement.ts'
+import { arrangementOf, bordersOf, gap, gridOfTwo, moved, nextPane, scrollsAsPage } from './arrangement.ts'
 
 test('visual.md 3: the width of the window decides the arrangement, a low one shows pages', () => {
   const at = (width: number, height = 768) => arrangementOf({ width, height })
@@ -59,4 +59,20 @@ test('without a network the world has its place too, beside or above the program
   expect(grid('columns')).toBe('"program first world" minmax(0, 1fr) / 452px 8px minmax(0, 1fr)')
   expect(grid('stacked')).toMatch(/^"program first world" minmax\(0, 1fr\)/)
   expect(grid('rows')).toMatch(/^"world" 315px "first" 8px "program"/)
+})
+
+test('at 400 % zoom the lab scrolls as a page; a phone and a laptop at 200 % keep it in the window', () => {
+  const at = (width: number, height: number) => scrollsAsPage({ width, height })
+  expect([at(342, 192), at(320, 256)]).toEqual([true, true])
+  expect([at(390, 844), at(844, 390), at(683, 384), at(1366, 768)]).toEqual([false, false, false, false])
+})
+
+test('F6 goes round the panes, Shift and F6 the other way, from outside to the first or the last', () => {
+  const panes = ['program', 'world', 'network'] as const
+  expect([null, ...panes].map((here) => nextPane(panes, here, false))).toEqual([
+    ...['program', 'world', 'network', 'program'],
+  ])
+  expect([null, ...panes].map((here) => nextPane(panes, here, true))).toEqual([
+    ...['network', 'network', 'program', 'world'],
+  ])
 })

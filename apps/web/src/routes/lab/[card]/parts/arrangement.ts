@@ -1,4 +1,4 @@
-import type { PaneSizes } from './frame.ts'
+import type { PaneName, PaneSizes } from './frame.ts'
 
 /** columns: three side by side · stacked: program left, world over network · rows: world and network over program · pages: one at a time. */
 export type Arrangement = 'columns' | 'stacked' | 'rows' | 'pages'
@@ -34,6 +34,16 @@ export function arrangementOf(window: Area): Arrangement {
   if (window.width < 640 || window.height < 520) return 'pages'
   if (window.width < 1000) return 'rows'
   return window.width < 1280 ? 'stacked' : 'columns'
+}
+
+/** So little room (400 % zoom) that the lab is a page that scrolls: its bars alone would fill the window. */
+export const scrollsAsPage = ({ width, height }: Area): boolean =>
+  height < 300 || (width < 560 && height < 480)
+
+/** The pane that comes after this one, or before it; the first from outside of all. */
+export function nextPane(panes: readonly PaneName[], here: PaneName | null, back: boolean): PaneName {
+  if (here === null) return panes.at(back ? -1 : 0)!
+  return panes[(panes.indexOf(here) + (back ? -1 : 1) + panes.length) % panes.length]!
 }
 
 function border(axis: 'x' | 'y', wanted: number, min: number, max: number): Border {
