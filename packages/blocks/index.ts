@@ -9,6 +9,7 @@ export {
   mostNeurons,
   type HiddenLayer,
 } from './parts/layers.ts'
+export { nearestOption, optionFor } from './parts/options.ts'
 export { filledRows, plugged, rowCount, rowName } from './parts/rows.ts'
 export { emptySorting } from './parts/empty-sorting.ts'
 export { nothing } from './parts/texts.ts'

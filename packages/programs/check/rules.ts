@@ -1,3 +1,4 @@
+import { optionFor } from '@botgarten/blocks'
 import type { Block, CheckContext, Definition, FieldLook, Finding } from '@botgarten/blocks'
 import { definitionOf, holesOf, outputOf, strangeInputs } from './places.ts'
 
@@ -29,9 +30,7 @@ function fieldProblem(look: FieldLook, value: string | undefined): readonly Said
     case 'number':
       return isNumber(value) ? [] : [stop('notANumber')]
     case 'choice':
-      return look.options.some((option) => sameWord(option.value, value)) || isWithin(look.numbers, value)
-        ? []
-        : [stop('unknownChoice')]
+      return optionFor(look.options, value) || isWithin(look.numbers, value) ? [] : [stop('unknownChoice')]
     case 'hidden':
       return look.name === 'MODE' && value !== look.preset ? [stop('unknownPart')] : []
     case 'name':
@@ -44,9 +43,6 @@ const isWithin = (range: { readonly min: number; readonly max: number } | undefi
   range !== undefined && isNumber(text) && Number(text) >= range.min && Number(text) <= range.max
 
 const isNumber = (text: string) => text.trim() !== '' && Number.isFinite(Number(text))
-
-/** Open Roberta writes colours in either case. */
-const sameWord = (a: string, b: string) => a.toUpperCase() === b.toUpperCase()
 
 const orderOfColours: Rule = (block, definition) => {
   if (block.type !== 'logic_compare') return []

@@ -1,4 +1,5 @@
 import * as Blockly from 'blockly/core'
+import { nearestOption, optionFor } from '@botgarten/blocks'
 import { drawDot, type FileField } from './fields.ts'
 
 export interface Option {
@@ -14,12 +15,20 @@ const dotSpace = 24
 export class ChoiceField extends Blockly.FieldDropdown implements FileField {
   readonly #options: readonly Option[]
   readonly #onchange: (value: string) => void
+  /** Words for a colour that comes near to one of the options. */
+  readonly #almost: (label: string) => string
   #dot: SVGElement | null = null
 
-  constructor(options: readonly Option[], preset: string, onchange: (value: string) => void = () => {}) {
+  constructor(
+    options: readonly Option[],
+    preset: string,
+    onchange: (value: string) => void = () => {},
+    almost = (label: string) => label,
+  ) {
     super(Blockly.Field.SKIP_SETUP)
     this.#options = options
     this.#onchange = onchange
+    this.#almost = almost
     this.setOptions(options.map(menuOption))
     this.setValue(preset)
   }
@@ -76,9 +85,11 @@ export class ChoiceField extends Blockly.FieldDropdown implements FileField {
   }
 
   #like(value: string): Omit<Option, 'value'> {
-    const same = this.#options.find((option) => option.value === value)
-    const upper = value.toUpperCase()
-    return same ?? this.#options.find((option) => option.value.toUpperCase() === upper) ?? { label: value }
+    const near = nearestOption(this.#options, value)
+    return (
+      optionFor(this.#options, value) ??
+      (near ? { label: this.#almost(near.label), dot: value } : { label: value })
+    )
   }
 
   #makeRoomForDot(colour: string) {

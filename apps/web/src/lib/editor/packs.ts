@@ -1,4 +1,11 @@
-import { definitions, isOfLearning, type Block, type Definition, type FieldLook } from '@botgarten/blocks'
+import {
+  definitions,
+  isOfLearning,
+  optionFor,
+  type Block,
+  type Definition,
+  type FieldLook,
+} from '@botgarten/blocks'
 import type { Brain } from '@botgarten/learning/neural-network'
 import { holesOf, statementNames, type Project } from '@botgarten/programs'
 import { fetchExpertWords, withWords } from '#lib/words/say.ts'
@@ -69,6 +76,5 @@ function isKnown(block: Block): boolean {
 function isPlain(field: FieldLook, value: string | undefined): boolean {
   if (value === undefined) return true
   if (field.kind === 'hidden') return field.name !== 'MODE' || value === field.preset
-  const same = (option: { readonly value: string }) => option.value.toUpperCase() === value.toUpperCase()
-  return field.kind !== 'choice' || field.options.some(same)
+  return field.kind !== 'choice' || optionFor(field.options, value) !== undefined
 }

@@ -1,4 +1,5 @@
 import * as Blockly from 'blockly/core'
+import { optionFor } from '@botgarten/blocks'
 import type { Definition, FieldLook, InputLook, Look, NeuronLook } from '@botgarten/blocks'
 import { applyFace, faceField, type BotBlock, type Extra } from './bot-block.ts'
 import { ChoiceField } from './choice-field.ts'
@@ -181,7 +182,8 @@ function makeField(look: FieldLook, block: BotBlock, language: Language): Blockl
         label: key === null ? value : words(key),
         ...(dot === undefined ? {} : { dot }),
       }))
-      return new ChoiceField(options, look.preset, () => choiceChanged(block, look.name, language))
+      const almost = (name: string) => words('choice.almost', { name })
+      return new ChoiceField(options, look.preset, () => choiceChanged(block, look.name, language), almost)
     }
   }
 }
@@ -200,6 +202,6 @@ function neuronColour(neuron: NeuronLook, block: BotBlock): string {
   const { field: name } = neuron.colour
   const look = block.definition.look.fields.find((field) => field.name === name)
   const value = (block.getFieldValue(name) as string | null) ?? look?.preset
-  const option = look?.kind === 'choice' ? look.options.find((option) => option.value === value) : undefined
+  const option = look?.kind === 'choice' ? optionFor(look.options, String(value)) : undefined
   return option?.dot ?? String(value)
 }

@@ -40,6 +40,23 @@ describe('the words at a node', () => {
     }
   })
 
+  test('name a colour in either case, and the nearest name of one that has none', async () => {
+    const sees = (COLOUR: string) =>
+      labelOf(neuron('ai_nn_input_node_coloursensor_color', { COLOUR, SENSORPORT: '1' }))
+    await language.speak('en')
+    expect([sees('#00642E'), sees('#00642e'), sees('#b30006')]).toEqual([
+      'colour green, port 1',
+      'colour green, port 1',
+      'colour red, port 1',
+    ])
+    expect(sees('#dc0000')).toBe('colour almost red, port 1')
+    await language.speak('de')
+    expect([sees('#0057a6'), sees('#0060b0')]).toEqual([
+      'Farbe blau, Anschluss 1',
+      'Farbe fast blau, Anschluss 1',
+    ])
+  })
+
   test('say where the sensor or the wheel is', () => {
     expect(placeOf(distance('2'), config)).toBe('network.place.frontLeft')
     expect(placeOf(distance('3'), config)).toBe('network.place.frontRight')

@@ -1,4 +1,4 @@
-import { definitions, isBlockType } from '@botgarten/blocks'
+import { definitions, isBlockType, nearestOption, optionFor, type FieldLook } from '@botgarten/blocks'
 import type { NeuronOutline } from '@botgarten/programs'
 import type { RobotConfig, SensorPlace, SensorPort } from '@botgarten/simulation'
 import { say } from '#lib/words/say.ts'
@@ -9,10 +9,16 @@ function shownFields({ type, fields }: NeuronOutline): { readonly [name: string]
   const shown = { ...fields }
   for (const look of looks) {
     if (look.kind !== 'choice') continue
-    const option = look.options.find(({ value }) => value === (fields[look.name] ?? look.preset))
-    shown[look.name] = option?.words ? say(option.words) : (option?.value ?? shown[look.name] ?? '')
+    shown[look.name] = shownChoice(look, fields[look.name] ?? look.preset)
   }
   return shown
+}
+
+function shownChoice({ options }: Extract<FieldLook, { kind: 'choice' }>, value: string): string {
+  const option = optionFor(options, value)
+  if (option) return option.words ? say(option.words) : option.value
+  const near = nearestOption(options, value)
+  return near?.words ? say('choice.almost', { name: say(near.words) }) : value
 }
 
 /** What stands beside a node: "distance, port 2". */
