@@ -25,4 +25,4 @@ export function nearestOption<One extends { readonly dot?: string }>(
 
 const channels = (colour: Colour) => [1, 3, 5].map((at) => parseInt(colour.slice(at, at + 2), 16))
 const distance = (a: readonly number[], b: readonly number[]) =>
-  a.reduce((sum, part, at) => sum + (part - b[at]!) ** 2, 0)
+  a.reduce((sum, part, at) => sum + Math.abs(part - b[at]!), 0)

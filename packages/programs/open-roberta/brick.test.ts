@@ -81,6 +81,24 @@ it('a block of a configuration that nobody knows stays in it', () => {
   expect(xmlTree(fileFrom(projectFrom(text, 'x', garden), 'bo'))).toEqual(xmlTree(text))
 })
 
+const withConfiguration = (inside: string) =>
+  file('').replace(/(<config>.*?<instance[^>]*>).*(<\/instance>.*<\/config>)/, `$1${inside}$2`)
+
+it('a brick that nobody knows keeps its configuration, also when the robot is built otherwise', () => {
+  const brick = block('NXT-Brick', 'nxt', field('TRACK_WIDTH', '11') + value('S1', block('touch', 't')))
+  const text = withConfiguration(brick)
+  const project = projectFrom(text, 'x', garden)
+  expect(xmlTree(fileFrom(project, 'bo'))).toEqual(xmlTree(text))
+  const program = withRobot(readOpenRoberta(text), cardConfig)
+  expect(program.config.stacks[0]).toEqual(readOpenRoberta(text).config.stacks[0])
+  expect(robotIn(program.config)).toEqual(cardConfig)
+})
+
+it('a file without a configuration stays one while the robot is the one out of the box', () => {
+  const text = file('').replace(/<config>.*<\/config>/, '')
+  expect(xmlTree(fileFrom(projectFrom(text, 'x', garden), 'bo'))).toEqual(xmlTree(text))
+})
+
 const settings = {
   reversed: fc.constantFrom<true | undefined>(true, undefined),
   unregulated: fc.constantFrom<true | undefined>(true, undefined),

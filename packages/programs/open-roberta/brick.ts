@@ -75,13 +75,18 @@ function placeIn({ data }: Block, kind: SensorKind): SensorPlace | undefined {
 
 /**
  * The program with a configuration that describes this robot; unchanged where it does already. Noise, delay and unequal
- * motors stay at home, and so does a sensor that Open Roberta's brick has no block for.
+ * motors stay at home, and so does a sensor that Open Roberta's brick has no block for. What a file says in blocks that
+ * are unknown here stays in it, whatever is changed beside it.
  */
 export function withRobot(program: Program, robot: RobotConfig): Program {
-  const brick = brickIn(program.config)
-  if (brick && isSame(robotIn(program.config), robot)) return program
-  if (!brick)
-    return { ...program, config: { stacks: [{ x: 213, y: 213, blocks: [brickFor(fresh, robot)] }] } }
+  const { config, raw } = program
+  const brick = brickIn(config)
+  const comesFromFile = raw !== undefined || config.stacks.length > 0
+  if ((brick || comesFromFile) && isSame(robotIn(config), robot)) return program
+  if (!brick) {
+    const added = { x: 213, y: 213, blocks: [brickFor(fresh, robot)] }
+    return { ...program, config: { stacks: [...config.stacks, added] } }
+  }
   const stacks = program.config.stacks.map(({ blocks, ...place }) => ({
     ...place,
     blocks: blocks.map((block) => (block === brick ? brickFor(brick, robot) : block)),

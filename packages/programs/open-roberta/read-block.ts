@@ -29,6 +29,7 @@ function readBlock(element: Element, ids: Ids): Block {
   for (const [name, text] of Object.entries({ inline, collapsed, disabled }))
     if (text !== undefined && truth(text) === undefined) flags[name] = text
   Object.assign(flags, others)
+  if (type === '') throw notOpenRoberta('A block has no type.')
   const own = freshId(nameOf(type, 'A block'), id, ids)
   if (own !== id) flags['id'] = id
   return {
@@ -53,7 +54,7 @@ const filled = (parts: object) =>
   )
 
 function freshId(type: string, id: string, ids: Ids): string {
-  const wanted = id === '' || id.length > 150 || isReserved(id) ? type : id
+  const wanted = (id === '' || id.length > 150 || isReserved(id) ? type : id).slice(0, 150)
   let own = wanted
   let number = ids.get(wanted) ?? 0
   while (ids.has(own) || isReserved(own)) own = `${wanted}_${++number + 1}`
@@ -185,7 +186,7 @@ function put<Value>(record: Record<string, Value>, name: string | undefined, val
 }
 
 function nameOf(name: string | undefined, what: string): string {
-  if (name === undefined || name === '') throw notOpenRoberta(`${what} has no name.`)
+  if (name === undefined) throw notOpenRoberta(`${what} has no name.`)
   if (isReserved(name)) throw notOpenRoberta(`${what} must not be called "${name}".`)
   return name
 }

@@ -7,7 +7,7 @@ import { readRow, refuseText, type Ids } from './read-block.ts'
 import { notOpenRoberta, treeOf, type Element } from './tree.ts'
 
 /** The same brick under two names. */
-const robots = ['ev3', 'xNN']
+export const robots: readonly string[] = ['ev3', 'xNN']
 
 /**
  * The program of an Open Roberta file, configuration included (open-roberta-files.md). Blocks that are unknown here are
@@ -79,9 +79,19 @@ function placeIn(text = '0'): number {
 
 /** What opens can also be kept: the same limits as for a project's file. */
 function checked(program: Program): Program {
-  refuseOversize(program)
+  refuseTooMuch(program)
   const result = v.safeParse(programSchema, program, { abortEarly: true })
   if (result.success) return result.output
   const { path, message } = result.issues[0]
   throw notOpenRoberta(`${path?.map(({ key }) => String(key)).join('.') ?? ''}: ${message}`)
+}
+
+/** As part of a project, which is how it will be saved. */
+function refuseTooMuch(program: Program): void {
+  try {
+    refuseOversize({ programs: { main: program } })
+  } catch (error) {
+    if (!(error instanceof ProjectError) || error.reason === 'tooBig') throw error
+    throw new ProjectError('tooDeep', 'It is nested too deeply.')
+  }
 }

@@ -1,7 +1,7 @@
 import sax from 'sax'
 import { ProjectError } from '../project/error.ts'
 import { isReserved, refuseBigText } from '../project/limits.ts'
-import { isWhole } from './xml.ts'
+import { isAttribute, isWhole, namespace } from './xml.ts'
 
 /** An element of an Open Roberta file. `text` is its own text, of its children's nothing. */
 export interface Element {
@@ -11,9 +11,11 @@ export interface Element {
   text: string
 }
 
-const namespace = 'http://de.fhg.iais.roberta.blockly'
-/** Elements inside elements. A block in a statement takes two or three, and half as many again as JSON. */
-const deepest = 300
+/**
+ * Elements inside elements. A block in another takes two or three; as data of a project, which may have 600 levels, two
+ * or three as well.
+ */
+const deepest = 920
 const mostBlocks = 10_000
 const mostElements = 20 * mostBlocks
 
@@ -71,7 +73,9 @@ class Builder {
   #begin({ local, uri, attributes }: sax.QualifiedTag): void {
     if (uri !== '' && uri !== namespace) throw notOpenRoberta(`"${local}" is of another namespace.`)
     this.#count(local)
-    const own = Object.values(attributes).map(({ name, value }) => [name, value] as const)
+    const own = Object.values(attributes)
+      .filter(({ name, value }) => isAttribute(name, value))
+      .map(({ name, value }) => [name, value] as const)
     const element = { name: local, attributes: Object.fromEntries(own), children: [], text: '' }
     this.#open.at(-1)?.children.push(element)
     this.root ??= element

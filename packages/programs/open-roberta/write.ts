@@ -1,11 +1,12 @@
 import * as v from 'valibot'
 import type { Block } from '@botgarten/blocks'
+import { isReserved } from '../project/limits.ts'
 import { blockSchema } from '../project/schema-program.ts'
 import type { Program, Stack } from '../types.ts'
 import { flag, inBranches, isWrapped } from './repetitions.ts'
-import { element, textOf } from './xml.ts'
+import { robots } from './read.ts'
+import { element, entriesByName, namespace as xmlns, textOf } from './xml.ts'
 
-const xmlns = 'http://de.fhg.iais.roberta.blockly'
 const fresh = { xmlns, robottype: 'ev3', xmlversion: '3.1', description: '', tags: '' }
 
 /** An Open Roberta file with the program and its configuration; read again, it is the same program. */
@@ -13,24 +14,33 @@ export function writeOpenRoberta({ stacks, config, raw }: Program): string {
   const program = element('program', {}, set(stacks, raw?.attributes))
   const setUp =
     raw && !raw.config && config.stacks.length === 0 ? '' : set(config.stacks, raw?.config ?? raw?.attributes)
-  return element('export', raw?.root ?? { xmlns }, program + (setUp && element('config', {}, setUp)))
+  return element('export', rootOf(raw?.root), program + (setUp && element('config', {}, setUp)))
 }
 
-const set = (stacks: readonly Stack[], attributes: { readonly [name: string]: string } = fresh) =>
-  element('block_set', attributes, stacks.map(instance).join('')) + '\n'
+type Attributes = { readonly [name: string]: string }
+
+const rootOf = (root: Attributes = { xmlns }): Attributes =>
+  root['xmlns'] === undefined ? root : { ...root, xmlns }
+
+/** A project may name any robot; its program is written for the EV3. */
+const forRobot = ({ robottype, ...others }: Attributes): Attributes =>
+  robottype === undefined ? others : { ...others, robottype: robots.includes(robottype) ? robottype : 'ev3' }
+
+const set = (stacks: readonly Stack[], attributes: Attributes = fresh) =>
+  element('block_set', forRobot(attributes), stacks.map(instance).join('')) + '\n'
 
 const instance = ({ x, y, blocks }: Stack) =>
   '\n' + element('instance', { x: String(x), y: String(y) }, rowOf(blocks))
 
-const rowOf = (blocks: readonly Block[]) => blocks.map((block) => writeBlock(block)).join('')
+const rowOf = (blocks: readonly Block[]) => blocks.map((block) => writeBlock(block, 'block')).join('')
 
-function writeBlock(block: Block): string {
-  const name = isShadow(block) ? 'shadow' : 'block'
+/** A shadow is one in an input alone; in a row it is a block that calls itself one. */
+function writeBlock(block: Block, name = isShadow(block) ? 'shadow' : 'block'): string {
   const inputs = [...valuesOf(block), ...statementsOf(block)]
   const wrapped = isWrapped(block)
   const parts = [
     mutationOf(block),
-    ...Object.entries(block.fields ?? {}).map(([field, text]) =>
+    ...entriesByName(block.fields ?? {}).map(([field, text]) =>
       element('field', { name: field }, textOf(text)),
     ),
     wrapped
@@ -45,17 +55,17 @@ function writeBlock(block: Block): string {
     notesOf(block),
     ...(wrapped ? [] : inputs.map(({ xml }) => xml)),
   ]
-  return element(name, attributesOf(block), parts.join(''))
+  return element(name, attributesOf(block, name), parts.join(''))
 }
 
 /** A shadow has at most one field in a file, and nothing else. */
 const isShadow = ({ shadow, fields = {}, flags = {}, ...rest }: Block) =>
   shadow === true &&
-  flags['shadow'] === undefined &&
+  flags['shadow'] !== 'true' &&
   Object.keys(fields).length <= 1 &&
   !(rest.mutation || rest.values || rest.statements)
 
-function attributesOf(block: Block) {
+function attributesOf(block: Block, name: string) {
   const { id, type, inline, collapsed, disabled, shadow, flags = {} } = block
   const { id: ownId = id, ...others } = Object.fromEntries(
     Object.entries(flags).filter(([name]) => !isNote(name)),
@@ -64,12 +74,12 @@ function attributesOf(block: Block) {
     inline,
     collapsed,
     disabled,
-    shadow: shadow && !isShadow(block) ? true : undefined,
+    shadow: shadow && name === 'block' ? true : undefined,
   })
   return {
+    ...others,
     ...{ type, id: ownId },
     ...Object.fromEntries(states.flatMap(([name, on]) => (on === undefined ? [] : [[name, String(on)]]))),
-    ...others,
   }
 }
 
@@ -91,7 +101,9 @@ function notesOf({ comment, data, hide = [], flags = {} }: Block): string {
     note('comment', comment),
     ...notes.map((name) => note(name, flags[name])),
     data === undefined ? '' : element('data', {}, textOf(data)),
-    ...hide.map((name) => element('hide', { name, value: flags[`hide.${name}`] ?? '' })),
+    ...hide
+      .filter((name) => !isReserved(name))
+      .map((name) => element('hide', { name, value: flags[`hide.${name}`] ?? '' })),
   ].join('')
 }
 
@@ -105,8 +117,9 @@ const attributesIn = (flags: { readonly [name: string]: string }, prefix: string
 })
 
 const valuesOf = ({ values = {}, flags = {} }: Block) =>
-  Object.entries(values).map(([name, block]) => {
-    const shadow = underneath(flags[`under.${name}`])
+  entriesByName(values).map(([name, block]) => {
+    const lies = block.shadow === true || block.flags?.['shadow'] === 'true'
+    const shadow = lies ? '' : underneath(flags[`under.${name}`])
     return { kind: 'value' as const, name, xml: element('value', { name }, shadow + writeBlock(block)) }
   })
 
@@ -122,7 +135,7 @@ function underneath(text: string | undefined): string {
 }
 
 const statementsOf = ({ statements = {} }: Block) =>
-  Object.entries(statements).map(([name, rows]) => ({
+  entriesByName(statements).map(([name, rows]) => ({
     ...{ kind: 'statement' as const, name },
     xml: element('statement', { name }, rowOf(rows)),
   }))
