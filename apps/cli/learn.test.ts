@@ -78,6 +78,23 @@ describe('botgarten learn q', () => {
     )
   })
 
+  it('reads what a drawing program saves, and names what it leaves out', () => {
+    const drawing = join(folder, 'drawing.svg')
+    const circles =
+      '<circle id="node-0" cx="9" cy="9" r="5"/><ellipse id="node-1" cx="99" cy="9" rx="9" ry="5"/>'
+    const roads = '<path id="path-0-1" d="m9 9q30-40 90 0"/><path id="path-a-b" d="M0 0"/>'
+    writeFileSync(
+      drawing,
+      `<svg viewBox="0 0 120 20"><g transform="rotate(9) scale(2)">${circles}${roads}</g></svg>`,
+    )
+    const { status, stdout, stderr } = learn('q', '--map', drawing, '--start', '0', '--goal', '1', '--json')
+    expect(status).toBe(0)
+    expect(JSON.parse(stdout)).toMatchObject({ bestWay: [0, 1] })
+    expect(stderr).toBe(
+      `botgarten: in "${drawing}" "path-a-b" is neither a station (node-0) nor a road (path-3-5) and is not read.\n`,
+    )
+  })
+
   it.each([
     [['p'], 'takes one of: q, q-sweep, q-thesis, kmeans'],
     [['q'], '--map is needed'],

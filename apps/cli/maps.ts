@@ -16,9 +16,14 @@ export function findMap(what: string): MapFile {
   if (!shipped.includes(what) && !existsSync(what))
     throw new CallError(`There is no map and no file called "${what}". Maps: ${shipped.join(', ')}.`)
   const path = shipped.includes(what) ? join(folder, what, 'map.svg') : what
-  const { map, problems } = readMap(textOf(path))
-  if (map) return map
-  throw new FileError(`"${what}" is not a map: ${problems.map(sentenceFor).join('; ')}.`)
+  const { map, problems, warnings } = readMap(textOf(path))
+  const named = warnings.map(sentenceFor).join('; ')
+  if (!map)
+    throw new FileError(
+      `"${what}" is not a map: ${[...problems.map(sentenceFor), named].filter(Boolean).join('; ')}.`,
+    )
+  if (named !== '') process.stderr.write(`botgarten: in "${what}" ${named}.\n`)
+  return map
 }
 
 function textOf(path: string): string {

@@ -1,5 +1,5 @@
 import type { Scene } from '@botgarten/programs'
-import { distance, type Point } from './path.ts'
+import { distance, type Point } from './point.ts'
 import type { MapFile } from './types.ts'
 import { placeOf, wayThrough, worldSizeOf } from './way.ts'
 

@@ -1,6 +1,7 @@
 export type * from './types.ts'
 export { drawWay, type DrawnWay } from './drawn.ts'
 export { courseOf, isShortest, learningKey, sectionsOf, withLearnedWay } from './learn.ts'
-export { pointsAlong, segmentsOf, type Point } from './path.ts'
+export { pointsAlong, segmentsOf } from './path.ts'
+export type { Point } from './point.ts'
 export { readMap, type ReadMap } from './readMap.ts'
 export { placeOf, wayThrough, worldSizeOf } from './way.ts'

@@ -1,9 +1,6 @@
 import { atan2, cos, sin } from '@botgarten/numbers'
-
-export interface Point {
-  readonly x: number
-  readonly y: number
-}
+import { curveLength, evenly } from './curve.ts'
+import { between, distance, type Point } from './point.ts'
 
 export interface PathShape {
   readonly from: Point
@@ -12,18 +9,17 @@ export interface PathShape {
   readonly length: number
 }
 
-const number = /^[-+]?(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?/i
-
-/** A straight line (radius null), or a circular arc as SVG writes it. */
+/** A straight line, a circular arc as SVG writes it, or a cubic Bézier curve by the two points that pull it. */
 export interface Segment {
   readonly from: Point
   readonly to: Point
   readonly arc: { readonly radius: number; readonly large: boolean; readonly sweep: boolean } | null
+  readonly curve?: readonly [Point, Point]
 }
 
 /**
- * A road's centre line: `M`, then straight lines `L` and circular arcs `A`, absolute. Lengths are exact: an arc's is
- * radius times angle. Null for any other path.
+ * A road's centre line: `M`, then straight lines `L`, circular arcs `A` and cubic curves `C`, absolute. Lengths of lines
+ * and arcs are exact: an arc's is radius times angle. Null for any other path.
  */
 export function readPath(data: string): PathShape | null {
   const segments = segmentsOf(data)
@@ -34,14 +30,14 @@ export function readPath(data: string): PathShape | null {
 
 /** The segments of such a path; of one that never leaves its place a single one of length 0. Null for any other path. */
 export function segmentsOf(data: string): readonly Segment[] | null {
-  const pieces = data.match(/[a-z][^a-z]*/gi) ?? []
+  const pieces = data.match(/[a-df-z][^a-df-z]*/gi) ?? []
   if (pieces.join('').trim() !== data.trim() || !pieces[0]?.startsWith('M')) return null
   const segments: Segment[] = []
   let at: Point | null = null
   for (const piece of pieces) {
     const values = numbersIn(piece.slice(1))
     const kind = piece[0]!
-    const many = { M: 2, L: 2, A: 7 }[kind]
+    const many = { M: 2, L: 2, A: 7, C: 6 }[kind]
     if (many === undefined || values === null || values.length === 0 || values.length % many !== 0)
       return null
     for (let index = 0; index < values.length; index += many) {
@@ -60,26 +56,39 @@ function segmentTo(at: Point | null, kind: string, values: readonly number[]): S
   if (kind === 'M') return at === null ? { from: to, to, arc: null } : null
   if (at === null) return null
   if (kind === 'L') return { from: at, to, arc: null }
+  if (kind === 'C') {
+    const [a, b, c, d] = values as [number, number, number, number]
+    return {
+      from: at,
+      to,
+      arc: null,
+      curve: [
+        { x: a, y: b },
+        { x: c, y: d },
+      ],
+    }
+  }
   const [rx, ry, , large, sweep] = values
-  if (rx !== ry || !(rx! > 0)) return null
+  if (rx !== ry || !(rx! > 0) || ![large, sweep].every((flag) => flag === 0 || flag === 1)) return null
   const radius = Math.max(rx!, distance(at, to) / 2)
   return { from: at, to, arc: { radius, large: Boolean(large), sweep: Boolean(sweep) } }
 }
 
-function numbersIn(text: string): number[] | null {
+/** Numbers with white space or commas between them; null where anything else stands there. */
+export function numbersIn(text: string): number[] | null {
+  const number = /[\s,]*([-+]?(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?)/iy
   const values: number[] = []
-  let rest = text.trim()
-  while (rest !== '') {
-    const found = number.exec(rest)?.[0]
-    if (found === undefined) return null
-    values.push(Number(found))
-    rest = rest.slice(found.length).replace(/^[\s,]+/, '')
+  let end = 0
+  for (let found = number.exec(text); found !== null; found = number.exec(text)) {
+    values.push(Number(found[1]))
+    end = number.lastIndex
   }
-  return values
+  return /^[\s,]*$/.test(text.slice(end)) ? values : null
 }
 
 /** SVG 1.1, F.6: of the two arcs that join two points, the large or the small one. Too small a radius has grown. */
-function lengthOf({ from, to, arc }: Segment): number {
+function lengthOf({ from, to, arc, curve }: Segment): number {
+  if (curve) return curveLength([from, ...curve, to])
   const half = distance(from, to) / 2
   if (arc === null) return 2 * half
   const angle = 2 * atan2(half, Math.sqrt(Math.max(0, arc.radius * arc.radius - half * half)))
@@ -88,19 +97,15 @@ function lengthOf({ from, to, arc }: Segment): number {
 
 /** Points of a segment about `step` apart, without its first. */
 export function pointsAlong(segment: Segment, step: number): Point[] {
-  const { from, to, arc } = segment
+  const { from, to, arc, curve } = segment
   const count = Math.max(1, Math.ceil(lengthOf(segment) / step))
+  if (curve) return evenly([from, ...curve, to], count)
   const shares = Array.from({ length: count }, (_, index) => (index + 1) / count)
   if (arc === null) return shares.map((share) => between(from, to, share))
   const centre = centreOf(from, to, arc)
   const angle = (lengthOf(segment) / arc.radius) * (arc.sweep ? 1 : -1)
   return [...shares.slice(0, -1).map((share) => turned(from, centre, angle * share)), to]
 }
-
-export const between = (a: Point, b: Point, share: number): Point => ({
-  x: a.x + (b.x - a.x) * share,
-  y: a.y + (b.y - a.y) * share,
-})
 
 function centreOf(from: Point, to: Point, { radius, large, sweep }: NonNullable<Segment['arc']>): Point {
   const chord = distance(from, to)
@@ -113,9 +118,4 @@ function centreOf(from: Point, to: Point, { radius, large, sweep }: NonNullable<
 function turned(point: Point, { x, y }: Point, angle: number): Point {
   const [dx, dy, c, s] = [point.x - x, point.y - y, cos(angle), sin(angle)]
   return { x: x + dx * c - dy * s, y: y + dx * s + dy * c }
-}
-
-export function distance(a: Point, b: Point): number {
-  const [x, y] = [a.x - b.x, a.y - b.y]
-  return Math.sqrt(x * x + y * y)
 }

@@ -1,48 +1,78 @@
 import { gridMap, type Move } from '@botgarten/learning/q-learning'
 import { elementsOf, type Element } from './elements.ts'
-import { distance, readPath } from './path.ts'
+import { numbersIn } from './path.ts'
+import { distance, type Point } from './point.ts'
+import { roadIn, type ReadRoad } from './road.ts'
+import { placeOf, type Place } from './station.ts'
 import type { MapFile, MapProblem } from './types.ts'
 
 const MOST_CHARACTERS = 1_000_000
 const MOST_STATIONS = 500
-/** A road ends at its station's centre, in units of the drawing. */
-const NEAR = 1
+/** Characters of the path data of all roads together. */
+const MOST_DATA = 60_000
 
-export type ReadMap =
+export type ReadMap = (
   | { readonly map: MapFile; readonly problems: readonly [] }
   | { readonly map: null; readonly problems: readonly MapProblem[] }
+) & {
+  /** What looks like a station or a road and is none. */
+  readonly warnings: readonly MapProblem[]
+}
+
+/** A road of the drawing between two stations. */
+interface Between {
+  readonly name: string
+  readonly from: number
+  readonly to: number
+  readonly read: ReadRoad
+  readonly attributes: Element['attributes']
+}
 
 /**
- * Reads a map from an SVG: stations `node-i`, numbered from 0 without a gap and placed by `transform="translate(x y)"`,
- * and a path `path-i-j` for every allowed move; or a grid by the root's `data-grid` (rows joined by `/`). All broken
- * rules are named.
+ * Reads a map from an SVG: stations `node-i`, numbered from 0 without a gap (where they are: see `placeOf`), and a path
+ * `path-i-j` for every allowed move; or a grid by the root's `data-grid` (rows joined by `/`). All broken rules are named.
  */
 export function readMap(text: string): ReadMap {
   if (text.length > MOST_CHARACTERS) return broken([problem('tooLarge', { most: MOST_CHARACTERS })])
   const read = elementsOf(text)
-  if ('line' in read) return broken([problem('notXml', { line: read.line })])
+  if ('problem' in read) return broken([read.problem])
   const { elements, unsafe } = read
   const [root] = elements
   if (root?.name !== 'svg') return broken([problem('noDrawing', {})])
   const problems: MapProblem[] = []
   if (unsafe !== null) problems.push(problem('unsafe', { name: unsafe }))
   const ids = elementsById(elements, problems)
+  const warnings = [...ids.keys()].filter(isStrange).map((name) => problem('strangeId', { name }))
   const numbers = numbersOf(root, problems)
-  const stations = stationsIn(ids, problems)
+  const size = sizeOf(root)
+  const roads = roadsIn(ids, problems)
+  const stations = stationsIn({ elements, ids, roads, size }, problems)
   const laid =
     root.attributes['data-grid'] === undefined
-      ? { map: { moves: movesIn(ids, stations, problems), ...rewardsIn(ids, stations.length, problems) } }
+      ? { map: { moves: movesIn(roads, stations, problems), ...rewardsIn(ids, stations.length, problems) } }
       : gridIn(root, stations.length, problems)
-  if (problems.length > 0 || laid === null) return broken(problems)
-  const drawn = { size: sizeOf(root), roads: roadsIn(ids) }
+  if (problems.length > 0 || laid === null) return broken(problems, warnings)
+  const lines = roads.flatMap(({ from, to, read }) =>
+    'line' in read ? [[`${from}-${to}`, read.line] as const] : [],
+  )
   return {
-    map: { id: root.attributes['data-map'] ?? '', stations, ...drawn, ...numbers, ...laid },
-    problems: [],
+    map: {
+      ...{ id: root.attributes['data-map'] ?? '', size, roads: Object.fromEntries(lines) },
+      ...{ stations: stations.map(({ x, y }) => ({ x, y })), ...numbers, ...laid },
+    },
+    ...{ problems: [], warnings },
   }
 }
 
 const problem = (kind: MapProblem['kind'], facts: MapProblem['facts']): MapProblem => ({ kind, facts })
-const broken = (problems: readonly MapProblem[]): ReadMap => ({ map: null, problems })
+const broken = (problems: readonly MapProblem[], warnings: readonly MapProblem[] = []): ReadMap => ({
+  ...{ map: null, problems, warnings },
+})
+
+const stationId = /^node-(0|[1-9]\d*)$/
+const roadId = /^path-(0|[1-9]\d*)-(0|[1-9]\d*)$/
+/** Meant as a station or a road, to all appearances. */
+const isStrange = (id: string) => /^(node|path)[-_ ]/i.test(id) && !stationId.test(id) && !roadId.test(id)
 
 function elementsById(elements: readonly Element[], problems: MapProblem[]): Map<string, Element> {
   const ids = new Map<string, Element>()
@@ -68,19 +98,25 @@ function numbersOf({ attributes }: Element, problems: MapProblem[]) {
 }
 
 function sizeOf({ attributes }: Element) {
-  const [, , width = 0, height = 0] = (attributes['viewBox'] ?? '')
-    .trim()
-    .split(/[\s,]+/)
-    .map(Number)
-  return { width, height }
+  const [, , width, height] = numbersIn(attributes['viewBox'] ?? '') ?? []
+  const length = (name: 'width' | 'height') => Number((attributes[name] ?? '').replace(/px$/, '')) || 0
+  return { width: width ?? length('width'), height: height ?? length('height') }
 }
 
-const roadsIn = (ids: ReadonlyMap<string, Element>): { readonly [name: string]: string } =>
-  Object.fromEntries(
-    [...ids].flatMap(([id, { attributes }]) =>
-      id.startsWith('path-') ? [[id.slice('path-'.length), attributes['d'] ?? '']] : [],
-    ),
-  )
+function roadsIn(ids: ReadonlyMap<string, Element>, problems: MapProblem[]): readonly Between[] {
+  let room = MOST_DATA
+  return [...ids].flatMap(([name, element]) => {
+    const [, from, to] = roadId.exec(name)?.map(Number) ?? []
+    if (from === undefined || to === undefined) return []
+    room -= (element.attributes['d'] ?? element.attributes['points'] ?? '').length
+    if (room < 0) {
+      if (!problems.some(({ kind }) => kind === 'pathsLong'))
+        problems.push(problem('pathsLong', { name, most: MOST_DATA }))
+      return []
+    }
+    return [{ ...{ name, from, to }, read: roadIn(name, element), attributes: element.attributes }]
+  })
+}
 
 const keep = <Name extends string>(name: Name, value: number | undefined) =>
   (value === undefined ? {} : { [name]: value }) as { [key in Name]?: number }
@@ -93,46 +129,79 @@ function numberIn(text: string | undefined, name: string, problems: MapProblem[]
   return undefined
 }
 
-function stationsIn(ids: ReadonlyMap<string, Element>, problems: MapProblem[]) {
-  const found = [...ids.keys()].flatMap((id) => /^node-(\d+)$/.exec(id)?.[1] ?? []).map(Number)
-  if (found.length === 0) problems.push(problem('noStations', {}))
-  if (found.length > MOST_STATIONS) {
-    problems.push(problem('tooManyStations', { count: found.length, most: MOST_STATIONS }))
+interface Drawing {
+  readonly elements: readonly Element[]
+  readonly ids: ReadonlyMap<string, Element>
+  readonly roads: readonly Between[]
+  readonly size: MapFile['size']
+}
+
+function stationsIn({ elements, ids, roads, size }: Drawing, problems: MapProblem[]): readonly Place[] {
+  const count = [...ids.keys()].filter((id) => stationId.test(id)).length
+  if (count === 0) problems.push(problem('noStations', {}))
+  if (count > MOST_STATIONS) {
+    problems.push(problem('tooManyStations', { count, most: MOST_STATIONS }))
     return []
   }
-  return found.map((_, station) => {
-    const element = ids.get(`node-${station}`)
-    if (!element) problems.push(problem('stationMissing', { name: `node-${station}`, count: found.length }))
-    const at = /^translate\(([-\d.]+)[ ,]+([-\d.]+)\)$/.exec(element?.attributes['transform'] ?? '')
-    if (element && !at) problems.push(problem('stationPlace', { name: `node-${station}` }))
-    return { x: Number(at?.[1] ?? 0), y: Number(at?.[2] ?? 0) }
+  const ends = endsOf(roads)
+  const diagonal = Math.sqrt(size.width * size.width + size.height * size.height)
+  return Array.from({ length: count }, (_, station) => {
+    const name = `node-${station}`
+    const element = ids.get(name)
+    if (!element) problems.push(problem('stationMissing', { name, count }))
+    else if (element.unreadTransform !== null)
+      problems.push(problem('transform', { name, value: element.unreadTransform }))
+    else {
+      const place = placeOf(element, insideOf(elements, element), ends.get(station) ?? [], diagonal)
+      if (place) return place
+      problems.push(problem('stationPlace', { name }))
+    }
+    // It is nowhere, and that is said: its roads are not blamed for it.
+    return { x: 0, y: 0, reach: Infinity }
   })
 }
 
+/** Where the roads of each station end. */
+function endsOf(roads: readonly Between[]): ReadonlyMap<number, readonly Point[]> {
+  const ends = new Map<number, Point[]>()
+  const note = (station: number, end: Point) => {
+    const known = ends.get(station)
+    if (known) known.push(end)
+    else ends.set(station, [end])
+  }
+  for (const { from, to, read } of roads) {
+    if ('problem' in read) continue
+    note(from, read.from)
+    note(to, read.to)
+  }
+  return ends
+}
+
+function insideOf(elements: readonly Element[], element: Element): readonly Element[] {
+  const first = elements.indexOf(element) + 1
+  const end = elements.findIndex(({ depth }, index) => index >= first && depth <= element.depth)
+  return elements.slice(first, end < 0 ? elements.length : end)
+}
+
 function movesIn(
-  ids: ReadonlyMap<string, Element>,
-  stations: readonly { readonly x: number; readonly y: number }[],
+  roads: readonly Between[],
+  stations: readonly Place[],
   problems: MapProblem[],
 ): readonly (readonly Move[])[] {
   const moves: Move[][] = stations.map(() => [])
-  for (const [name, { attributes }] of ids) {
-    const ends = /^path-(\d+)-(\d+)$/.exec(name)
-    if (!ends) continue
-    const [from, to] = [Number(ends[1]), Number(ends[2])]
+  for (const { name, from, to, read, attributes } of roads) {
     const nowhere = [from, to].find((station) => station >= stations.length)
     if (nowhere !== undefined) problems.push(problem('pathToNowhere', { name, station: nowhere }))
     else if (from === to) problems.push(problem('pathToItself', { name }))
+    else if ('problem' in read) problems.push(read.problem)
     else {
-      const shape = readPath(attributes['d'] ?? '')
-      if (!shape) problems.push(problem('pathShape', { name }))
-      else if (distance(shape.from, stations[from]!) > NEAR)
-        problems.push(problem('pathEnd', { name, station: from }))
-      else if (distance(shape.to, stations[to]!) > NEAR)
-        problems.push(problem('pathEnd', { name, station: to }))
-      else {
-        const reward = numberIn(attributes['data-reward'], `${name} data-reward`, problems)
-        moves[from]!.push({ to, length: shape.length, ...keep('reward', reward) })
-      }
+      const late = [from, to].find((station, last) => {
+        const { reach, ...place } = stations[station]!
+        return distance(last ? read.to : read.from, place) > reach
+      })
+      if (late !== undefined) problems.push(problem('pathEnd', { name, station: late }))
+      const reward = numberIn(attributes['data-reward'], `${name} data-reward`, problems)
+      moves[from]!.push({ to, length: read.length, ...keep('reward', reward) })
     }
   }
   return moves.map((list) => list.toSorted((a, b) => a.to - b.to))

@@ -9,7 +9,7 @@ export interface MapFile {
   readonly cmPerUnit: number
   /** Of the drawing: its view box. */
   readonly size: { readonly width: number; readonly height: number }
-  /** Centre line of every road by its name, `3-5`: path data of `M`, `L` and `A`. Grids have none. */
+  /** Centre line of every road by its name, `3-5`: path data of `M`, `L`, `A` and `C`. Grids have none. */
   readonly roads: { readonly [name: string]: string }
   /** A way through a station leaves the road so many cm before its middle, at least. */
   readonly plazaCm: number
@@ -25,6 +25,9 @@ export interface MapProblem {
   readonly kind:
     | 'notXml'
     | 'tooLarge'
+    | 'tooManyElements'
+    | 'tooManyAttributes'
+    | 'tooDeep'
     | 'noDrawing'
     | 'unsafe'
     | 'idTwice'
@@ -35,7 +38,14 @@ export interface MapProblem {
     | 'pathToNowhere'
     | 'pathToItself'
     | 'pathShape'
+    | 'pathGap'
+    | 'pathPieces'
+    | 'pathLong'
+    | 'pathsLong'
     | 'pathEnd'
+    | 'transform'
+    | 'tooFar'
+    | 'strangeId'
     | 'number'
     | 'grid'
   readonly facts: { readonly [name: string]: string | number }

@@ -1,5 +1,6 @@
 import { atan2, cos, sin } from '@botgarten/numbers'
-import { between, distance, pointsAlong, segmentsOf, type Point } from './path.ts'
+import { pointsAlong, segmentsOf } from './path.ts'
+import { between, distance, type Point } from './point.ts'
 import type { MapFile } from './types.ts'
 
 /** Points of a way lie so many cm apart. */
