@@ -68,6 +68,35 @@ describe('botgarten learn kmeans', () => {
     expect(kMeans('--data', either, '--k', '1', '--decimal-comma').stdout).not.toContain('comma')
   })
 
+  it('says how it read the file, beside what it found', () => {
+    const understood = (...args: string[]) => {
+      const { stderr, json } = kMeans(...args, '--k', '1', '--json')
+      const answer = json()
+      fits(answer)
+      expect(fits.errors).toBeNull()
+      return { stderr, read: (answer as unknown as { read: object }).read }
+    }
+    expect(understood('--data', file('Länge\n1,5\n2,5\n'))).toEqual({
+      stderr: 'botgarten: read one column, decimal comma, a heading, 2 rows.\n',
+      read: { columns: 1, rows: 2, mark: null, decimal: 'comma', heading: true, encoding: 'utf-8' },
+    })
+    const excel = join(folder, 'excel.txt')
+    writeFileSync(excel, '\uFEFF1,5\t2\r\n3\t4\r\n', 'utf16le')
+    expect(understood('--data', excel)).toEqual({
+      stderr: 'botgarten: read 2 columns with a tab between them, decimal comma, 2 rows, utf-16le.\n',
+      read: { columns: 2, rows: 2, mark: 'tab', decimal: 'comma', heading: false, encoding: 'utf-16le' },
+    })
+  })
+
+  it('refuses numbers whose squares have no end, in the file and in its centres', () => {
+    const huge = kMeans('--data', file('x;y\n1;2\n1e308;-1e308\n'), '--k', '1', '--json')
+    expect([huge.status, huge.stdout]).toEqual([1, ''])
+    expect(huge.stderr).toContain('Row 3, column 1: "1e308" is too big to be compared; 1e+140 is the most.')
+    const far = kMeans('--data', file('1;2\n'), '--k', '1', '--init', file('1e141;2'))
+    expect(far.status).toBe(1)
+    expect(far.stderr).toContain('"1e141" is too big')
+  })
+
   it('knows three distances and two ways to start; more starts are never worse', () => {
     const data = file(csv(reference.scikit[1]!.points))
     for (const distance of ['euclidean', 'manhattan', 'cosine'])

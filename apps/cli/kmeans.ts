@@ -2,12 +2,13 @@ import { readFileSync, statSync } from 'node:fs'
 import {
   bestOf,
   cluster,
+  LARGEST,
   pointsOf,
   type Clustering,
   type Distance,
   type Points,
 } from '@botgarten/learning/k-means'
-import { readTable, TableError } from '@botgarten/materials/tables'
+import { decodeTable, readTable, TableError, type Encoding, type Table } from '@botgarten/materials/tables'
 import { stream } from '@botgarten/numbers'
 import { CallError, FileError, options, wholeNumberIn } from './errors.ts'
 import { oneOf, seedOf } from './learn-options.ts'
@@ -26,7 +27,7 @@ const known = {
 type Values = ReturnType<typeof options<typeof known>>['values']
 
 const tooLarge = 200_000_000
-const limits = { rows: 1_000_000, columns: 100 }
+const limits = { rows: 1_000_000, columns: 100, largest: LARGEST }
 const distances: readonly Distance[] = ['euclidean', 'manhattan', 'cosine']
 
 /** `botgarten learn kmeans`: groups in a table of numbers. */
@@ -37,12 +38,15 @@ export function kMeans(args: string[]): string {
   if (values.data === undefined) throw new CallError('--data is needed: a file of numbers as CSV.')
   if (values.k === undefined) throw new CallError('--k is needed: how many groups to find.')
   const distance = oneOf('distance', values.distance, distances)
-  const { rows, maybeOneColumn } = tableIn(values.data, values)
-  const points = pointsOf(rows)
+  const table = tableIn(values.data, values)
+  const points = pointsOf(table.rows)
   const found = find(points, wholeNumberIn('k', values.k, 1, 1, points.count), distance, values)
   const { centres, labels, inertia, iterations } = found
-  if (values.json) return JSON.stringify({ centres, labels, inertia, iterations })
-  return maybeOneColumn ? `${sentenceOf(found)}; ${eitherWay}` : sentenceOf(found)
+  process.stderr.write(`botgarten: read ${readingOf(table)}.\n`)
+  const { columns, rows, reading, encoding } = table
+  const read = { columns: columns.length, rows: rows.length, ...reading, encoding }
+  if (values.json) return JSON.stringify({ centres, labels, inertia, iterations, read })
+  return table.maybeOneColumn ? `${sentenceOf(found)}; ${eitherWay}` : sentenceOf(found)
 }
 
 const eitherWay =
@@ -74,12 +78,16 @@ function centresIn(
   return rows
 }
 
-function tableIn(path: string, values: Values) {
+interface ReadTable extends Table {
+  readonly encoding: Encoding
+}
+
+function tableIn(path: string, values: Values): ReadTable {
   try {
     if (statSync(path).size > tooLarge) throw new Error(`it has more than ${tooLarge} bytes`)
-    return readTable(readFileSync(path, 'utf8'), limits, {
-      decimalComma: values['decimal-comma'] ?? false,
-    })
+    const { text, encoding } = decodeTable(readFileSync(path))
+    const table = readTable(text, limits, { decimalComma: values['decimal-comma'] ?? false })
+    return { ...table, encoding }
   } catch (error) {
     const what = error instanceof TableError ? 'is no table of numbers' : 'cannot be read'
     throw new FileError(`"${path}" ${what}: ${(error as Error).message}`)
@@ -89,4 +97,15 @@ function tableIn(path: string, values: Values) {
 function sentenceOf({ centres, labels, inertia, iterations }: Clustering): string {
   const sizes = centres.map((_, group) => labels.filter((label) => label === group).length)
   return `After ${iterations} rounds: inertia ${inertia.at(-1)}, ${centres.length} groups of ${sizes.join(', ')} points`
+}
+
+/** How the file was understood: one column, decimal comma. */
+function readingOf({ columns, rows, reading: { mark, decimal, heading }, encoding }: ReadTable): string {
+  return [
+    mark === null ? 'one column' : `${columns.length} columns with a ${mark} between them`,
+    ...(decimal === null ? [] : [`decimal ${decimal}`]),
+    ...(heading ? ['a heading'] : []),
+    `${rows.length} rows`,
+    ...(encoding === 'utf-8' ? [] : [encoding]),
+  ].join(', ')
 }

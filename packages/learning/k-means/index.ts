@@ -1,5 +1,5 @@
 export type * from './types.ts'
-export { pointsOf } from './points.ts'
+export { LARGEST, pointsOf } from './points.ts'
 export { distancesOf } from './distances.ts'
 export { plusPlusStart, randomStart } from './starts.ts'
 export { bestOf, cluster } from './run.ts'

@@ -4,6 +4,7 @@ import { describe, expect, test } from 'vitest'
 import {
   bestOf,
   cluster,
+  LARGEST,
   distancesOf,
   plusPlusStart,
   pointsOf,
@@ -66,6 +67,17 @@ const anySet = fc
     distance,
     groups: 1 + Math.floor(share * Math.min(rows.length, 6)),
   }))
+
+test.each(distances)('the largest numbers that are taken have finite distances: %s', (distance) => {
+  const sides = [-LARGEST, LARGEST]
+  const rows = Array.from({ length: 4000 }, (_, at) =>
+    Array.from({ length: 100 }, (_, bit) => sides[(at >> (bit % 12)) & 1]!),
+  )
+  for (const points of [pointsOf(rows), pointsOf(rows.map(([x, y]) => [x!, y!]))]) {
+    const { inertia, centres } = bestOf(points, 3, { starts: 2, init: '++', distance, stream: seeded() })
+    expect([...inertia, ...centres.flat()].every(Number.isFinite)).toBe(true)
+  }
+})
 
 describe('on any points', () => {
   test('step by step and all at once end in the same groups', () => {
@@ -240,6 +252,8 @@ test.each([
   [() => randomStart(pointsOf([[1]]), 0, seeded()), 'There are 0 groups; one is the least.'],
   [() => randomStart(pointsOf([[1]]), 2, seeded()), '2 groups need as many points; there are 1.'],
   [() => cluster(pointsOf([[1]]), [[1], [2]]), '2 groups need as many points; there are 1.'],
+  [() => pointsOf([[-1e141]]), 'Feature 0 of point 0 is -1e+141; 1e+140 is the most.'],
+  [() => cluster(pointsOf([[1]]), [[1e141]]), 'A centre is farther out than 1e+140, which is the most.'],
   [() => cluster(pointsOf([[1]]), [[1, 2]]), 'A centre has 1 numbers, as the points have.'],
 ])('nonsense is refused with a word: %s', (act, words) => {
   expect(act).toThrow(new RangeError(words))

@@ -1,6 +1,9 @@
 import type { Points } from './types.ts'
 
-/** @throws RangeError for no points, rows of unequal length, values that are not finite */
+/** The largest value: squares of differences of it, over a hundred features and a million points, can still be added. */
+export const LARGEST = 1e140
+
+/** @throws RangeError for no points, rows of unequal length, values that are not finite or larger than `LARGEST` */
 export function pointsOf(rows: readonly (readonly number[])[]): Points {
   const features = rows[0]?.length ?? 0
   if (features === 0) throw new RangeError('There are no points.')
@@ -11,6 +14,8 @@ export function pointsOf(rows: readonly (readonly number[])[]): Points {
     row.forEach((value, feature) => {
       if (!Number.isFinite(value))
         throw new RangeError(`Feature ${feature} of point ${point} is ${value}, not a number that counts.`)
+      if (Math.abs(value) > LARGEST)
+        throw new RangeError(`Feature ${feature} of point ${point} is ${value}; ${LARGEST} is the most.`)
       values[point * features + feature] = value
     })
   })

@@ -1,5 +1,6 @@
 import type { StreamState } from '@botgarten/numbers'
 import { flat } from './distances.ts'
+import { LARGEST } from './points.ts'
 import { roundsOver } from './round.ts'
 import { plusPlusStart, randomStart } from './starts.ts'
 import type { Clustering, Distance, Points } from './types.ts'
@@ -73,7 +74,10 @@ function refuse({ count, features }: Points, start: readonly (readonly number[])
   if (start.length < 1) throw new RangeError('There are 0 groups; one is the least.')
   if (start.length > count)
     throw new RangeError(`${start.length} groups need as many points; there are ${count}.`)
-  for (const centre of start)
+  for (const centre of start) {
     if (centre.length !== features || !centre.every(Number.isFinite))
       throw new RangeError(`A centre has ${features} numbers, as the points have.`)
+    if (centre.some((value) => Math.abs(value) > LARGEST))
+      throw new RangeError(`A centre is farther out than ${LARGEST}, which is the most.`)
+  }
 }

@@ -1,2 +1,3 @@
+export { decodeTable } from './decode.ts'
 export { readTable, type TableLimits } from './readTable.ts'
-export { TableError, type Table, type TableProblem } from './types.ts'
+export { TableError, type Encoding, type Reading, type Table, type TableProblem } from './types.ts'

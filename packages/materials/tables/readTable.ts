@@ -1,10 +1,12 @@
 import Papa from 'papaparse'
-import { TableError, type Table } from './types.ts'
+import { TableError, type Reading, type Table } from './types.ts'
 
 /** What a reader of tables may take in. */
 export interface TableLimits {
   readonly rows: number
   readonly columns: number
+  /** The largest number, and with a minus the smallest. */
+  readonly largest?: number
 }
 
 /**
@@ -16,7 +18,8 @@ export interface TableLimits {
  */
 export function readTable(text: string, limits: TableLimits, { decimalComma = false } = {}): Table {
   const commas = decimalComma ? 'decimal' : commasIn(text)
-  const rows = cellsOf(text, commas === 'decimal' ? aloneMark(text) : markIn(text), limits)
+  const mark = commas === 'decimal' ? aloneMark(text) : markIn(text)
+  const rows = cellsOf(text, mark, limits)
   if (rows.length === 0) throw new TableError('empty', {})
   const heading = rows.length > 1 && rows[0]!.every((cell) => numberIn(cell) === null) ? rows.shift()! : null
   const width = heading?.length ?? rows[0]!.length
@@ -24,7 +27,11 @@ export function readTable(text: string, limits: TableLimits, { decimalComma = fa
   if (width > limits.columns) throw new TableError('manyColumns', { columns: width, most: limits.columns })
   const above = heading ? 2 : 1
   const columns = Array.from({ length: width }, (_, column) => heading?.[column]?.trim() || `${column + 1}`)
-  const table = { columns, rows: numbersIn(rows, width, above) }
+  const reading: Reading = {
+    ...{ mark: width > 1 ? markNames[mark]! : null, decimal: pointIn(rows) },
+    heading: heading !== null,
+  }
+  const table = { columns, rows: numbersIn(rows, width, above, limits.largest), reading }
   return commas === 'either' ? { ...table, maybeOneColumn: true } : table
 }
 
@@ -68,8 +75,24 @@ function commasIn(text: string): 'decimal' | 'marks' | 'either' {
   return tells ? 'decimal' : 'either'
 }
 
-function numbersIn(rows: readonly (readonly string[])[], width: number, above: number): number[][] {
-  const commas = rows.some((row) => row.some((cell) => cell.includes(',')))
+const markNames: { readonly [mark: string]: Reading['mark'] } = {
+  ',': 'comma',
+  ';': 'semicolon',
+  '\t': 'tab',
+}
+
+function pointIn(rows: readonly (readonly string[])[]): Reading['decimal'] {
+  const has = (point: string) => rows.some((row) => row.some((cell) => cell.includes(point)))
+  return has(',') ? 'comma' : has('.') ? 'point' : null
+}
+
+function numbersIn(
+  rows: readonly (readonly string[])[],
+  width: number,
+  above: number,
+  largest = Infinity,
+): number[][] {
+  const commas = pointIn(rows) === 'comma'
   return rows.map((cells, index) => {
     const row = index + above
     if (cells.length !== width)
@@ -79,6 +102,8 @@ function numbersIn(rows: readonly (readonly string[])[], width: number, above: n
       if (number === null) throw new TableError('noNumber', { row, column: column + 1, cell: shorten(cell) })
       if (commas && cell.includes('.'))
         throw new TableError('twoPoints', { row, column: column + 1, cell: shorten(cell) })
+      if (Math.abs(number) > largest)
+        throw new TableError('tooBig', { row, column: column + 1, cell: shorten(cell), most: largest })
       return number
     })
   })

@@ -1,9 +1,13 @@
 import fc from 'fast-check'
 import { describe, expect, test } from 'vitest'
-import { readTable, TableError } from './index.ts'
+import { decodeTable, readTable, TableError } from './index.ts'
 
 const limits = { rows: 1000, columns: 4 }
-const read = (text: string) => readTable(text, limits)
+/** Without how it was understood: that has tests of its own. */
+function read(text: string, options?: Parameters<typeof readTable>[2]) {
+  const { reading: _, ...table } = readTable(text, limits, options)
+  return table
+}
 
 describe('a table is read', () => {
   test.each([
@@ -51,7 +55,7 @@ describe('a table is read', () => {
       ],
       maybeOneColumn: true,
     })
-    expect(readTable(text, limits, { decimalComma: true })).toEqual({ columns: ['1'], rows: [[1.5], [2.25]] })
+    expect(read(text, { decimalComma: true })).toEqual({ columns: ['1'], rows: [[1.5], [2.25]] })
     expect(read('x,y\n1,5\n2,25').maybeOneColumn).toBeUndefined()
     expect(read('1,5,7\n2,25,8').maybeOneColumn).toBeUndefined()
     expect(read('1.5,2\n2,25').maybeOneColumn).toBeUndefined()
@@ -108,6 +112,63 @@ describe('a table is read', () => {
       }),
     )
   })
+})
+
+describe('how a table was understood is said', () => {
+  test.each([
+    ['x,y\n1.5,2', { mark: 'comma', decimal: 'point', heading: true }],
+    ['1;2,5\n3;4', { mark: 'semicolon', decimal: 'comma', heading: false }],
+    ['1\t2\n3\t4', { mark: 'tab', decimal: null, heading: false }],
+    ['Länge\n1,5\n2', { mark: null, decimal: 'comma', heading: true }],
+    ['1,5\n2,25', { mark: 'comma', decimal: null, heading: false }],
+    ['7', { mark: null, decimal: null, heading: false }],
+  ] as const)('%j', (text, reading) => expect(readTable(text, limits).reading).toEqual(reading))
+
+  test('a comma that may be either is a decimal comma when that is asked for', () => {
+    const { reading } = readTable('1,5\n2,25', limits, { decimalComma: true })
+    expect(reading).toEqual({ mark: null, decimal: 'comma', heading: false })
+  })
+})
+
+describe('the letters of a file', () => {
+  const text = 'Länge;Höhe\r\n1,5;2\r\n'
+  const utf16 = (big: boolean, mark: boolean) => {
+    const bytes = Buffer.from(mark ? `\uFEFF${text}` : text, 'utf16le')
+    return big ? bytes.swap16() : bytes
+  }
+  test.each([
+    ['utf-8', Buffer.from(text)],
+    ['utf-8', Buffer.from(`\uFEFF${text}`)],
+    ['utf-16le', utf16(false, true)],
+    ['utf-16be', utf16(true, true)],
+    ['utf-16le', utf16(false, false)],
+    ['utf-16be', utf16(true, false)],
+    ['windows-1252', Buffer.from(text, 'latin1')],
+  ])('%s', (encoding, bytes) => expect(decodeTable(bytes)).toEqual({ text, encoding }))
+
+  test('whatever bytes there are, they are text or a clear error', () => {
+    fc.assert(
+      fc.property(fc.uint8Array({ maxLength: 100 }), (bytes) => {
+        try {
+          readTable(decodeTable(bytes).text, limits)
+        } catch (error) {
+          expect(error).toBeInstanceOf(TableError)
+        }
+      }),
+    )
+  })
+
+  test.each(['PK\x03\x04', '\xD0\xCF\x11\xE0'])('a file of a spreadsheet is named: %j', (start) => {
+    expect(() => decodeTable(Buffer.from(`${start}rest`, 'latin1'))).toThrow('save it there as CSV')
+  })
+})
+
+test('a number that is too big is said with its place, where there is a largest one', () => {
+  const most = { ...limits, largest: 1e140 }
+  expect(readTable('x,y\n1e140,-1e140', most).rows).toEqual([[1e140, -1e140]])
+  expect(() => readTable('x,y\n1,2\n3,-1e308', most)).toThrow(
+    'Row 3, column 2: "-1e308" is too big to be compared; 1e+140 is the most.',
+  )
 })
 
 test.each([
