@@ -70,3 +70,20 @@ for (const language of languagesOf(import.meta.filename)) {
     })
   })
 }
+
+test.describe('where the pointer is a finger', () => {
+  test.use({ isMobile: true })
+
+  test('a number in a block is met 20 px above and below its middle', async ({ child, page }) => {
+    await opensWaits(child)
+    const field = child.canvas.locator('.blocklyNumberField').first()
+    expect((await field.boundingBox())!.height).toBeGreaterThanOrEqual(24)
+    const { x, y } = await child.middleOf(field)
+    for (const at of [y - 20, y + 20]) {
+      await page.touchscreen.tap(x, at)
+      await expect(page.locator('.blocklyHtmlInput')).toBeVisible()
+      await child.types('Escape')
+      await expect(page.locator('.blocklyHtmlInput')).toHaveCount(0)
+    }
+  })
+})

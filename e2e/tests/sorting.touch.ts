@@ -14,6 +14,12 @@ for (const language of languagesOf(import.meta.filename)) {
       const before = await sorting.places()
       await child.drags(await child.middleOf(sorting.flag(1)), await sorting.middleOfPlane())
       await expect.poll(async () => (await sorting.places())[0]).not.toBe(before[0])
+      // A flag that stands on a thing leaves it to the finger.
+      const [cup, glass] = [sorting.thing('cup', 5), sorting.thing('glass', 9)]
+      await child.drags(await child.middleOf(sorting.flag(1)), await child.middleOf(glass))
+      await glass.tap()
+      await expect(glass).toHaveAttribute('aria-pressed', 'true')
+      await expect(cup).toHaveAttribute('aria-pressed', 'false')
       await sorting.presses('play')
       await sorting.seesDone()
     })

@@ -1,0 +1,77 @@
+import type { Locator } from '@playwright/test'
+import { leftEye, leftWheel, rightEye, rightWheel } from '../child.ts'
+import { SortingHands } from '../child-sorting.ts'
+import { expect, test } from '../house.ts'
+
+test.use({ contextOptions: { forcedColors: 'active', reducedMotion: 'reduce' } })
+
+/** What is painted that a high-contrast theme leaves: ground, border, ring. */
+const painted = (thing: Locator) =>
+  thing.evaluate((element) => {
+    const { backgroundColor, borderColor, boxShadow } = getComputedStyle(element)
+    return { backgroundColor, borderColor, boxShadow }
+  })
+
+/** The theme's colour for what is chosen. */
+const highlight = (thing: Locator) =>
+  thing.evaluate((element) => {
+    const probe = element.ownerDocument.body.appendChild(document.createElement('i'))
+    probe.style.cssText = 'forced-color-adjust: none; background: Highlight'
+    const { backgroundColor } = getComputedStyle(probe)
+    probe.remove()
+    return backgroundColor
+  })
+
+async function showsChoice(chosen: Locator, other: Locator) {
+  const colour = await highlight(chosen)
+  expect((await painted(chosen)).backgroundColor).toBe(colour)
+  expect((await painted(other)).backgroundColor).not.toBe(colour)
+}
+
+test('forced colours show tabs, toggles, start places, knobs and neurons that are chosen', async ({
+  child,
+  page,
+}) => {
+  await child.opensLab('friendship')
+  await showsChoice(child.button('lab.place', { number: 1 }), child.button('lab.place', { number: 2 }))
+  const [de, en] = [
+    page.getByRole('button', { name: 'Deutsch' }),
+    page.getByRole('button', { name: 'English' }),
+  ]
+  await showsChoice(en, de)
+  await child.presses('lab.closely')
+  await showsChoice(child.button('lab.closely'), child.button('lab.larger'))
+
+  await child.knob(leftEye, leftWheel).focus()
+  await child.knob(rightEye, rightWheel).focus()
+  await child.button('lab.menu').focus()
+  expect(await painted(child.knob(rightEye, rightWheel))).not.toEqual(
+    await painted(child.knob(leftEye, leftWheel)),
+  )
+  expect(await painted(child.output(rightWheel))).not.toEqual(await painted(child.output(leftWheel)))
+
+  await page.setViewportSize({ width: 390, height: 844 })
+  const tab = (name: string) =>
+    page
+      .getByRole('navigation', { name: child.word('lab.panes') })
+      .getByRole('button', { name: child.word(name) })
+  await showsChoice(tab('lab.world'), tab('lab.program'))
+})
+
+test('forced colours show what counts and what is touched in sorting, on the same paper', async ({
+  child,
+  page,
+}) => {
+  const sorting = new SortingHands(child)
+  await sorting.opens()
+  await showsChoice(child.button('sorting.tab.things'), child.button('sorting.tab.points'))
+  await showsChoice(
+    page.getByRole('switch', { checked: true }).first(),
+    page.getByRole('switch', { checked: false }).first(),
+  )
+  const [bottle, glass] = [sorting.thing('bottle', 1), sorting.thing('glass', 12)]
+  await bottle.click()
+  await showsChoice(bottle, glass)
+  const paper = page.locator('.plane')
+  expect((await painted(paper)).backgroundColor).toBe('rgb(255, 253, 248)')
+})

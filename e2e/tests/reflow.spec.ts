@@ -1,0 +1,99 @@
+import { opensSettings } from '../child-cards.ts'
+import type { Child } from '../child.ts'
+import { expect, test } from '../house.ts'
+import { outOfReach } from '../reach.ts'
+import { languages } from '../words.ts'
+
+/** WCAG 1.4.10: 1280 px at 400 %; and a school laptop of 1366 × 768 at the same. */
+const sizes = [
+  { width: 320, height: 256 },
+  { width: 342, height: 192 },
+]
+
+type Faces = { readonly [name: string]: (child: Child) => Promise<unknown> }
+
+const goes = (path: string) => async (child: Child) => {
+  await child.page.goto(path)
+  await expect(child.page.locator('main')).toHaveCount(1)
+  await expect(child.page.locator('.material[aria-busy="true"]')).toHaveCount(0)
+}
+
+/** One page load each. */
+const pages: Faces = {
+  home: (child) => child.opensHome(),
+  sorting: goes('/sorting'),
+  about: goes('/about'),
+  'a link that is cut': goes('/open#v1.abc'),
+  'all materials': goes('/materials'),
+  cards: goes('/materials/card/network-cards'),
+  'a worksheet': goes('/materials/worksheet/how-do-i-learn'),
+  'questions of a module': goes('/materials/questions/1'),
+  'all slides': goes('/materials/slides/can-robots-learn-alone'),
+  'a slide': goes('/materials/slides/can-robots-learn-alone?slide=3'),
+}
+
+/** The lab without loading it again, with what opens over it. */
+const lab: Faces = {
+  world: (child) => child.opensLab('friendship'),
+  program: async (child) => {
+    await child.turnsTo('program')
+    await child.seesBlocks()
+  },
+  network: (child) => child.turnsTo('networkTab'),
+  'settings of the network': (child) => child.presses('network.settings'),
+  hint: async (child) => {
+    await child.types('Escape')
+    await child.presses('lab.hint')
+    await expect(child.page.getByRole('region', { name: child.word('lab.hint') })).toBeVisible()
+  },
+  menu: async (child) => {
+    await child.presses('parts.close')
+    await child.presses('lab.menu')
+    await expect(child.button('lab.saveFile')).toBeVisible()
+  },
+  settings: async (child) => {
+    await child.types('Escape')
+    await opensSettings(child, 'lab')
+  },
+  card: async (child) => {
+    await child.presses('parts.close')
+    await child.presses('lab.card')
+    await expect(child.page.getByRole('dialog')).toBeVisible()
+  },
+  'learning by trying': async (child) => {
+    await child.opensLab('railway')
+    await child.page
+      .getByRole('navigation', { name: child.word('lab.panes') })
+      .getByRole('button', { name: child.word('lab.learningTab'), exact: true })
+      .click()
+    await expect(child.button('q.turbo')).toBeVisible()
+  },
+  'my projects': async (child) => {
+    await child.page.goto('/projects')
+    await expect(child.page.getByRole('article').first()).toBeVisible()
+  },
+  'the bin': goes('/projects/bin'),
+}
+
+for (const language of languages)
+  test.describe(`at 400 % zoom, in ${language}`, () => {
+    test.use({ language, viewport: sizes[0]!, contextOptions: { reducedMotion: 'reduce' } })
+
+    for (const [what, faces] of Object.entries({ pages, lab }))
+      test(`everything can be reached, nothing lies on anything else: ${what}`, async ({ child, page }) => {
+        const found: { [face: string]: string[] } = {}
+        for (const [face, show] of Object.entries(faces))
+          await test.step(face, async () => {
+            await show(child)
+            await page.evaluate(() => document.fonts.ready)
+            for (const size of sizes) {
+              await page.setViewportSize(size)
+              await child.watches(3)
+              const faults = await outOfReach(page)
+              if (faults.length > 0) found[`${face}, ${size.width} × ${size.height}`] = faults
+            }
+            await page.setViewportSize(sizes[0]!)
+          })
+        expect(found).toEqual({})
+      })
+  })
