@@ -61,6 +61,12 @@ test('numbers that mean nothing are the presets', () => {
   expect(learning.settings).not.toHaveProperty('rhoDecay')
 })
 
+test('what no field takes is as much as a field takes: learning comes to an end', () => {
+  const endless = changed(from('rule'), { EPISODES: '1e12', Q_LEARNER_TIME: '999999999999' })
+  const learning = learningIn(programOf([start, from('states'), endless]))
+  expect(learning).toMatchObject({ episodes: 100_000, moves: 1_000_000 })
+})
+
 test('own rewards are read from the map block; without them nothing is said of pay', () => {
   const paying = (fields: Template['fields']) =>
     learningIn(programOf([start, changed(from('states'), fields)]))!

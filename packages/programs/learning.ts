@@ -1,4 +1,4 @@
-import { filledRows, plugged, type Block } from '@botgarten/blocks'
+import { filledRows, mostEpisodes, mostMoves, plugged, type Block } from '@botgarten/blocks'
 import type { Decay, Settings } from '@botgarten/learning/q-learning'
 import type { LearningOutline, Pay, Program } from './types.ts'
 
@@ -37,8 +37,9 @@ export function learningIn({ stacks }: Program): LearningOutline | null {
     closed: closedIn(map),
     settings: settingsIn(find(types.behaviour)),
     ...payIn(map),
-    episodes: wholeIn(experience, 'EPISODES', 100, 1),
-    moves: wholeIn(experience, 'Q_LEARNER_TIME', 10_000, 1),
+    // Files from elsewhere hold numbers that no field takes.
+    episodes: Math.min(mostEpisodes, wholeIn(experience, 'EPISODES', 100, 1)),
+    moves: Math.min(mostMoves, wholeIn(experience, 'Q_LEARNER_TIME', 10_000, 1)),
   }
 }
 

@@ -13,3 +13,7 @@ export const mapNames = [
 /** Stations of a map by the name in a block's field; 0 for a map that is not there. */
 export const stationsOf = (name: string): number =>
   Object.hasOwn(stations, name) ? stations[name as MapName] : 0
+
+/** What the fields of a learner take at most. */
+export const mostEpisodes = 100_000
+export const mostMoves = 1_000_000

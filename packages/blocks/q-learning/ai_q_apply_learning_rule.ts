@@ -1,5 +1,6 @@
 import { learningProgram } from '../parts/learning-examples.ts'
 import { rows, words } from '../parts/looks.ts'
+import { mostEpisodes, mostMoves } from '../parts/maps.ts'
 import { done } from '../parts/next.ts'
 import type { Definition, FieldLook } from '../types.ts'
 
@@ -15,7 +16,7 @@ export const ai_q_apply_learning_rule: Definition = {
   look: {
     category: 'q-learning',
     shape: 'statement',
-    fields: [limit('EPISODES', 100, 100_000), limit('Q_LEARNER_TIME', 10_000, 1_000_000)],
+    fields: [limit('EPISODES', 100, mostEpisodes), limit('Q_LEARNER_TIME', 10_000, mostMoves)],
     inputs: [],
     rows: rows(type, 3),
   },

@@ -230,3 +230,22 @@ it('what a stranger’s project says about shadows is not trusted when it is wri
   const written = writeOpenRoberta({ stacks, config: { stacks: [] } })
   expect(readOpenRoberta(written).stacks[0]!.blocks[0]!.values).toEqual(values)
 })
+
+describe('files that are made to take long', () => {
+  const many = (name: (index: number) => string) =>
+    Array.from({ length: 200_000 }, (_, index) => name(index)).join(' ')
+  it.each([
+    ['attributes', `<export xmlns="${ns}" ${many((index) => `a${index}="1"`)}/>`],
+    ['namespaces', `<export ${many((index) => `xmlns:a${index}="x"`)}/>`],
+  ])('an element with 200,000 %s is refused within two seconds', (_, text) => {
+    const begun = performance.now()
+    expect(refusal(text).reason).toBe('notOpenRoberta')
+    expect(performance.now() - begun).toBeLessThan(2000)
+  })
+
+  it.each([0, 1])('a long text is read whole, wherever it is cut in reading (%i)', (shift) => {
+    const data = 'x'.repeat(shift) + '😀'.repeat(90_000)
+    const { stacks } = readOpenRoberta(file(`<block type="a" id="1"><data>${data}</data></block>`))
+    expect(stacks[0]!.blocks[0]!.data === data).toBe(true)
+  })
+})

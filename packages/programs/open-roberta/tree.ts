@@ -18,6 +18,10 @@ export interface Element {
 const deepest = 920
 const mostBlocks = 10_000
 const mostElements = 20 * mostBlocks
+/** Blocks of Open Roberta have some ten. The parser's time grows with the square of those of one element. */
+const mostAttributes = 1000
+/** So many letters between two looks at how many attributes an element has so far. */
+const portion = 65_536
 
 /**
  * A document as a tree, by a strict parser: no document type, so no entities of its own; one namespace; limits on size,
@@ -28,7 +32,7 @@ export function treeOf(text: string): Element {
   refuseBigText(text)
   const builder = new Builder()
   try {
-    builder.parser.write(text.replace(/\r\n?/g, '\n')).close()
+    builder.read(text.replace(/\r\n?/g, '\n'))
   } catch (error) {
     if (error instanceof ProjectError) throw error
     throw builder.notXml()
@@ -39,6 +43,12 @@ export function treeOf(text: string): Element {
 
 /** No entities but those of XML itself, of which the types of the parser do not know. */
 const options: sax.SAXOptions & { readonly strictEntities: true } = { xmlns: true, strictEntities: true }
+
+/** What the types of the parser leave out: the attributes so far of an element that is being read. */
+interface Inside {
+  readonly attribList: readonly unknown[]
+  bufferCheckPosition: number
+}
 
 class Builder {
   readonly parser = sax.parser(true, options)
@@ -63,6 +73,18 @@ class Builder {
     parser.onclosetag = () => void this.#open.pop()
     parser.ontext = (text) => this.#say(text)
     parser.oncdata = (text) => this.#say(text)
+  }
+
+  read(text: string): void {
+    const inside = this.parser as unknown as Inside
+    // Else it would cut long texts between two portions.
+    inside.bufferCheckPosition = Infinity
+    for (let at = 0; at < text.length; at += portion) {
+      this.parser.write(text.slice(at, at + portion))
+      if (inside.attribList.length > mostAttributes)
+        throw notOpenRoberta('One element has too many attributes.')
+    }
+    this.parser.close()
   }
 
   notXml(): ProjectError {
