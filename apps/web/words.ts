@@ -40,7 +40,7 @@ const ofComfort = /^comfort\.(projector|quiet|letters|aloud)/
 
 /** What stands on a card, in the menus and in what the lab says when something has gone wrong or well. */
 const ofDialogs =
-  /^lab\.(need|conflict|gone|keepCopy|loadNewer|fullT|refused|success|rays|trail|onPaper|openFile|saveFile|saveOpenRoberta|cardNumber|youNeed|minutes|pairs|fromGrade|firstDrive|mission|further|showProgram)/
+  /^lab\.(need|conflict|gone|keepCopy|loadNewer|fullT|refused|success|rays|trail|onPaper|openFile|saveFile|saveOpenRoberta|cardNumber|youNeed|minutes|pairs|fromGrade|firstDrive|mission|further|showBlock)/
 
 /** Home says it when it has found a new version: its words come then. */
 const ofVersion = /^offline\.newVersion/

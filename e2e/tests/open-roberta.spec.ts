@@ -250,7 +250,38 @@ test('blocks that nobody knows here are grey with their name, and are written ba
   await comer.opens('Odd.xml', odd)
   await comer.seesProgram('Odd')
   await expect(page.locator('.blocklyBlockCanvas').last()).toContainText('robActions_fly')
+  await child.pressesStart()
+  await child.pressesStop()
   const { text } = await comer.saves()
   expect(text).toContain('<block type="robActions_fly" id="odd"><field name="HEIGHT">3</field>')
   expect(text).toContain('hui')
+})
+
+test('a block that nobody knows is told at its block; Bo runs up to it, and the notice leads there', async ({
+  child,
+  page,
+}) => {
+  const comer = new Comer(child)
+  const waits = Array.from(
+    { length: 30 },
+    (_, k) =>
+      `<block type="robControls_wait_time" id="w${k}"><value name="WAIT"><block type="math_number" id="n${k}"><field name="NUM">1</field></block></value></block>`,
+  ).join('')
+  const start = /(<block type="robControls_start"[^>]*>.*?<\/block>)/s
+  const odd = friendship.replace(start, `$1${waits}<block type="robActions_fly" id="odd"></block>`)
+  await child.opensLab('free')
+  await comer.opens('Odd.xml', odd)
+  await comer.seesProgram('Odd')
+  const block = page.locator('.blocklyDraggable[data-id="odd"]')
+  await expect(block).not.toBeInViewport()
+  await child.presses('lab.start')
+  await expect(child.words('problem.unknownBlock.title')).toBeVisible()
+  await expect(block).toBeInViewport()
+  await expect(child.button('lab.start')).not.toHaveAttribute('aria-disabled', 'true')
+  await page.locator('.blocklySvg').first().hover()
+  await page.mouse.wheel(0, -4000)
+  await expect(block).not.toBeInViewport()
+  await child.presses('lab.showBlock')
+  await expect(block).toBeInViewport()
+  await expect(block).toHaveClass(/blocklySelected/)
 })

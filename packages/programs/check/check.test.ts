@@ -184,7 +184,7 @@ describe('gaps and wrong blocks', () => {
 
   it('unknown blocks, choices, numbers and parts are named', () => {
     expect(findings(block('robActions_play_file'))).toEqual([
-      { block: 'robActions_play_file', problem: 'problem.unknownBlock', stops: true },
+      { block: 'robActions_play_file', problem: 'problem.unknownBlock', stops: false },
     ])
     expect(problems(show(calculate('POWER', number(2), number(3))))).toEqual(['problem.unknownChoice'])
     expect(problems(show(block('math_number', { NUM: 'zwei' })))).toEqual(['problem.notANumber'])

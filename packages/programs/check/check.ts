@@ -62,7 +62,8 @@ const isLeft = (loop: Block) =>
 
 function blockFindings(block: Block, place: Place, around: Around): Finding[] {
   const definition = definitionOf(block)
-  if (!definition) return [said(block, 'unknownBlock')]
+  // A file may hold blocks that are unknown here: its program runs up to the first of them that is reached.
+  if (!definition) return [said(block, 'unknownBlock', false)]
   if (shapeOf(block, definition.look) !== place) return [said(block, 'wrongKind')]
   const own = [
     ...rules.flatMap((rule) => rule(block, definition, around.sockets)),

@@ -1,5 +1,6 @@
 import * as Blockly from 'blockly/core'
 import { grouped } from './list.ts'
+import { isStart } from './positions.ts'
 
 type Paper = Blockly.WorkspaceSvg
 
@@ -25,20 +26,41 @@ export function deleteSelected(): void {
   if (selected instanceof Blockly.BlockSvg && selected.isDeletable()) selected.checkAndDelete()
 }
 
-/** A start block that stands further from the corner than this (workspace units) is brought there. */
+/** A first block that stands further from the corner than this (workspace units) is brought there. */
 const near = 40
 
-/** Puts the paper's corner beside the shelf; where a file has its start block further away, that comes to the corner. */
+/** How far the paper is moved along one axis so that what stands at `place` is near its corner. */
+const shift = (place: number) => (place < 0 || place > near ? near - place : 0)
+
+/**
+ * Puts the paper's corner beside the shelf; where a file has its start block elsewhere, or without one its first stack,
+ * that comes to the corner.
+ */
 export function place(paper: Paper): void {
-  const start = paper.getTopBlocks(false).find(({ type }) => type === 'robControls_start')
-  const { x, y } = start?.getRelativeToSurfaceXY() ?? { x: 0, y: 0 }
-  paper.scroll(Math.min(0, near - x) * paper.scale, Math.min(0, near - y) * paper.scale)
+  const stacks = paper.getTopBlocks(true)
+  const first = stacks.find(isStart) ?? stacks[0]
+  const { x, y } = first?.getRelativeToSurfaceXY() ?? { x: 0, y: 0 }
+  paper.scroll(shift(x) * paper.scale, shift(y) * paper.scale)
 }
 
-/** Brings a block into sight. */
-export function reveal(paper: Paper, id: string): void {
+/** Share of the pane's height that no panel lies over. */
+const clear = 0.55
+
+/** Brings a block into the part of the pane that no panel lies over; with `focus` the keyboard goes there as well. */
+export function reveal(paper: Paper, id: string, focus = false): void {
   const block = paper.getBlockById(id)
-  if (block) paper.scrollBoundsIntoView(block.getBoundingRectangle())
+  if (!block) return
+  const view = paper.getMetricsManager().getViewMetrics(true)
+  const { x, y } = block.getRelativeToSurfaceXY()
+  const right = x + Math.min(block.width, view.width / 2)
+  const bottom = y + Math.min(block.height, 2 * near)
+  const isSeen =
+    x >= view.left &&
+    right <= view.left + view.width &&
+    y >= view.top &&
+    bottom <= view.top + view.height * clear
+  if (!isSeen) paper.scroll((near - x) * paper.scale, (2 * near - y) * paper.scale)
+  if (focus) Blockly.getFocusManager().focusNode(block)
 }
 
 /** Several fields of a block, as one step. */

@@ -12,6 +12,7 @@ import { letAsk, letPaste } from './menus.ts'
 import { nameParts } from './name-parts.ts'
 import { addNeuron } from './network.ts'
 import { deleteSelected, place, reveal, setFields, step, typeAt, unseen } from './on-paper.ts'
+import { forgetParted, part, tidy } from './positions.ts'
 import { restore, statesOn, toProgram } from './program.ts'
 import { bringExpert, bringLearning, expertParts } from './packs.ts'
 import { fontReady, options, scaleOf, spaceLetters, type Looks } from './looks.ts'
@@ -74,6 +75,7 @@ export class Pane {
     this.#host = host
     this.#placed = host.clientWidth > 0
     this.#show(program)
+    if (program.raw) part(this.#workspace)
     if (this.#placed) this.#place()
     // Blockly measures words on a canvas at the end of the body; it shows nothing.
     document.querySelector('.blocklyComputeCanvas')?.setAttribute('aria-hidden', 'true')
@@ -246,11 +248,18 @@ export class Pane {
     deleteSelected()
   }
 
-  /** Brings a block into sight. */
-  reveal(id: string): void {
+  /** Brings a block into sight; with `focus` the keyboard goes there as well. */
+  reveal(id: string, focus = false): void {
     this.#fill?.finish()
     this.resize()
-    reveal(this.#workspace, id)
+    reveal(this.#workspace, id, focus)
+  }
+
+  /** Puts all stacks below each other, as one step, and the first of them into sight. */
+  tidy(): void {
+    this.#fill?.finish()
+    tidy(this.#workspace)
+    this.#place()
   }
 
   /** What is plugged into the robot: new neurons take ports that fit. */
@@ -282,11 +291,18 @@ export class Pane {
       this.#workspace.clear()
       fill()
     }
-    unseen(this.#workspace, anew, () => this.#markAll())
+    unseen(this.#workspace, anew, () => this.#filled())
   }
 
   #show(program: Program) {
-    this.#fill = show(program, this.#workspace, this.#fill, () => this.#markAll())
+    forgetParted(this.#workspace)
+    this.#fill = show(program, this.#workspace, this.#fill, () => this.#filled())
+  }
+
+  /** Blocks were built: stacks of a foreign file may lie on each other, since they are higher here. */
+  #filled() {
+    if (this.#program.raw) part(this.#workspace)
+    this.#markAll()
   }
 
   #markAll() {

@@ -6,6 +6,7 @@ import { isFileField } from './fields.ts'
 import { foot, linesOf } from './list.ts'
 import { presetShadow } from './fits.ts'
 import { plainId } from './ids.ts'
+import { positionOf, shownPosition } from './positions.ts'
 import { stateOfRow, stateOfTemplate, type Loose, type State } from './state.ts'
 
 /** A block of a type that this version does not know (unknown.ts). */
@@ -79,7 +80,7 @@ export function knowShadows(block: Blockly.Block) {
 export const statesOn = (workspace: Blockly.Workspace): readonly State[] =>
   workspace.getTopBlocks(false).flatMap((block) => {
     const state = Blockly.serialization.blocks.save(block)
-    return state ? [{ ...state, ...position(block) }] : []
+    return state ? [{ ...state, ...shownPosition(block) }] : []
   })
 
 export function restore(states: readonly State[], workspace: Blockly.Workspace): void {
@@ -89,13 +90,8 @@ export function restore(states: readonly State[], workspace: Blockly.Workspace):
 /** The blocks of a workspace as frozen data. `base`: the program it was, for what the workspace does not show. */
 export function toProgram(workspace: Blockly.Workspace, base: Program): Program {
   const tops = workspace.getTopBlocks(false).filter((block) => !block.isInsertionMarker())
-  const stacks = tops.map((block) => ({ ...position(block), blocks: rowFrom(block) }))
+  const stacks = tops.map((block) => ({ ...positionOf(block), blocks: rowFrom(block) }))
   return deepFreeze({ ...base, stacks })
-}
-
-function position(block: Blockly.Block) {
-  const { x, y } = block.getRelativeToSurfaceXY()
-  return { x, y }
 }
 
 function rowFrom(first: Blockly.Block | null): Block[] {

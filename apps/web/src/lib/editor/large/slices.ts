@@ -78,6 +78,7 @@ export function showInSlices(
   const end = () => {
     stop()
     ready()
+    see()
   }
   timer = setTimeout(goOn)
   return {

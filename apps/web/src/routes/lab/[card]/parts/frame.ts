@@ -177,6 +177,8 @@ export interface LabFrameProps {
   onchoosestart: (index: number) => void
   notice: WorldNotice | null
   onnoticeclose: () => void
+  /** Brings the block that the notice speaks of into sight. */
+  onshowblock: () => void
 
   // ---- what can go wrong ----
   /** Another tab has saved this project meanwhile. */
