@@ -1,0 +1,62 @@
+import { Learner } from '../child-learning.ts'
+import { solves, tasks } from '../child-solving.ts'
+import { TimeHands } from '../child-time.ts'
+import type { Child } from '../child.ts'
+import { expect, test } from '../house.ts'
+import { languages } from '../words.ts'
+
+/** From home by its link, or by its address. */
+async function opens(child: Child, card: string, fromHome: boolean) {
+  if (!fromHome) return child.opensLab(card)
+  await child.opensHome()
+  await child.page.locator(`a[href$="/lab/${card}"]`).first().click()
+  await child.seesLab()
+}
+
+for (const [index, task] of tasks.entries()) {
+  const { card } = task
+  const language = languages[index % languages.length]!
+  const fromHome = index % 4 < 2
+  const of = card.starts.length
+
+  test.describe(`${card.id} in ${language}, ${fromHome ? 'from home' : 'by its address'}`, () => {
+    test.use({ language })
+
+    test(`is solved from ${of} ${of === 1 ? 'place' : 'places'}, to the end`, async ({ child, page }) => {
+      const time = new TimeHands(child)
+      const place = (number: number) => child.button('lab.place', { number })
+      await opens(child, card.id, fromHome)
+      await solves(child, task)
+
+      for (let number = 1; number <= of; number += 1)
+        await test.step(`from place ${number}`, async () => {
+          if (of > 1) await expect(place(number)).toHaveAttribute('aria-pressed', 'true')
+          if (card.playground === 'q-learning') await new Learner(child).hurries()
+          await child.presses('lab.start')
+          if (card.playground === 'q-learning') await expect(child.button('q.playNew')).toBeVisible()
+          if (number === 1) await time.hurries()
+          const success = page.getByText(child.word('lab.successTitle'), { exact: true })
+          await expect(success).toBeVisible({ timeout: 120_000 })
+          for (const { id } of card.checks) await child.seesCheck(card.id, id)
+          if (of > 1) await expect(child.button('lab.placePassed', { number })).toBeVisible()
+          if (number < of) await child.presses('lab.successStart', { number: number + 1 })
+        })
+
+      await test.step('what comes next is offered, and home shows that all is done', async () => {
+        const onTo = child.word('lab.successCard', { name: card.next ? child.word(`home.${card.next}`) : '' })
+        const next = page.getByRole('link', { name: onTo, exact: true })
+        if (card.next) await expect(next).toHaveAttribute('href', new RegExp(`/lab/${card.next}$`))
+        else await expect(next).toHaveCount(0)
+        await child.seesSaved()
+        if (card.next) {
+          await next.click()
+          await expect(page.getByRole('heading', { level: 1 })).toHaveText(child.word(`home.${card.next}`))
+        }
+        await child.opensHome()
+        const full = child.word('home.level', { passed: of, of })
+        const own = page.getByRole('listitem').filter({ has: page.locator(`a[href$="/lab/${card.id}"]`) })
+        await expect(own.getByRole('img', { name: full, exact: true })).toBeVisible()
+      })
+    })
+  })
+}
