@@ -39,6 +39,26 @@ for (const language of languagesOf(import.meta.filename)) {
       await child.seesDriving()
     })
 
+    test('every choice of the blocks that learn lies in its pane and opens', async ({ child, page }) => {
+      const learner = new Learner(child)
+      const choices = child.canvas.locator(
+        ['learner_config', 'learning_states_and_actions_map']
+          .map((type) => `.ai_q_${type} > .blocklyDropdownField`)
+          .join(),
+      )
+      for (const card of ['railway', 'forest'] as const) {
+        await learner.opens(card)
+        await expect(choices).toHaveCount(5)
+        for (const choice of await choices.all()) {
+          const { width, height } = (await choice.boundingBox())!
+          // What lies beyond the edge of the pane takes no click.
+          await choice.click({ position: { x: width - 6, y: height / 2 } })
+          await expect(page.locator('.blocklyDropDownDiv').getByRole('option').first()).toBeVisible()
+          await child.types('Escape')
+        }
+      }
+    })
+
     test('start and goal change places in one step, and one step takes it back', async ({ child, page }) => {
       const learner = new Learner(child)
       await learner.opens('railway')

@@ -50,7 +50,8 @@ export const ai_q_learner_config: Definition = {
       hidden('RULES', 'standard'),
     ],
     inputs: [],
-    rows: rows(type, 5),
+    // Two rows for the extra reward: in one its choice lay beyond the edge of the pane.
+    rows: rows(type, 6),
   },
   words: words(type),
   acts: false,

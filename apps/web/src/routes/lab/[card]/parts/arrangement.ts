@@ -59,10 +59,13 @@ function columnsDesigned(free: number): readonly [program: number, world: number
   return [program, Math.min(free - program - designed.network, designed.worldMost)]
 }
 
+/** The widest choice of a block that learns ends here, with the toolbox beside it. */
+const leastLearning = 365
+
 /** Learning by trying has a map: it gets the larger half. */
 const columnsLearning = (free: number): readonly [program: number, world: number] => [
-  Math.min(0.256 * free, designed.programMost),
-  Math.min(0.275 * free, designed.worldMost),
+  Math.min(Math.max(leastLearning, 0.29 * free), designed.programMost),
+  Math.min(0.252 * free, designed.worldMost),
 ]
 
 function columns(area: Area, sizes: PaneSizes['columns'], learns: boolean): readonly [Border, Border] {
