@@ -131,15 +131,19 @@ export class Learner {
   }
 }
 
-/** The railway's card as a project file, with other fields of its map block. */
-export function learningProject(name: string, fields: { readonly [name: string]: string }): string {
+/** The railway's card as a project file, with other fields of its map block, and so many tries. */
+export function learningProject(
+  name: string,
+  fields: { readonly [name: string]: string },
+  tries = 300,
+): string {
   const read = (path: string): unknown =>
     JSON.parse(readFileSync(new URL(`../content/${path}`, import.meta.url), 'utf8'))
   const text = JSON.stringify(read('cards/q-learning/01-railway/start.json'), (key, value: unknown) =>
     key === 'fields' && typeof value === 'object' && value && 'FINISH' in value
       ? { ...value, ...fields }
       : value,
-  ).replace('"EPISODES":"10"', '"EPISODES":"300"')
+  ).replace('"EPISODES":"10"', `"EPISODES":"${tries}"`)
   const world = read('worlds/learning/world.json') as WorldFile
   const card = readCard(read('cards/q-learning/01-railway/card.json'))
   return JSON.stringify(cardProject(world, card, JSON.parse(text) as CardProgram, name))

@@ -1,5 +1,5 @@
 import { axeFindings } from '../axe.ts'
-import { Learner } from '../child-learning.ts'
+import { Learner, learningProject } from '../child-learning.ts'
 import { TimeHands } from '../child-time.ts'
 import { expect, test } from '../house.ts'
 import { languagesOf } from '../words.ts'
@@ -88,13 +88,20 @@ for (const language of languagesOf(import.meta.filename)) {
       await child.seesStanding()
     })
 
-    test('in the city few tries end in a circle, which is said in words', async ({ child, page }) => {
+    test('after one try no way is said to be found: all roads of the start are still alike', async ({
+      child,
+      page,
+    }) => {
       const learner = new Learner(child)
-      await learner.opens('city')
-      await learner.hurries()
-      await child.presses('q.play')
-      const circle = child.word('q.circle', { station: '\\d+', circle: '\\d+( → \\d+)+' })
-      await expect(page.locator('.line').getByText(new RegExp(circle))).toBeVisible()
+      await learner.opens('railway')
+      await child.opensProject('One try', learningProject('One try', {}, 1))
+      await learner.sees()
+      await learner.learnsToTheEnd()
+      await expect(page.locator('.line').getByText(child.word('q.alike', { station: 3 }))).toBeVisible()
+      await expect(page.locator('.line .way, .rail .flag')).toHaveCount(0)
+      await learner.turnsTo('trials')
+      await expect(page.locator('.drawer tbody tr')).toContainText(child.word('q.none'))
+      expect(await learner.savesTable()).toMatch(/,1,\d+,,2,0,,\r\n$/)
     })
 
     test('every page of every level: nothing for axe to find, a step is said, a run becomes a row', async ({

@@ -162,7 +162,7 @@ export interface LearnedRun {
   readonly moves: number
   readonly limitEpisodes: number
   readonly limitMoves: number
-  /** `3-5-0-1`; '' where there is none. */
+  /** The way that was learned, `3-5-0-1`; '' where there is none. */
   readonly way: string
   /** Sections of the shortest way there is; 0: none. */
   readonly shortest: number

@@ -1,6 +1,6 @@
 import { stream } from '@botgarten/numbers'
-import { bestWay, type BestWay } from './best-way.ts'
 import { createLearner, restoreLearner, saveLearner, type Learner } from './learner.ts'
+import { learnedWay, type LearnedWay } from './learned.ts'
 import { run, step } from './step.ts'
 import type { QState, QTrace, Settings } from './types.ts'
 import type { QWorld } from './world.ts'
@@ -22,16 +22,19 @@ export interface Episode {
   /** Its last move, counted from the beginning. */
   readonly end: number
   readonly atGoal: boolean
-  /** Sections of the best way then; null: there was none. */
+  /** Sections of the way that was learned then; null: there was none. */
   readonly best: number | null
 }
 
-/** From this episode, and this move, on the best way was this one; null: none. */
+/** From this episode, and this move, on the learned way was this one; null: none. */
 interface Turn {
   readonly episode: number
   readonly move: number
   readonly way: string | null
 }
+
+/** The dice of a course: the lab and the command line learn the same from the same seed. */
+export const courseStream = (seed: number) => stream(seed, 'learn/playground')
 
 /**
  * One learning from its seed on, at which one can look at any move. The same world, settings and seed are the same
@@ -50,7 +53,7 @@ export class Course {
   #before = { moves: 0, goals: 0 }
 
   constructor(world: QWorld, settings: Settings, seed: number, limits: Limits) {
-    this.learner = createLearner(world, settings, stream(seed, 'learn/playground'))
+    this.learner = createLearner(world, settings, courseStream(seed))
     this.limits = limits
     this.#kept = [saveLearner(this.learner)]
   }
@@ -110,11 +113,12 @@ export class Course {
     if (wanted > 0) this.#trace = step(this.learner)
   }
 
-  way(): BestWay {
-    return bestWay(this.learner)
+  /** What is learned at the move that is shown. */
+  way(): LearnedWay {
+    return learnedWay(this.learner)
   }
 
-  /** The episode, counted from 1, in which the way was found that is the best one at the move that is shown. */
+  /** The episode, counted from 1, in which the way was found that is the learned one at the move that is shown. */
   foundIn(): number | null {
     return this.#found()?.episode ?? null
   }
@@ -126,7 +130,8 @@ export class Course {
 
   #found(): Turn | null {
     const turn = this.#turns.findLast(({ episode }) => episode <= this.learner.episodes)
-    return turn?.way == null ? null : turn
+    // Within an episode another way may already be the learned one.
+    return turn?.way != null && turn.way === nameOf(this.way()) ? turn : null
   }
 
   /** Moves at which the next state is kept. */
@@ -143,7 +148,8 @@ export class Course {
 
   #noteEpisode(): void {
     const { moves, goals, world, episodes } = this.learner
-    const way = this.way().stations
+    const learned = this.way()
+    const way = learned.stations
     const atGoal = goals > this.#before.goals
     this.episodes.push({
       reward: (goals - this.#before.goals) * (world.task.goalReward ?? 50),
@@ -153,7 +159,7 @@ export class Course {
       best: way ? way.length - 1 : null,
     })
     this.#before = { moves, goals }
-    const name = way?.join('-') ?? null
+    const name = nameOf(learned)
     if (name !== (this.#turns.at(-1)?.way ?? null))
       this.#turns.push({ episode: episodes, move: moves, way: name })
   }
@@ -165,6 +171,8 @@ export class Course {
     this.#every *= 2
   }
 }
+
+const nameOf = ({ stations }: LearnedWay) => stations?.join('-') ?? null
 
 /** 0..5: how good a move is beside the best one that is known. */
 export function starsOf({ q }: Pick<Learner, 'q'>, value: number): number {

@@ -215,6 +215,30 @@ describe('a grid', () => {
   })
 })
 
+describe('what falls', () => {
+  const line: Task = { map: { moves: [[{ to: 1 }], [{ to: 2 }], []] }, start: 0, goal: 2 }
+  const alphas = (settings: Partial<Settings>, moves: number) => {
+    const learner = learnerOf(line, { nu: 0, ...settings })
+    return Array.from({ length: moves }, () => step(learner).alpha)
+  }
+
+  test('with visits α is α · 10 / (9 + n) at the n-th update of a value', () => {
+    // Each episode updates both values once.
+    const rates = alphas({ alpha: 0.8, alphaDecay: { kind: 'visits' } }, 182).filter(
+      (_, move) => move % 2 === 0,
+    )
+    expect([1, 2, 3, 11, 91].map((n) => rates[n - 1])).toEqual([0.8, 8 / 11, 8 / 12, 0.4, 0.08])
+  })
+
+  test('by episodes α and ρ are times their factor after each', () => {
+    const rates = alphas({ alpha: 0.8, alphaDecay: { kind: 'episodes', factor: 0.5 } }, 6)
+    expect(rates).toEqual([0.8, 0.8, 0.4, 0.4, 0.2, 0.2])
+    const learner = learnerOf(line, { nu: 0, rho: 0.8, rhoDecay: { kind: 'episodes', factor: 0.5 } })
+    run(learner, 6)
+    expect(learner.rho).toBe(0.1)
+  })
+})
+
 test('on the cliff SARSA takes the safe way and gets more while it learns (Sutton & Barto, example 6.6)', () => {
   const { map, start, goal } = gridMap(['FFFFFFFFFFFF', 'FFFFFFFFFFFF', 'FFFFFFFFFFFF', 'SCCCCCCCCCCG'], {
     cliffReward: -99,

@@ -1,5 +1,5 @@
-"""Writes worlds.json: transition tables of Gymnasium's toy worlds, and their values. Run: python3 gymnasium_worlds.py
-(Gymnasium 1.4, NumPy 2)."""
+"""Writes worlds.json: transition tables of Gymnasium's toy worlds, and their values; and policies.json: what policies on
+them may expect. Run: python3 gymnasium_worlds.py (Gymnasium 1.4, NumPy 2)."""
 
 import json
 import pathlib
@@ -38,3 +38,33 @@ worlds = {
     "cliff": world("CliffWalking-v1", 0.9),
 }
 pathlib.Path(__file__).with_name("worlds.json").write_text(json.dumps(worlds) + "\n")
+
+
+def judged(table, start, policy, gamma):
+    """Expected return from the start, as the solution of V = R + gamma P V, and the probability to end with the goal."""
+    n = len(table)
+    p, r, goal = np.zeros((n, n)), np.zeros(n), np.zeros(n)
+    for s in range(n):
+        for odds, to, reward, done in table[s][policy[s]]:
+            r[s] += odds * reward
+            goal[s] += odds * (done and to == n - 1)
+            p[s, to] += odds * (not done)
+    reaches = np.zeros(n)
+    for _ in range(200_000):
+        reaches = goal + p @ reaches
+    value = np.linalg.solve(np.eye(n) - gamma * p, r)
+    return {"policy": policy, "return": float(value[start]), "reaches": float(reaches[start])}
+
+
+def policies(name, start):
+    table, q, gamma = (worlds[name][key] for key in ("table", "q", "gamma"))
+    chance = np.random.default_rng(2026)
+    n = len(table)
+    some = [np.argmax(q, axis=1).tolist()] + [[a] * n for a in range(4)]
+    some += [chance.integers(4, size=n).tolist() for _ in range(10)]
+    return [judged(table, start, policy, gamma) for policy in some]
+
+
+starts = {"lake4": 0, "lake8": 0, "cliff": 36}
+table_of_policies = {name: policies(name, start) for name, start in starts.items()}
+pathlib.Path(__file__).with_name("policies.json").write_text(json.dumps(table_of_policies) + "\n")

@@ -1,21 +1,47 @@
+import type { Plan } from '@botgarten/learning/q-learning'
 import { m } from '#lib/words/generated/messages.js'
 import { number } from './numbers.ts'
 import type { Learning } from './learning.svelte.ts'
+import type { Shown } from './shown.ts'
 
 /** The stations of a circle, or of a walk: `4 → 6 → 4`. */
 const walk = (stations: readonly number[]) => stations.join(' → ')
 
-/** Why there is no best way yet: what has not been learned. */
-export function reasonOf({ shown, shortest }: Learning): string {
+/** Why there is no best way yet: what has not been learned; where moves are by chance, what the plan is worth. */
+export function reasonOf({ shown, shortest }: Pick<Learning, 'shown' | 'shortest'>): string {
   if (!shown || shown.way.stations) return ''
-  const { way } = shown
+  const { way, plan, firstOfEqual } = shown
   if (shortest === null) return m['q.noWay']()
   if (shown.t === 0) return m['q.nothingYet']()
   if (way.reason === 'neverReached') return m['q.neverReached']()
-  const last = way.walked.at(-1)!
-  if (way.reason === 'circle')
-    return m['q.circle']({ station: last, circle: walk(way.walked.slice(way.walked.indexOf(last))) })
-  return way.reason === 'deadEnd' ? m['q.deadEnd']({ station: last }) : m['q.unknown']({ station: last })
+  if (plan) return planSentence(plan)
+  const reason = whyNot(way.reason, way.walked)
+  return firstOfEqual ? `${reason} ${m['q.firstOfEqual']({ way: walk(firstOfEqual) })}` : reason
+}
+
+function whyNot(reason: Shown['way']['reason'], walked: readonly number[]): string {
+  const station = walked.at(-1)!
+  switch (reason) {
+    case 'circle':
+      return m['q.circle']({ station, circle: walk(walked.slice(walked.indexOf(station))) })
+    case 'alike':
+      return m['q.alike']({ station })
+    case 'unpaid':
+      return m['q.unpaid']({ station })
+    case 'untried':
+      return m['q.untried']({ station })
+    case 'deadEnd':
+      return m['q.deadEnd']({ station })
+    default:
+      return m['q.unknown']({ station })
+  }
+}
+
+function planSentence({ doubt, expected, best, reaches }: Plan): string {
+  const worth = (value: number | null) => (value === null ? '–' : number(value, 3))
+  const facts = { value: worth(expected), best: worth(best), rides: number(100 * reaches) }
+  const sure = doubt === null ? '' : ` ${m['q.chanceDoubt']({ station: doubt })}`
+  return m['q.chance'](facts) + sure
 }
 
 /** Which limit stopped it and what came of it; '' while it goes on. */
@@ -29,6 +55,7 @@ export function endOf(learning: Learning): string {
         ? m['q.byEpisodes']({ count: number(outline.episodes) })
         : m['q.byTime']({ count: number(outline.moves) })
   const { stations } = shown.way
+  if (!stations && shown.plan?.doubt === null) return by
   if (!stations) return `${by} ${m['q.notYet']()}`
   return learning.isShortest(stations) ? `${by} ${m['q.isShortest']()}` : `${by} ${m['q.isLonger']()}`
 }

@@ -1,9 +1,12 @@
 import {
+  bestWay,
+  planOf,
   policy,
   starsOf,
   visited,
-  type BestWay,
   type Course,
+  type LearnedWay,
+  type Plan,
   type QTrace,
   type QWorld,
 } from '@botgarten/learning/q-learning'
@@ -21,7 +24,11 @@ export interface Shown {
   readonly visited: readonly boolean[]
   /** By station the best move; −1: none. */
   readonly policy: readonly number[]
-  readonly way: BestWay
+  readonly way: LearnedWay
+  /** By the study's rules: the way that the first of equal roads gives where none is learned yet. */
+  readonly firstOfEqual: readonly number[] | null
+  /** Where moves are by chance: what Bo would do, and what that may expect. */
+  readonly plan: Plan | null
   readonly found: number | null
   /** The move at which it was found. */
   readonly foundAt: number | null
@@ -34,8 +41,10 @@ export interface Shown {
 
 export function shownOf(course: Course): Shown {
   const { learner, trace } = course
+  const { world, settings } = learner
+  const way = course.way()
   return {
-    world: learner.world,
+    world,
     ...{ t: course.shown, made: course.made, trace, over: course.over },
     episodes: course.episodes,
     episode: trace?.episode ?? learner.episodes + 1,
@@ -43,7 +52,9 @@ export function shownOf(course: Course): Shown {
     tries: learner.tries.slice(),
     visited: visited(learner),
     policy: policy(learner),
-    way: course.way(),
+    way,
+    firstOfEqual: settings.rules === 'study' && !way.stations ? bestWay(learner).stations : null,
+    plan: world.isSlippery ? planOf(learner) : null,
     found: course.foundIn(),
     foundAt: course.foundAt(),
     stars: {
