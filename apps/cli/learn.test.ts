@@ -3,7 +3,9 @@ import { mkdtempSync, readFileSync, writeFileSync } from 'node:fs'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import { Ajv2020 } from 'ajv/dist/2020.js'
+import { courseOf, readMap } from '@botgarten/materials/maps'
 import { describe, expect, it } from 'vitest'
+import worlds from '../../packages/learning/q-learning/reference/worlds.json' with { type: 'json' }
 
 const folder = mkdtempSync(join(tmpdir(), 'botgarten-'))
 const program = join(import.meta.dirname, 'botgarten.ts')
@@ -54,6 +56,66 @@ describe('botgarten learn q', () => {
     expect(learn('q', ...railway, '--nu', '0', '--time', '2').stdout).toMatch(
       /^After 2 moves .* no way yet \(neverReached\)/,
     )
+  })
+
+  it('says where all is still alike after one try, beside the way that the first of equal roads would give', () => {
+    const open = ['--map', 'railway', '--start', '3', '--goal', '1']
+    const once = learn('q', ...open, '--episodes', '1', '--json')
+    expectToFit(once.json(), 'learn-q.json')
+    expect(once.json()).toMatchObject({
+      ...{ bestWay: [3, 2, 1], reason: 'found' },
+      ...{ learned: false, notLearned: { reason: 'alike', station: 3 } },
+    })
+    expect(learn('q', ...open, '--episodes', '1').stdout).toMatch(
+      /no way learned yet \(alike\): at 3 all roads are still alike; the first of equal roads would give 3 → 2 → 1$/m,
+    )
+    const often = learn('q', ...open, '--episodes', '100', '--json').json()
+    expect(often).toMatchObject({ bestWay: [3, 2, 1], learned: true, notLearned: null })
+  })
+
+  it('judges a policy by what it expects where moves are by chance: the slippery lake', () => {
+    const settings = ['--alpha', '1', '--alpha-decay', 'visits', '--rho', '1', '--nu', '.5', '--gamma', '.95']
+    const call = ['--map', 'lake', ...settings, '--time', '300000']
+    const report = learn('q', ...call, '--json').json()
+    expectToFit(report, 'learn-q.json')
+    expect(report).toMatchObject({ learned: true, plan: { policy: { 9: 'down', 13: 'right', 14: 'down' } } })
+    const plan = report['plan'] as { expectedReturn: number; bestReturn: number }
+    // Of Gymnasium's FrozenLake-v1, by value iteration with γ = 0.95.
+    const best = Math.max(...worlds.lake4.q[0]!)
+    expect(Math.abs(plan.bestReturn - best)).toBeLessThan(1e-9)
+    expect(plan.expectedReturn).toBeGreaterThan(0.95 * best)
+    expect(learn('q', ...call).stdout).toMatch(
+      /moves are by chance.*the policy expects 0\.1\d+ \(at best 0\.1805\)/,
+    )
+  })
+
+  it('names what it learned with, the decay by its formula', () => {
+    const report = learn('q', ...railway, '--alpha-decay', 'visits', '--rho-decay', '.9', '--json').json()
+    expectToFit(report, 'learn-q.json')
+    expect(report['settings']).toEqual({
+      ...{ rules: 'standard', algorithm: 'q', alpha: 0.5, gamma: 0.8, nu: 0.1, rho: 0.5 },
+      alphaDecay: { kind: 'visits', formula: 'alpha * 10 / (9 + n), n-th update of a value' },
+      rhoDecay: { kind: 'episodes', factor: 0.9, formula: 'rho * 0.9 ^ n, n episodes done before' },
+    })
+  })
+
+  it('learns what the lab learns from the same seed: ten tries on the Railway, move by move', () => {
+    const { map } = readMap(
+      readFileSync(join(import.meta.dirname, '../../content/maps/railway/map.svg'), 'utf8'),
+    )
+    const closed: [number, number][] = [[3, 2], [2, 3]] // prettier-ignore
+    const preset = { rules: 'standard', algorithm: 'q', alpha: 0.5, gamma: 0.8, nu: 0.1, rho: 0.5 } as const
+    const outline = { blocks: { map: 'map' }, map: 'railway', start: 3, goal: 1, closed, settings: preset }
+    for (const seed of [1, 2, 7]) {
+      const course = courseOf({ ...outline, episodes: 10, moves: 10_000 }, map!, seed)
+      course.advance(10_000)
+      const { moves, q, learned } = learn(
+        ...['q', ...railway, '--episodes', '10', '--seed', String(seed), '--json'],
+      ).json() as { moves: number; q: { [road: string]: number }; learned: boolean }
+      expect(moves).toBe(course.made)
+      expect(Object.values(q)).toEqual([...course.learner.q])
+      expect(learned).toBe(course.way().stations !== null)
+    }
   })
 
   it('is the same for the same seed and another for another one', () => {
@@ -135,6 +197,49 @@ describe('botgarten learn q-sweep', () => {
       return readFileSync(path, 'utf8')
     })
     expect(parts.join('')).toBe(readFileSync(whole, 'utf8'))
+  })
+
+  it('counts learned ways beside shown ones, and judges policies where moves are by chance', () => {
+    const once = learn(
+      'q-sweep',
+      ...railway.slice(0, 6),
+      '--episodes',
+      '1',
+      '--nu',
+      '0',
+      '--runs',
+      '20',
+      '--json',
+    )
+    const [row] = once.json() as unknown as { anyAtEnd: number; learnedAtEnd: number }[]
+    expect(row!.anyAtEnd).toBeGreaterThan(0)
+    expect(row!.learnedAtEnd).toBe(0)
+    const lake = [
+      'q-sweep',
+      '--map',
+      'lake',
+      '--gamma',
+      '.95',
+      '--rho',
+      '1',
+      '--time',
+      '50000',
+      '--runs',
+      '3',
+    ]
+    const [judged] = learn(...lake, '--json').json() as unknown as {
+      meanReturn: number
+      bestReturn: number
+    }[]
+    expectToFit([judged], 'learn-q-sweep.json')
+    expect(Math.abs(judged!.bestReturn - Math.max(...worlds.lake4.q[0]!))).toBeLessThan(1e-9)
+    expect(judged!.meanReturn).toBeGreaterThan(0)
+    expect(judged!.meanReturn).toBeLessThanOrEqual(judged!.bestReturn)
+    const [head, cells] = learn(...lake)
+      .stdout.trim()
+      .split('\n')
+    expect(head).toMatch(/,meanFirst,learnedAtEnd,meanReturn,bestReturn$/)
+    expect(cells!.split(',')).toHaveLength(head!.split(',').length)
   })
 
   it('keeps every row when another setting is added', () => {

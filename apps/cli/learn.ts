@@ -1,13 +1,15 @@
 import {
   bestWay,
+  courseStream,
   createLearner,
   layOutWorld,
+  learnedWay,
   learnWatching,
   type Settings,
 } from '@botgarten/learning/q-learning'
-import { stream } from '@botgarten/numbers'
 import { CallError, numberIn, options } from './errors.ts'
 import { kMeans } from './kmeans.ts'
+import { notLearnedIn, planIn, sentenceOf, settingsSaid } from './learn-report.ts'
 import { algorithmOf, decayOf, limitsOf, rulesOf, seedOf, taskOf, taskOptions } from './learn-options.ts'
 import { findMap } from './maps.ts'
 import { sweep } from './sweep/sweep.ts'
@@ -47,19 +49,25 @@ function q(args: string[]): string {
   if (values.map === undefined) throw new CallError('--map is needed: a map by its name, or an SVG file.')
   const world = layOutWorld(taskOf(findMap(values.map), values))
   const seed = seedOf(values)
-  const learner = createLearner(world, settingsOf(values), stream(seed, 'learn/q/1'))
+  // The same dice as in the lab: a row of its table can be learned again here.
+  const learner = createLearner(world, settingsOf(values), courseStream(seed))
   const { moves, episodes } = limitsOf(values)
   const firstShortestMove = learnWatching(learner, moves, episodes)
   const way = bestWay(learner)
+  const plan = planIn(learner)
+  const notLearned = notLearnedIn(learnedWay(learner), plan)
   const report = {
     bestWay: way.stations,
     reason: way.reason,
     walked: way.stations ?? ('walked' in way ? way.walked : []),
+    ...{ learned: notLearned === null, notLearned },
+    ...(plan && { plan: plan.said }),
     q: Object.fromEntries(world.names.map((name, move) => [name, learner.q[move]!])),
     moves: learner.moves,
     episodes: learner.episodes,
     firstShortestMove,
     seed,
+    settings: settingsSaid(learner.settings),
   }
   return values.json ? JSON.stringify(report) : sentenceOf(report)
 }
@@ -78,20 +86,4 @@ function settingsOf(values: Values): Settings {
     alphaDecay: decayOf('alpha-decay', values['alpha-decay']),
     rhoDecay: decayOf('rho-decay', values['rho-decay']),
   }
-}
-
-interface Report {
-  readonly bestWay: readonly number[] | null
-  readonly reason: string
-  readonly walked: readonly number[]
-  readonly moves: number
-  readonly episodes: number
-  readonly firstShortestMove: number | null
-}
-
-function sentenceOf({ bestWay: way, reason, walked, moves, episodes, firstShortestMove }: Report): string {
-  const after = `After ${moves} moves in ${episodes} episodes`
-  if (way === null) return `${after}: no way yet (${reason}): ${walked.join(' → ')}`
-  const first = firstShortestMove === null ? '' : `, a shortest one first after move ${firstShortestMove}`
-  return `${after}: ${way.join(' → ')}${first}`
 }

@@ -2,8 +2,12 @@ import {
   bestWay,
   createLearner,
   layOutWorld,
+  learnedWay,
   learnWatching,
+  planOf,
   shortestWay,
+  type Learner,
+  type Plan,
   type Settings,
   type Task,
 } from '@botgarten/learning/q-learning'
@@ -37,6 +41,11 @@ export interface Row extends Setting {
   /** First move with a shortest way: the middle one of all runs, and the mean of those that found it. */
   readonly medianFirst: number | null
   readonly meanFirst: number | null
+  /** Runs that had learned a way at the end or, where moves are by chance, a plan. */
+  readonly learnedAtEnd: number
+  /** Where moves are by chance: what the plans at the end may expect, their mean, and the largest any plan may. */
+  readonly meanReturn?: number | null
+  readonly bestReturn?: number | null
 }
 
 /** Carries out all runs of one setting: the same numbers in whatever thread, order or shard. */
@@ -45,21 +54,42 @@ export function rowOf(job: Job, setting: Setting): Row {
   const settings = learnerSettings(setting, job)
   const shortest = shortestWay(world)
   const firsts: number[] = []
-  let [shortestAtEnd, anyAtEnd] = [0, 0]
+  const plans: Plan[] = []
+  let [shortestAtEnd, anyAtEnd, learnedAtEnd] = [0, 0, 0]
   for (let run = 1; run <= job.runs; run++) {
     const learner = createLearner(world, settings, stream(job.seed, `learn/${nameOf(setting)}/${run}`))
     firsts.push(learnWatching(learner, job.moves, job.episodes) ?? Infinity)
     const way = bestWay(learner).stations
     if (way !== null) anyAtEnd++
     if (way !== null && way.length === shortest) shortestAtEnd++
+    const { isLearned, plan } = judge(learner)
+    if (isLearned) learnedAtEnd++
+    if (plan) plans.push(plan)
   }
   const found = firsts.filter((first) => first < Infinity)
   return {
     ...setting,
     ...{ runs: job.runs, foundShortest: found.length, shortestAtEnd, anyAtEnd },
     medianFirst: finite(medianOf(firsts)),
-    meanFirst: found.length === 0 ? null : found.reduce((sum, first) => sum + first, 0) / found.length,
+    meanFirst: found.length === 0 ? null : meanOf(found),
+    learnedAtEnd,
+    ...(world.isSlippery && {
+      meanReturn: meanOf(plans.map(({ expected }) => expected ?? -Infinity)),
+      bestReturn: plans[0]?.best ?? null,
+    }),
   }
+}
+
+function judge(learner: Learner) {
+  const way = learnedWay(learner)
+  const plan = learner.world.isSlippery ? planOf(learner) : null
+  const isLearned = way.stations !== null || (plan?.doubt === null && learner.goals > 0)
+  return { isLearned, plan }
+}
+
+function meanOf(values: readonly number[]): number | null {
+  const mean = values.reduce((sum, value) => sum + value, 0) / values.length
+  return Number.isFinite(mean) ? mean : null
 }
 
 function medianOf(values: readonly number[]): number {

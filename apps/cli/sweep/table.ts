@@ -14,6 +14,7 @@ export const tableOptions = {
 const columns = [
   ...(['alpha', 'gamma', 'nu', 'rho', 'alphaDecay', 'rhoDecay', 'runs', 'foundShortest'] as const),
   ...(['shortestAtEnd', 'anyAtEnd', 'medianFirst', 'meanFirst'] as const),
+  ...(['learnedAtEnd', 'meanReturn', 'bestReturn'] as const),
 ]
 
 export interface Shard {
