@@ -3,7 +3,7 @@ import { paintFloor } from '@botgarten/simulation'
 import fc from 'fast-check'
 import { describe, expect, it } from 'vitest'
 import { createLab, type Check, type Document } from './index.ts'
-import { drive, eye, forever, net, program, turn, worldWith } from './testing/scene.ts'
+import { block, drive, eye, forever, net, program, turn, worldWith } from './testing/scene.ts'
 
 const world = worldWith()
 const floor = paintFloor(world)
@@ -64,6 +64,61 @@ describe('a lab', () => {
     lab.start()
     lab.advance(1)
     expect(lab.view().networks['net']!.outputs['wheelRight']).toBeCloseTo(robotIn(lab).motors['B']!, 12)
+  })
+
+  const wait = block('wait', 'robControls_wait_time', {
+    values: { WAIT: block('ms', 'math_number', { fields: { NUM: '1000' } }) },
+  })
+  const weightIn = (lab: ReturnType<typeof createLab>, to: string) =>
+    lab.view().networks['net']!.terms.find((term) => term.from === 'eyeLeft' && term.to === to)!.weight
+
+  it('a knob that is turned in a pause makes no run that never was: it says what would be', () => {
+    const lab = taught(labWith(program(forever(bothEyes))))
+    expect(lab.view().networks['net']!.ran).toBe(false)
+    lab.start()
+    lab.advance(10)
+    lab.pause()
+    const ran = lab.view().networks['net']!
+    expect(ran.ran).toBe(true)
+    expect(ran.outputs['wheelLeft']).toBeCloseTo(robotIn(lab).motors['C']!, 12)
+    lab.setWeight('net', 'eyeLeft', 'wheelLeft', 0.25)
+    const would = lab.view().networks['net']!
+    expect(would.ran).toBe(false)
+    expect(would.outputs['eyeLeft']).toBe(ran.outputs['eyeLeft'])
+    expect(would.outputs['wheelLeft']).toBeCloseTo(ran.outputs['eyeLeft']! * 0.25, 12)
+    lab.setWeight('net', 'eyeLeft', 'wheelLeft', 0.5)
+    expect(lab.view().networks['net']).toEqual(ran)
+    lab.setWeight('net', 'eyeLeft', 'wheelLeft', 0.25)
+    lab.resume()
+    lab.advance(1)
+    expect(lab.view().networks['net']).toMatchObject({ ran: true })
+    expect(robotIn(lab).motors['C']).toBeCloseTo(lab.view().networks['net']!.outputs['wheelLeft']!, 12)
+  })
+
+  it('a network that runs once a second shows the weights of its own run until the next', () => {
+    const lab = taught(labWith(program(forever(bothEyes, wait))))
+    lab.start()
+    lab.advance(10)
+    lab.setWeight('net', 'eyeLeft', 'wheelLeft', 0.25)
+    lab.advance(10)
+    expect(weightIn(lab, 'wheelLeft')).toBe(0.5)
+    lab.advance(60)
+    expect(weightIn(lab, 'wheelLeft')).toBe(0.25)
+    expect(lab.view().networks['net']!.ran).toBe(true)
+    // Of a moment between the turn of the knob and the next run, the same is told.
+    lab.goTo(20)
+    expect(lab.view().networks['net']).toMatchObject({ ran: false })
+    lab.goTo(5)
+    expect(lab.view().networks['net']).toMatchObject({ ran: true })
+  })
+
+  it('a network that has not run since Start has no numbers', () => {
+    const lab = taught(labWith(program(wait, forever(bothEyes))))
+    lab.start()
+    lab.advance(10)
+    expect(lab.view().networks).toEqual({})
+    lab.advance(60)
+    expect(lab.view().networks['net']).toMatchObject({ ran: true })
   })
 
   it('one neuron without a sensor does not blind the others', () => {

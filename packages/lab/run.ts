@@ -78,7 +78,7 @@ export class Run {
       const was = before.robots.find(({ id }) => id === robot.id)
       if (was?.program !== robot.program) this.endedAt = null
       else robot.thread = structuredClone(was.thread)
-      for (const [id, inputs] of was?.brains.lastInputs ?? []) robot.brains.lastInputs.set(id, inputs)
+      for (const [id, last] of was?.brains.lastRuns ?? []) robot.brains.lastRuns.set(id, last)
     }
   }
 
@@ -232,7 +232,7 @@ export class Run {
       threads: this.robots.map(({ thread }) => structuredClone(thread)),
       brains: this.brains,
       starts: this.starts,
-      lastInputs: this.robots.map(({ brains }) => [...brains.lastInputs]),
+      lastRuns: this.robots.map(({ brains }) => [...brains.lastRuns]),
       keys: this.keys,
       driven: this.#driven,
       watches: structuredClone(this.watches),
@@ -294,8 +294,8 @@ export class Run {
     this.endedAt = moment.endedAt
     this.robots.forEach((robot, index) => {
       robot.thread = structuredClone(moment.threads[index]!)
-      robot.brains.lastInputs.clear()
-      for (const [id, inputs] of moment.lastInputs[index]!) robot.brains.lastInputs.set(id, inputs)
+      robot.brains.lastRuns.clear()
+      for (const [id, last] of moment.lastRuns[index]!) robot.brains.lastRuns.set(id, last)
     })
   }
 

@@ -100,6 +100,16 @@ export interface TimeView {
   readonly other: boolean
 }
 
+/**
+ * A network opened. `ran`: its last run, term by term as it was. Else what a run would give: while no program runs, with what
+ * the sensors say now; in a pause in which a weight has changed since the last run, with what that run read.
+ */
+export interface NetView extends NetTrace {
+  readonly ran: boolean
+  /** What it is opened with. */
+  readonly brain: Brain
+}
+
 /** What the screen shows, asked for once a frame. */
 export interface View {
   readonly phase: Phase
@@ -110,8 +120,8 @@ export interface View {
   readonly time: TimeView
   /** The brains as they are, or were, at the moment that is shown. */
   readonly brains: { readonly [networkId: string]: Brain }
-  /** Of one robot, by network block: the last run opened, or what a run would give now while the program stands. */
-  readonly networks: { readonly [networkId: string]: NetTrace }
+  /** Of one robot, by network block. A network that has not run since Start is not among them. */
+  readonly networks: { readonly [networkId: string]: NetView }
   readonly checks: readonly CheckResult[]
   /** Of the first robot that has one. */
   readonly problem: Finding | null

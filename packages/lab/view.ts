@@ -1,11 +1,11 @@
-import { trace, type Brain, type NetTrace } from '@botgarten/learning/neural-network'
+import { trace, type Brain, type NetTrace, type Weights } from '@botgarten/learning/neural-network'
 import { evaluate } from '@botgarten/programs'
 import { degreesOf, type Pose, type SensorPort } from '@botgarten/simulation'
 import { results } from './checks/checks.ts'
 import { weightsFor } from './robots/brains.ts'
 import type { RobotRun } from './robots/run.ts'
 import type { Run } from './run.ts'
-import type { Phase, RobotView, View } from './types.ts'
+import type { NetView, Phase, RobotView, View } from './types.ts'
 
 type Placed = { readonly x: number; readonly y: number; readonly heading: number }
 
@@ -50,21 +50,46 @@ function robotView(run: Run, robot: RobotRun, index: number, phase: Phase): Robo
   }
 }
 
-/** One robot's networks: their last run, or what a run would give now while no program runs. */
+/** One robot's networks. */
 function networksOf(run: Run, phase: Phase, index: number): View['networks'] {
   const robot = run.robots[index]
   const placement = run.simulation.world.robots[index]
-  const opened: { [id: string]: NetTrace } = {}
+  const opened: { [id: string]: NetView } = {}
   if (!robot || !placement) return opened
-  const live = phase === 'ready' || phase === 'ended'
   for (const id of robot.networks) {
     const brain = run.brains[id]
-    if (!brain) continue
-    const inputs = live ? inputsNow(robot, brain) : (robot.brains.lastInputs.get(id) ?? [])
-    opened[id] = trace(brain, inputs, weightsFor(brain, placement))
+    const view = brain && networkView(robot, id, brain, phase, (one) => weightsFor(one, placement))
+    if (view) opened[id] = view
   }
   return opened
 }
+
+function networkView(
+  robot: RobotRun,
+  id: string,
+  brain: Brain,
+  phase: Phase,
+  weightsOf: (brain: Brain) => Weights,
+): NetView | null {
+  if (phase === 'ready' || phase === 'ended')
+    return { ...trace(brain, inputsNow(robot, brain), weightsOf(brain)), brain, ran: false }
+  const last = robot.brains.lastRuns.get(id)
+  if (!last) return null
+  const then = trace(last.brain, last.inputs, weightsOf(last.brain))
+  if (phase === 'running' || last.brain === brain) return { ...then, brain: last.brain, ran: true }
+  const now = trace(brain, last.inputs, weightsOf(brain))
+  return isSame(now, then) ? { ...then, brain: last.brain, ran: true } : { ...now, brain, ran: false }
+}
+
+/** Two runs with the same inputs: did they come about in the same way? */
+const isSame = (a: NetTrace, b: NetTrace): boolean =>
+  a.terms.length === b.terms.length &&
+  a.terms.every(({ from, to, weight }, index) => {
+    const other = b.terms[index]!
+    return from === other.from && to === other.to && weight === other.weight
+  }) &&
+  Object.entries(a.biases).every(([id, bias]) => b.biases[id] === bias) &&
+  Object.entries(a.outputs).every(([id, value]) => b.outputs[id] === value)
 
 /**
  * Reads a network's inputs as its next run would; a neuron that cannot read counts 0.

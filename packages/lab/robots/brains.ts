@@ -32,13 +32,19 @@ export function brainsFor(programs: { readonly [id: string]: Program }, brains: 
 export const weightsFor = (brain: Brain, placement: RobotPlacement): Weights =>
   weightsOf(brain, placement.brain)
 
-/** The networks of one robot, ready to run, with the inputs of each one's last run. */
+/** One run of a network: what it read, and the brain it ran with. */
+export interface NetRun {
+  readonly inputs: readonly number[]
+  readonly brain: Brain
+}
+
+/** The networks of one robot, ready to run, with the last run of each. */
 export class RobotBrains {
   readonly #placement: RobotPlacement
   readonly #nets = new Map<string, Net>()
   readonly #brains = new Map<string, Brain>()
-  /** Inputs of the last run, by network block. */
-  readonly lastInputs = new Map<string, readonly number[]>()
+  /** By network block. */
+  readonly lastRuns = new Map<string, NetRun>()
   /** How many runs there have been, for stepping from run to run. */
   runs = 0
 
@@ -67,7 +73,7 @@ export class RobotBrains {
   /** One run of a network. Unknown networks give nothing. */
   think(id: string, inputs: readonly number[]): readonly number[] {
     this.runs++
-    this.lastInputs.set(id, inputs.slice())
+    this.lastRuns.set(id, { inputs: inputs.slice(), brain: this.#brains.get(id) ?? emptyBrain })
     return this.would(id, inputs)
   }
 

@@ -27,7 +27,7 @@ export const worldWith = (robots = 1): World => ({
   ),
 })
 
-const block = (id: string, type: string, rest: Partial<Block> = {}): Block => ({ id, type, ...rest })
+export const block = (id: string, type: string, rest: Partial<Block> = {}): Block => ({ id, type, ...rest })
 const number = (id: string, value: number) => block(id, 'math_number', { fields: { NUM: String(value) } })
 
 const list = (id: string, kind: string, items: readonly Block[]) =>

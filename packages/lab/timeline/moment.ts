@@ -2,7 +2,7 @@ import type { Hash } from '@botgarten/numbers'
 import type { Thread } from '@botgarten/programs'
 import { degreesOf, type Pose, type SimulationState } from '@botgarten/simulation'
 import type { Watch } from '../checks/checks.ts'
-import type { Brains } from '../robots/brains.ts'
+import type { Brains, NetRun } from '../robots/brains.ts'
 import type { DriveKey } from '../types.ts'
 import type { Timeline } from './timeline.ts'
 import type { Track } from './tracks.ts'
@@ -18,7 +18,8 @@ export interface Moment {
   readonly brains: Brains
   /** Start poses of the obstacles: a hand changes them. */
   readonly starts: { readonly [id: string]: Pose }
-  readonly lastInputs: readonly (readonly (readonly [string, readonly number[]])[])[]
+  /** By robot and network block. */
+  readonly lastRuns: readonly (readonly (readonly [string, NetRun])[])[]
   readonly keys: readonly DriveKey[]
   /** Index of the robot that the keys drive. */
   readonly driven: number
