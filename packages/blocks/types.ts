@@ -425,6 +425,8 @@ export interface Finding {
     readonly facts?: Facts
     readonly plug?: { readonly port: SensorPort; readonly kind: SensorKind }
   }[]
+  /** The way out is to put the block among those that run: message key for the button. */
+  readonly putIn?: string
   /** false: the program can run all the same (a hint). */
   readonly stops: boolean
 }

@@ -87,6 +87,14 @@ export interface NetworkOutline {
   readonly outputs: readonly NeuronOutline[]
 }
 
+/**
+ * A network and what keeps it from running. `loose`: it hangs under no start block, or in a function that nobody calls ·
+ * `behind`: a loop before it never ends · `off`: it, or what it stands in, is switched off · null: it runs.
+ */
+export interface NetworkInUse extends NetworkOutline {
+  readonly idle: 'loose' | 'behind' | 'off' | null
+}
+
 /** A hidden layer: the id of its block, how many neurons, and what becomes of their sums. */
 export interface HiddenOutline {
   readonly id: string

@@ -140,6 +140,49 @@ describe('networks', () => {
     expect(finding?.fixes?.map(({ value }) => value)).toEqual(['MOTORPORT_B', 'MOTORPORT_A', 'MOTORPORT_D'])
   })
 
+  const whole = () => net([eye('2')], [motor])
+  const loose = { problem: 'problem.looseNetwork', stops: false }
+
+  it('that hang loose have knobs that do nothing: it is said, with the loop that they go into', () => {
+    expect(check(programOf([start, forever()], [whole()]), sockets)).toEqual([
+      { block: 'ai_neural_network', ...loose, putIn: 'problem.fix.intoLoop' },
+    ])
+    expect(check(programOf([start], [whole()]), sockets)).toEqual([
+      { block: 'ai_neural_network', ...loose, putIn: 'problem.fix.intoNewLoop' },
+    ])
+    expect(check(programOf([start], [forever(whole())]), sockets)).toMatchObject([loose])
+  })
+
+  it('hang loose too where there is no start block, or it is switched off', () => {
+    const problem = 'problem.noStart'
+    expect(check(programOf([whole()]), sockets)).toMatchObject([{ problem }, loose])
+    const off = { ...start, disabled: true }
+    expect(check(programOf([off, forever(whole())]), sockets)).toMatchObject([{ problem }, loose])
+  })
+
+  it('hang loose in a function that nobody calls, and run in one that is called', () => {
+    const call = { ...block('robProcedures_callnoreturn'), mutation: { attrs: { name: 'think' } } }
+    const define = block('robProcedures_defnoreturn', { NAME: 'think' }, {}, { STACK: [whole()] })
+    expect(check(programOf([start], [define]), sockets)).toMatchObject([loose])
+    expect(
+      check(programOf([start, forever(call)], [define]), sockets).map(({ problem }) => problem),
+    ).not.toContain(loose.problem)
+  })
+
+  it('are never come to behind a loop that never ends', () => {
+    expect(check(programOf([start, forever(), lamp('RED'), whole()]), sockets)).toMatchObject([
+      { block: 'actions_bricklight_on_ev3', problem: 'problem.neverReached' },
+      { block: 'ai_neural_network', problem: 'problem.networkBehind', putIn: 'problem.fix.intoLoop' },
+    ])
+  })
+
+  it('are left in peace where a child has switched them off, and where they run', () => {
+    expect(check(programOf([start], [{ ...whole(), disabled: true }]), sockets)).toEqual([])
+    expect(problems(forever(block('robControls_if', {}, {}, { DO0: [whole()] })))).not.toContain(
+      loose.problem,
+    )
+  })
+
   it('take no output among the inputs', () => {
     expect(findings(net([motor], [motor]))).toMatchObject([
       { block: 'ai_nn_output_node', problem: 'problem.wrongKind' },

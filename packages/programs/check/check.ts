@@ -1,19 +1,24 @@
 import type { Block, CheckContext, Definition, Finding } from '@botgarten/blocks'
 import { startingStacks } from '../run/index-program.ts'
 import { shapeOf } from '../run/shape-of.ts'
+import { learningIn } from '../learning.ts'
+import { networksByUse } from '../networks.ts'
 import type { Program } from '../types.ts'
-import { calledBy, doubledNames, nameProblems, namesIn, within, type Names } from './names.ts'
+import { calledBy, doubledNames, nameProblems, namesIn, type Names } from './names.ts'
 import { definitionOf, holesOf, outputOf, type Hole, type Output } from './places.ts'
+import { isEndless, reachedIn, spotIn } from './reached.ts'
 import { rules } from './rules.ts'
 
 /**
  * What a child should change before the program runs, in the order of the blocks. Only what a start block reaches is
- * looked at, functions that are called included: other blocks may lie about half done.
+ * looked at, functions that are called included: other blocks may lie about half done. But a network that no start block
+ * comes to has knobs on the screen that do nothing: that is said.
  * @param sockets the robot's configuration, or as much of it as says which sensors it has
  */
 export function check(program: Program, sockets: CheckContext): Finding[] {
   const stacks = startingStacks(program)
-  if (stacks.length === 0) return [{ block: '', problem: 'problem.noStart', stops: true }]
+  const idle = idleFindings(program)
+  if (stacks.length === 0) return [{ block: '', problem: 'problem.noStart', stops: true }, ...idle]
   const [first, ...others] = stacks
   const seconds = others.map(({ blocks }) => said(blocks[0], 'secondStart'))
   const rows = first?.blocks ?? []
@@ -26,6 +31,24 @@ export function check(program: Program, sockets: CheckContext): Finding[] {
       const own = namesIn(program, rows[0], [block], block)
       return blockFindings(block, 'function', { sockets, names: own })
     }),
+    ...idle,
+  ]
+}
+
+/** Networks, and learning by trying, that never run: their playgrounds are on the screen all the same. */
+function idleFindings(program: Program): Finding[] {
+  const { loop } = spotIn(program)
+  const putIn = loop === null ? 'problem.fix.intoNewLoop' : 'problem.fix.intoLoop'
+  const networks = networksByUse(program).flatMap(({ id, idle }) => {
+    if (idle === null || idle === 'off') return []
+    const problem = idle === 'loose' ? 'problem.looseNetwork' : 'problem.networkBehind'
+    return [{ block: id, problem, putIn, stops: false }]
+  })
+  const map = learningIn(program)?.blocks.map
+  if (map === undefined || reachedIn(program).has(map)) return networks
+  return [
+    ...networks,
+    { block: map, problem: 'problem.looseLearning', putIn: 'problem.fix.underStart', stops: false },
   ]
 }
 
@@ -51,14 +74,10 @@ function rowsFindings(rows: readonly Block[], top: Place, around: Around): Findi
 }
 
 function neverReached(rows: readonly Block[]): Finding[] {
-  const loop = rows.findIndex((block) => block.type === 'robControls_loopForever' && !isLeft(block))
+  const loop = rows.findIndex(isEndless)
   const next = loop < 0 ? undefined : rows[loop + 1]
   return next ? [said(next, 'neverReached', false)] : []
 }
-
-/** Is there a block in it that leaves a loop? Perhaps only an inner one. */
-const isLeft = (loop: Block) =>
-  within(loop).some(({ type, fields }) => type === 'controls_flow_statements' && fields?.FLOW !== 'CONTINUE')
 
 function blockFindings(block: Block, place: Place, around: Around): Finding[] {
   const definition = definitionOf(block)
