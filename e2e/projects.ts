@@ -34,6 +34,19 @@ export function freeProgram(name: string, stack: (make: Blocks) => readonly Bloc
   return freeProject(name, { programs: { main: make.program(...stack(make)) }, brains: {} })
 }
 
+/** A loop with a stack of its own beside it: a net of two eyes and two wheels that nothing starts. */
+export function looseNet(name: string): string {
+  const make = new Blocks()
+  const { block, brain } = make.net(
+    [make.eye('2'), make.eye('3')],
+    [make.wheel('C'), make.wheel('B')],
+    [[0.5]],
+  )
+  const { stacks, ...program } = make.program(make.forever())
+  const main = { ...program, stacks: [...stacks, { x: 60, y: 220, blocks: [block] }] }
+  return freeProject(name, { programs: { main }, brains: { [block.id]: brain } })
+}
+
 /** A net as big as a child may build one: eight sensor neurons, six outputs, all weights 0. */
 export function bigNet(name: string): string {
   const make = new Blocks()

@@ -5,6 +5,7 @@ import { between, distance, type Point } from './points.ts'
 import {
   alongMovement,
   freeLine,
+  gripsOf,
   knobPlace,
   linksAt,
   linkWidth,
@@ -108,6 +109,45 @@ describe('knobs at 0', () => {
   })
 })
 
+describe('where knobs answer to a pointer', () => {
+  const knobs = fc.array(point, { minLength: 1, maxLength: 12 })
+
+  test('is never the place of two, and always the knob that is nearest', () => {
+    fc.assert(
+      fc.property(knobs, point, (places, at) => {
+        const radii = gripsOf(places)
+        places.forEach((one, i) =>
+          places.slice(i + 1).forEach((other, k) => {
+            const apart = distance(one, other)
+            if (apart >= 22) expect(radii[i]! + radii[i + 1 + k]!).toBeLessThanOrEqual(apart + 1e-9)
+          }),
+        )
+        const pressed = places.findIndex((place, i) => distance(place, at) < radii[i]! - 1e-9)
+        if (pressed < 0 || radii[pressed]! <= 11) return
+        const nearest = Math.min(...places.map((place) => distance(place, at)))
+        expect(distance(places[pressed]!, at)).toBe(nearest)
+      }),
+    )
+  })
+
+  test('is 48 px wide where there is room, and as wide as they are apart where there is not', () => {
+    expect(gripsOf([{ x: 0, y: 0 }])).toEqual([24])
+    expect(
+      gripsOf([
+        { x: 0, y: 0 },
+        { x: 31, y: 0 },
+        { x: 100, y: 0 },
+      ]),
+    ).toEqual([15.5, 15.5, 24])
+    expect(
+      gripsOf([
+        { x: 0, y: 0 },
+        { x: 3, y: 0 },
+      ]),
+    ).toEqual([11, 11])
+  })
+})
+
 describe('a finger', () => {
   const cross = [
     freeLine({ x: 0, y: 0 }, { x: 400, y: 200 }, 20),
@@ -117,6 +157,28 @@ describe('a finger', () => {
   test('takes the nearest knob within 24 px before any line', () => {
     const knob = knobPlace(cross[1]!, 0)
     expect(linksAt(cross, [0, 0], { x: knob.x, y: knob.y + 20 })).toEqual([1])
+  })
+
+  test('takes the nearest of several knobs within reach, whichever way it goes', () => {
+    fc.assert(
+      fc.property(
+        fc.integer({ min: 14, max: 47 }),
+        fc.integer({ min: 0, max: 359 }),
+        fc.nat(),
+        (gap, turn, far) => {
+          const beside = { x: level.from.x, y: level.from.y + gap }
+          const tracks = [level, { ...level, from: beside, to: { x: level.to.x, y: level.to.y + gap } }]
+          const knob = knobPlace(tracks[0]!, 0)
+          // Nearer to this knob than to the other by more than a finger trembles.
+          const reach = far % Math.floor(gap / 2 - 3)
+          const at = {
+            x: knob.x + reach * Math.cos((turn * Math.PI) / 180),
+            y: knob.y + reach * Math.sin((turn * Math.PI) / 180),
+          }
+          expect(linksAt(tracks, [0, 0], at)).toEqual([0])
+        },
+      ),
+    )
   })
 
   test('takes the nearest line where no knob is', () => {

@@ -24,6 +24,10 @@ const signedShare = { zero: 0.47, earliest: 0.37, latest: 0.57 }
 const targetGap = 44
 /** A knob is grabbed within this distance of its middle, a link within that of its line, in px. */
 const grabWithin = { knob: 24, link: 18 }
+/** Of knobs whose distances from the finger differ by less (px), each may be meant. */
+const alike = 6
+/** Half of the knob that is seen. */
+const smallestGrip = 11
 
 /** The free part of the line between two nodes of radius `radius`. */
 export function freeLine(source: Point, target: Point, radius: number, scale: Scale = unitScale): Track {
@@ -112,13 +116,28 @@ function roomiest(track: Track, others: readonly Point[]): number {
 /** Drawn width of a link: 3 + 13·|w| px. */
 export const linkWidth = (weight: number): number => 3 + 13 * Math.min(1, Math.abs(weight))
 
+/** Radii within which knobs answer to a pointer: they touch at most, so that a press belongs to the nearest. */
+export function gripsOf(knobs: readonly Point[]): readonly number[] {
+  const radii = knobs.map(() => grabWithin.knob)
+  for (let i = 0; i < knobs.length; i++)
+    for (let j = i + 1; j < knobs.length; j++) {
+      if (Math.abs(knobs[i]!.x - knobs[j]!.x) >= 2 * grabWithin.knob) continue
+      const half = Math.max(smallestGrip, distance(knobs[i]!, knobs[j]!) / 2)
+      radii[i] = Math.min(radii[i]!, half)
+      radii[j] = Math.min(radii[j]!, half)
+    }
+  return radii
+}
+
 /**
- * Which links a finger at `at` may mean: every knob within reach, nearest first; where there is none, the nearest
- * line within reach. Indices into `tracks`.
+ * Which links a finger at `at` may mean: the nearest knob within reach, with others that are as near; where there is none,
+ * the nearest line within reach. Nearest first. Indices into `tracks`.
  */
 export function linksAt(tracks: readonly Track[], weights: readonly number[], at: Point): readonly number[] {
-  const within = (reach: number, gaps: readonly number[]) =>
-    gaps.flatMap((gap, i) => (gap <= reach ? [i] : [])).sort((a, b) => gaps[a]! - gaps[b]!)
+  const within = (reach: number, gaps: readonly number[]) => {
+    const most = Math.min(reach, Math.min(...gaps) + alike)
+    return gaps.flatMap((gap, i) => (gap <= most ? [i] : [])).sort((a, b) => gaps[a]! - gaps[b]!)
+  }
   const knobs = within(
     grabWithin.knob,
     tracks.map((track, i) => distance(knobPlace(track, weights[i] ?? 0), at)),

@@ -11,9 +11,11 @@ import type { Fill } from './large/fill.ts'
 import { letAsk, letPaste } from './menus.ts'
 import { nameParts } from './name-parts.ts'
 import { addNeuron } from './network.ts'
+import { takeNetworks, type NetworkDrop } from './network-drop.ts'
 import { deleteSelected, place, reveal, setFields, step, typeAt, unseen } from './on-paper.ts'
 import { forgetParted, part, tidy } from './positions.ts'
 import { restore, statesOn, toProgram } from './program.ts'
+import { networkType, putIn, putNetworkIn, switchOn } from './put-in.ts'
 import { bringExpert, bringLearning, expertParts } from './packs.ts'
 import { fontReady, options, scaleOf, spaceLetters, type Looks } from './looks.ts'
 import { setUp, speak } from './setup.ts'
@@ -235,6 +237,39 @@ export class Pane {
   addNeuron(networkId: string, layer: 'input' | 'output', template?: Template): string | null {
     this.#fill?.finish()
     return addNeuron(this.#workspace, networkId, layer, template)
+  }
+
+  /** Puts a block among those that run: a network into the loop. */
+  putIn(id: string): void {
+    this.#fill?.finish()
+    putIn(this.#workspace, this.#program, id)
+    this.#seen(id)
+  }
+
+  /** A network of the toolbox, put into the loop. */
+  putNetworkIn(): void {
+    this.#fill?.finish()
+    this.#seen(putNetworkIn(this.#workspace, this.#program))
+  }
+
+  switchOn(id: string): void {
+    this.#fill?.finish()
+    switchOn(this.#workspace, id)
+  }
+
+  /** Networks that are dropped there go into the loop. Returns how to measure the place anew. */
+  takeNetworks(drop: NetworkDrop): () => void {
+    return takeNetworks(this.#workspace, drop, (id) => {
+      const network = this.#workspace
+        .getBlockById(id)
+        ?.getDescendants(false)
+        .find(({ type }) => type === networkType)
+      if (network) this.putIn(network.id)
+    })
+  }
+
+  #seen(id: string): void {
+    void Blockly.renderManagement.finishQueuedRenders().then(() => reveal(this.#workspace, id))
   }
 
   /** Makes these the closed roads of a map block. */

@@ -24,6 +24,11 @@ export class Bench {
     toWorkspace(this.#base, this.workspace)
   }
 
+  /** One stack more, as if it were there from the beginning. */
+  adds(...blocks: readonly Block[]): void {
+    toWorkspace({ ...this.#base, stacks: [{ x: 0, y: 500, blocks }] }, this.workspace)
+  }
+
   block(id: string): BotBlock {
     return this.workspace.getBlockById(id) as BotBlock
   }

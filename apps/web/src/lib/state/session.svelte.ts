@@ -1,6 +1,6 @@
 import type { Finding } from '@botgarten/blocks'
 import type { Document, DriveKey } from '@botgarten/lab'
-import { inScene, networks, sceneOf } from '@botgarten/programs'
+import { inScene, networksByUse, sceneOf } from '@botgarten/programs'
 import type { Learned, Program, Project, Scene } from '@botgarten/programs'
 import type { Floor, Pose, RobotConfig } from '@botgarten/simulation'
 import type { Inside } from '../playgrounds/inside/later.ts'
@@ -89,9 +89,7 @@ export class Session {
     return this.#progress.now
   }
   /** The networks of the program, first the one that the playground shows. */
-  get outlines() {
-    return networks(this.program)
-  }
+  readonly outlines = $derived.by(() => networksByUse(this.program))
   get config() {
     return this.robot.config
   }

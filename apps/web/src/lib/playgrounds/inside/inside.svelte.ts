@@ -1,4 +1,4 @@
-import { emptyBrain } from '@botgarten/learning/neural-network'
+import { emptyBrain, weightsOf } from '@botgarten/learning/neural-network'
 import { standpointOf } from './moment.ts'
 import { drawn, type Neuron } from '../neural-network/neurons.ts'
 import type { Session } from '#lib/state/session.svelte.ts'
@@ -35,10 +35,14 @@ export class Inside {
   }
   /** The network that the playground shows. */
   readonly net = $derived.by(() => this.session.outlines[0] ?? null)
-  /** As it is, or was, at the moment that is shown. */
-  readonly brain = $derived.by(() => (this.net && this.view.brains[this.net.id]) || emptyBrain)
-  readonly weights = $derived.by(() => (this.net ? this.session.weights.shown(this.net.id) : {}))
   readonly trace = $derived.by(() => (this.net && this.view.networks[this.net.id]) || null)
+  /** The one whose numbers are shown: while it runs, that of its last run. */
+  readonly brain = $derived.by(
+    () => this.trace?.brain ?? ((this.net && this.view.brains[this.net.id]) || emptyBrain),
+  )
+  readonly weights = $derived.by(() => weightsOf(this.brain, this.session.robot.brain))
+  /** It has not run so: the numbers are what would be. */
+  readonly would = $derived.by(() => this.trace?.ran === false)
   readonly inputs: readonly Neuron[] = $derived.by(
     () => this.net?.inputs.map((neuron) => drawn(neuron, this.session.config, nothing)) ?? [],
   )

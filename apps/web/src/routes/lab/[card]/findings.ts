@@ -5,13 +5,16 @@ import type { FindingWords } from './parts/frame.ts'
 type Fix = NonNullable<Finding['fixes']>[number]
 
 /** A finding in a child's words, with its ways out. */
-export const wordsOf = (finding: Finding, mend: (fix: Fix) => void): FindingWords => ({
+export const wordsOf = (finding: Finding, mend: (fix: Fix) => void, putIn: () => void): FindingWords => ({
   title: say(`${finding.problem}.title`, finding.facts),
   text: say(`${finding.problem}.text`, finding.facts),
-  fixes: (finding.fixes ?? []).map((fix) => ({
-    label: say(fix.words, fix.facts),
-    mend: () => mend(fix),
-  })),
+  fixes: [
+    ...(finding.putIn ? [{ label: say(finding.putIn), mend: putIn }] : []),
+    ...(finding.fixes ?? []).map((fix) => ({
+      label: say(fix.words, fix.facts),
+      mend: () => mend(fix),
+    })),
+  ],
 })
 
 /** Is it a mistake that can be mended with one tap? Those are said at once; what is merely unfinished waits for Start. */

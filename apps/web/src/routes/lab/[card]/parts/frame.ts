@@ -147,6 +147,8 @@ export interface LabFrameProps {
   phase: Phase
   /** A block has to be mended first: Start is off. */
   blocked: boolean
+  /** The network that is shown does not run: Start is not what comes next. */
+  loose: boolean
   onstart: () => void
   onstop: () => void
   onpause: () => void
@@ -155,7 +157,7 @@ export interface LabFrameProps {
   onstep: (kind: 'tick' | 'block' | 'network') => void
   onresetworld: () => void
   onresetweights: () => void
-  /** Is there a network to reset and step? */
+  /** Is there a network that runs, to reset and step? */
   hasNetwork: boolean
   /** The program learns by trying: that has the place of the network. */
   learns: boolean

@@ -1,0 +1,103 @@
+import * as Blockly from 'blockly/core'
+import { toolbox } from '@botgarten/blocks'
+import { reachedIn, spotIn, type Program } from '@botgarten/programs'
+import { grouped } from './list.ts'
+import { toProgram } from './program.ts'
+import { stateOfTemplate } from './state.ts'
+
+export const networkType = 'ai_neural_network'
+const startType = 'robControls_start'
+const foreverType = 'robControls_loopForever'
+const switchedOff = 'MANUALLY_DISABLED'
+
+/** Is there a network in it, or below it? */
+export const holdsNetwork = (block: Blockly.Block): boolean =>
+  block.getDescendants(false).some(({ type }) => type === networkType)
+
+/**
+ * Puts a block, with all that hangs with it, among those that run: a network into the loop, other blocks below the start
+ * block. What is missing is made. One step of undo.
+ */
+export function putIn(workspace: Blockly.Workspace, base: Program, id: string): void {
+  const block = workspace.getBlockById(id)
+  if (!block) return
+  grouped(() => {
+    if (spotIn(toProgram(workspace, base)).start === null) makeStart(workspace, block)
+    const program = toProgram(workspace, base)
+    if (reachedIn(program).has(id)) return
+    const { start, loop } = spotIn(program)
+    const begin = workspace.getBlockById(start ?? '')
+    if (!begin) return
+    const stack = takeOut(block)
+    const body = bodyOf(workspace.getBlockById(loop ?? ''))
+    if (block.type !== networkType) hang(stack, begin.nextConnection)
+    else if (body) atEnd(stack, body)
+    else if (standsInLoop(block)) atEnd(stack, begin.nextConnection)
+    else {
+      const made = make(workspace, foreverType)
+      atEnd(stack, bodyOf(made))
+      atEnd(made, begin.nextConnection)
+    }
+  })
+}
+
+/** A network of the toolbox, put into the loop. Its id. */
+export function putNetworkIn(workspace: Blockly.Workspace, base: Program): string {
+  return grouped(() => {
+    const { id } = make(workspace, networkType)
+    putIn(workspace, base, id)
+    return id
+  })
+}
+
+/** Switches a block on, and what it stands in. One step of undo. */
+export function switchOn(workspace: Blockly.Workspace, id: string): void {
+  grouped(() => {
+    for (let block = workspace.getBlockById(id); block; block = block.getSurroundParent())
+      block.setDisabledReason(false, switchedOff)
+  })
+}
+
+/** What goes together: the whole stack, or the block alone where that stack begins with one that cannot hang below others. */
+function takeOut(block: Blockly.Block): Blockly.Block {
+  const root = block.getRootBlock()
+  if (root.previousConnection) return root
+  block.unplug(true)
+  return block
+}
+
+/** A start block that was switched off is switched on, else one is made where the stack lies. */
+function makeStart(workspace: Blockly.Workspace, block: Blockly.Block): void {
+  const there = workspace.getBlocksByType(startType, false)[0]
+  if (there) return there.setDisabledReason(false, switchedOff)
+  const { x, y } = block.getRootBlock().getRelativeToSurfaceXY()
+  make(workspace, startType).moveBy(x, y)
+}
+
+function make(workspace: Blockly.Workspace, type: string): Blockly.Block {
+  const template = toolbox.flatMap(({ blocks }) => blocks).find((block) => block.type === type) ?? { type }
+  return Blockly.serialization.blocks.append(stateOfTemplate(template), workspace, { recordUndo: true })
+}
+
+const bodyOf = (loop: Blockly.Block | null): Blockly.Connection | null =>
+  loop?.inputList.find(({ type }) => type === Blockly.inputs.inputTypes.STATEMENT)?.connection ?? null
+
+/** Does the block stand in a loop of its stack that never ends? */
+function standsInLoop(block: Blockly.Block): boolean {
+  for (let at = block.getSurroundParent(); at; at = at.getSurroundParent())
+    if (at.type === foreverType) return true
+  return false
+}
+
+/** Behind the last block that hangs there; before one behind which nothing can. */
+function atEnd(stack: Blockly.Block, first: Blockly.Connection | null): void {
+  let last = first
+  for (let next = last?.targetBlock(); next?.nextConnection; next = last?.targetBlock())
+    last = next.nextConnection
+  hang(stack, last)
+}
+
+/** What hung there hangs behind the stack then. */
+function hang(stack: Blockly.Block, at: Blockly.Connection | null): void {
+  if (at && stack.previousConnection) at.connect(stack.previousConnection)
+}
