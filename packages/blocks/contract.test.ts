@@ -1,6 +1,6 @@
 import { readdirSync, readFileSync } from 'node:fs'
 import { describe, expect, it } from 'vitest'
-import { addBlocks, definitions, isBlockType } from './index.ts'
+import { addBlocks, definitions, isBlockType, toolbox as plainToolbox } from './index.ts'
 import { expert, expertToolbox as toolbox } from './later.ts'
 import type { BlockType, Definition, Look, Template } from './index.ts'
 
@@ -191,6 +191,26 @@ describe('the toolbox', () => {
     const elsewhere = [...old, ...fromTheProgram]
     expect([...offered, ...elsewhere].sort()).toEqual(Object.keys(definitions).sort())
   })
+
+  it('shows a beginner comparing beside the blocks that ask for it, and no row of logic for it alone', () => {
+    const typesIn = (wanted: string) =>
+      plainToolbox.find(({ category }) => category === wanted)?.blocks.map(({ type }) => type)
+    expect(typesIn('control')?.slice(-3)).toEqual(['robControls_if', 'robControls_ifElse', 'logic_compare'])
+    expect(typesIn('logic')).toBeUndefined()
+    expect(toolbox.find(({ category }) => category === 'logic')?.blocks[0]?.type).toBe('logic_compare')
+    expect(
+      toolbox.find(({ category }) => category === 'control')?.blocks.map(({ type }) => type),
+    ).not.toContain('logic_compare')
+  })
+
+  it.each(languages)(
+    'has no row that is called like the button that starts Bo, in %s',
+    (_language, words) => {
+      const names = toolbox.map(({ category }) => message(words, `category.${category}`))
+      expect(names).not.toContain(message(words, 'lab.start'))
+      expect(new Set(names).size).toBe(names.length)
+    },
+  )
 
   it('has words for each category, in the order of the folders', () => {
     expect(toolbox.map(({ category }) => category)).toEqual(families.filter((name) => name !== 'variables'))

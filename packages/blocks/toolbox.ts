@@ -90,7 +90,7 @@ const neurons: readonly Template[] = [
   ...Object.values(network([distanceNeuron('2')], [motorNeuron('C')]).values ?? {}),
 ]
 
-/** What a child finds, in order, with what is plugged in: presets of Open Roberta's beginner toolbox, our ports. */
+/** In order, with what is plugged in: presets of Open Roberta's beginner toolbox, our ports. */
 export const coreToolbox: readonly ToolboxCategory[] = [
   { category: 'control', blocks: control },
   { category: 'action', blocks: action },
@@ -119,5 +119,10 @@ export function onShelf(
   return shelf.with(at, { ...row, blocks: [...row.blocks, ...fresh] })
 }
 
+/** What a child finds: comparing is the one block of logic, and stands with what asks for it. */
+const plainToolbox = coreToolbox
+  .filter(({ category }) => category !== 'logic')
+  .map((row) => (row.category === 'control' ? { ...row, blocks: [...row.blocks, compare] } : row))
+
 /** What is loaded of it all: `addBlocks` puts more on the shelf. */
-export const toolbox: ToolboxCategory[] = [...coreToolbox]
+export const toolbox: ToolboxCategory[] = [...plainToolbox]
