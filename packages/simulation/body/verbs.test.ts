@@ -28,8 +28,24 @@ test.each([
 
 test('a long text is cut at the edge of the display', () => {
   const sim = start()
-  display(sim, 0, 0, 60, 'abcdefgh'.repeat(10_000))
-  expect(sim.state.robots[0]!.display[0]).toBe(`${' '.repeat(60)}abcd`)
+  display(sim, 0, 0, 13, 'abcdefgh'.repeat(10_000))
+  expect(sim.state.robots[0]!.display[0]).toBe(`${' '.repeat(13)}abcd`)
+})
+
+// leJOS, which Open Roberta's EV3 runs, has 178 / 10 = 17 columns and 128 / 16 = 8 rows of its default font.
+test('of 17 letters all are shown, of 18 the first 17, and of nine rows eight', () => {
+  const sim = start()
+  const letters = 'abcdefghijklmnopqr'
+  display(sim, 0, 0, 0, letters.slice(0, 17))
+  display(sim, 0, 1, 0, letters)
+  display(sim, 0, 2, 0, '😀'.repeat(18))
+  display(sim, 0, 2, 16, 'x')
+  for (const row of [3, 4, 5, 6, 7, 8]) display(sim, 0, row, 16, `${row}!`)
+  display(sim, 0, 0, 17, 'x')
+  const { display: rows } = sim.state.robots[0]!
+  expect(rows.slice(0, 3)).toEqual([letters.slice(0, 17), letters.slice(0, 17), `${'😀'.repeat(16)}x`])
+  expect(rows).toHaveLength(8)
+  expect(rows[7]).toBe(`${' '.repeat(16)}7`)
 })
 
 test('a tone sounds until it is changed; 0 Hz and no time are silence', () => {

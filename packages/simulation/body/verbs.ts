@@ -11,9 +11,9 @@ import type {
 import { PORTS } from '../sensors/noise.ts'
 import { TICKS_PER_SECOND } from '../time.ts'
 
-/** The display holds this many rows and columns; what is written beyond is not shown. */
-const DISPLAY_ROWS = 16
-const DISPLAY_COLUMNS = 64
+/** 178 × 128 px hold this many rows and columns of whole letters, 10 × 16 px each; what is written beyond is not shown. */
+const DISPLAY_ROWS = 8
+const DISPLAY_COLUMNS = 17
 
 const robotOf = (sim: Simulation, robot: number) => sim.state.robots[robot]!
 const driveOf = (sim: Simulation, robot: number) => sim.world.robots[robot]!.config.drive
@@ -141,7 +141,11 @@ export function display(sim: Simulation, robot: number, row: number, column: num
   if (!(line >= 0 && line < DISPLAY_ROWS && from >= 0 && from < DISPLAY_COLUMNS)) return
   state.picture = null
   while (rows.length <= line) rows.push('')
-  rows[line] = (rows[line]!.slice(0, from).padEnd(from) + text).slice(0, DISPLAY_COLUMNS)
+  // A letter may be two units long. What comes behind the edge is not looked at.
+  const before = [...rows[line]!].slice(0, from).join('')
+  const room = DISPLAY_COLUMNS - from
+  rows[line] =
+    before + ' '.repeat(from - [...before].length) + [...text.slice(0, 2 * room)].slice(0, room).join('')
 }
 
 export function clearDisplay(sim: Simulation, robot: number): void {
