@@ -107,6 +107,10 @@ for (const language of languagesOf(import.meta.filename)) {
       await sorting.opensTable('Länge;Breite;Höhe\r\n1,5;2;7\r\n9,5;8;1\r\n1,25;2,5;6\r\n9;9;2\r\n')
       await sorting.seesPoints(4)
       await expect(page.getByRole('combobox', { name: sorting.word('axisX') })).toContainText('Länge')
+      const rows = sorting.word('table.read.rows', { count: 4 })
+      const parts = [sorting.word('table.read.semicolon', { columns: 3, rows })]
+      for (const part of ['decimalComma', 'heading']) parts.push(sorting.word(`table.read.${part}`))
+      await expect(page.getByText(`${parts.join(', ')}.`)).toBeVisible()
       await sorting.presses('play')
       await sorting.seesDone()
       const alert = page.getByRole('alert')
@@ -135,7 +139,13 @@ for (const language of languagesOf(import.meta.filename)) {
       await expect(
         page.getByText(new RegExp(`^[4-9]\\d ${sorting.word('readingCount', { count: '' }).trim()}$`)),
       ).toBeVisible()
-      await sorting.presses('drive.stop')
+      await expect(sorting.words('noReadings')).toHaveCount(0)
+      await sorting.presses('tab.things')
+      await sorting.presses('tab.readings')
+      await expect(sorting.words('noReadings')).toHaveCount(0)
+      await sorting.presses('drive.lanes')
+      await page.reload()
+      await expect(sorting.words('noReadings')).toHaveCount(0)
       await expect(sorting.flags).toHaveCount(3)
       await sorting.presses('placeHow')
       await sorting.presses('start.best')

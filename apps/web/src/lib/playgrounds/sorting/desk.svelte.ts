@@ -1,9 +1,10 @@
 import { startAt, stepOne, stepPhase, type Distance, type KState } from '@botgarten/learning/k-means'
-import { firstWork, LONGEST_NAME, read, written } from './kept.ts'
+import { firstWork, LONGEST_NAME, othersIn, read, written } from './kept.ts'
 import { setOf } from './sets.ts'
 import { deviceShelf, type Shelf } from './shelf.ts'
 import { traps } from './traps.ts'
 import {
+  FIRST_FLAGS,
   fileTable,
   handTable,
   MOST_POINTS,
@@ -13,6 +14,7 @@ import {
   thingTable,
   thrown,
   withFlags,
+  withReadings,
   withTable,
   type Source,
   type Start,
@@ -29,6 +31,8 @@ export class Desk {
   #timer: ReturnType<typeof setInterval> | undefined
   #speed = $state(1)
   #playing = $state(false)
+  /** What was left on the pages that are not shown. */
+  #left: { readonly [source in Source]?: Work }
   /** The thing or point that a finger is on. */
   touched = $state<number | null>(null)
   readonly shelf: Shelf
@@ -40,6 +44,7 @@ export class Desk {
     const work = read(shelf.kept)
     this.unread = work === null && shelf.kept !== null
     this.#line = [work ?? firstWork()]
+    this.#left = Object.fromEntries(othersIn(shelf.kept).map((one) => [one.source, one]))
   }
 
   get work(): Work {
@@ -72,16 +77,27 @@ export class Desk {
 
   // ---- what is sorted ----
 
+  /** To another page, as it was left. */
   turnTo(source: Source): void {
     if (source === this.work.source) return
-    if (source === 'things') this.takeSet('vessels')
+    this.#leave()
+    const left = this.#left[source]
+    if (left) this.#do(left)
+    else if (source === 'things') this.takeSet('vessels')
     else if (source === 'points') this.takeTrap('heaps')
-    else this.#begin({ ...this.work, source, set: '', counting: [], table: readingTable([]), flags: 3 })
+    else this.clearReadings()
+  }
+
+  #leave(): void {
+    this.endCollecting()
+    this.pause()
+    this.touched = null
+    this.#left = { ...this.#left, [this.work.source]: this.work }
   }
 
   takeSet(id: string): void {
     const counting = setOf(id).features.flatMap((feature, at) => (at < 2 ? [feature.id] : []))
-    const work = { ...this.work, source: 'things' as const, set: id, counting, flags: 3 }
+    const work = { ...this.work, source: 'things' as const, set: id, counting, flags: FIRST_FLAGS }
     this.#begin(withTable(work, thingTable(setOf(id), counting)))
   }
 
@@ -93,7 +109,7 @@ export class Desk {
 
   /** Columns and rows of a file. */
   takeTable(names: readonly string[], rows: readonly (readonly number[])[]): void {
-    const work = { ...this.work, source: 'points' as const, set: '', counting: [], flags: 3 }
+    const work = { ...this.work, source: 'points' as const, set: '', counting: [], flags: FIRST_FLAGS }
     this.#begin(withTable(work, fileTable(names, rows)))
   }
 
@@ -117,9 +133,36 @@ export class Desk {
     this.#begin(withTable({ ...this.work, set: '' }, handTable([])))
   }
 
-  /** What Bo's sensor has read: rows of red, green and blue, 0 to 255. */
-  takeReadings(rows: readonly (readonly number[])[]): void {
-    this.#do(withTable({ ...this.work, source: 'readings' }, readingTable(rows)))
+  /**
+   * What Bo's sensor reads while it drives, rows of red, green and blue, 0 to 255: it lies on the plane at once, and a whole
+   * drive is one step. Flags come when it ends.
+   */
+  collect(readings: readonly (readonly number[])[]): void {
+    if (this.work.source !== 'readings') return
+    const next = withReadings(this.work, readings)
+    this.touched = null
+    this.pause()
+    this.#change(next)
+    this.#collecting = true
+    this.#keep()
+  }
+
+  /** Does what Bo reads still belong to the step that is shown? */
+  get collecting(): boolean {
+    return this.#collecting
+  }
+  #collecting = false
+
+  endCollecting(): void {
+    if (!this.#collecting) return
+    this.#collecting = false
+    this.#replace(withTable(this.work, this.work.table))
+    this.#keep()
+  }
+
+  clearReadings(): void {
+    const work = { ...this.work, source: 'readings' as const, set: '', counting: [], flags: FIRST_FLAGS }
+    this.#begin(withTable(work, readingTable([])))
   }
 
   // The flags stay where they are while points come and go, as long as there are enough.
@@ -135,10 +178,12 @@ export class Desk {
   // ---- flags ----
 
   setFlags(flags: number): void {
-    this.#do(withFlags(this.work, flags))
+    this.#change(withFlags(this.work, flags))
+    this.#keep()
   }
 
   throwFlags(start: Start): void {
+    this.endCollecting()
     this.#do(thrown(this.work, start))
   }
 
@@ -167,7 +212,8 @@ export class Desk {
   setDistance(distance: Distance): void {
     const { work } = this
     const next = { ...work, distance }
-    this.#do(work.state ? placed(next, work.state.centres) : next)
+    this.#change(work.state ? placed(next, work.state.centres) : next)
+    this.#keep()
   }
 
   setAxis(axis: 0 | 1, column: number): void {
@@ -233,7 +279,14 @@ export class Desk {
     this.#keep()
   }
 
+  /** The page is hidden, or left without a farewell. */
+  save(): void {
+    if (this.#unkept) this.#write()
+    this.shelf.flush()
+  }
+
   close(): void {
+    this.endCollecting()
     this.pause()
     this.shelf.close()
   }
@@ -254,8 +307,7 @@ export class Desk {
   // ---- the way back ----
 
   goTo(at: number): void {
-    this.pause()
-    this.touched = null
+    this.#leave()
     this.#naming = null
     this.#at = Math.max(0, Math.min(this.last, at))
     this.#keep()
@@ -267,7 +319,14 @@ export class Desk {
     this.#do({ ...work, names: [] })
   }
 
+  /** While Bo drives, what changes belongs to that step. */
+  #change(work: Work): void {
+    if (this.#collecting) this.#replace(work)
+    else this.#do(work)
+  }
+
   #do(work: Work): void {
+    this.#collecting = false
     this.#held = false
     this.#naming = null
     this.#line = [...this.#line.slice(Math.max(0, this.#at + 2 - LONGEST), this.#at + 1), work]
@@ -279,9 +338,17 @@ export class Desk {
     this.#line = this.#line.with(this.#at, work).slice(0, this.#at + 1)
   }
 
+  /** Not in the middle of playing: a moment of that is not worth a record. */
   #keep(): void {
-    if (!this.#playing) this.shelf.keep(() => written(this.work))
+    this.#unkept = true
+    if (!this.#playing) this.#write()
   }
+
+  #write(): void {
+    this.shelf.keep(() => written(this.work, Object.values(this.#left)))
+    this.#unkept = false
+  }
+  #unkept = false
 }
 
 const isFresh = (state: KState | null) =>

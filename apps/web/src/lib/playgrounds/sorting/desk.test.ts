@@ -97,6 +97,119 @@ describe('the sorting desk', () => {
     expect(desk.last).toBe(before + 1)
   })
 
+  const red = [255, 0, 0]
+  const blue = [0, 0, 255]
+  const drives = (desk: Desk, readings: number) => {
+    for (let reading = 0; reading < readings; reading++) desk.collect([reading % 2 === 0 ? red : blue])
+  }
+
+  test('a page without anything on it shows nothing of the page before', () => {
+    const desk = new Desk()
+    desk.play()
+    vi.advanceTimersByTime(60_000)
+    expect(desk.done).toBe(true)
+    desk.turnTo('readings')
+    expect(desk.work).toMatchObject({ source: 'readings', state: null, flags: 3, table: { rows: [] } })
+    expect(desk.done).toBe(false)
+    desk.turnTo('points')
+    desk.takeTrap('moons')
+    desk.stepAll()
+    desk.turnTo('readings')
+    expect([desk.work.state, desk.work.axes]).toEqual([null, [0, 2]])
+  })
+
+  test('what Bo reads lies on the plane while it drives; flags come when it ends, and all of it is one step', () => {
+    const desk = new Desk()
+    desk.turnTo('readings')
+    const before = desk.last
+    drives(desk, 5)
+    expect(desk.work.table.rows).toHaveLength(5)
+    expect(desk.work.table.rows[0]).toEqual([10, 0, 0])
+    expect(desk.work.state).toBeNull()
+    desk.endCollecting()
+    expect(desk.work.state!.centres).toHaveLength(3)
+    expect(desk.last).toBe(before + 1)
+    desk.goTo(before)
+    expect(desk.work.table.rows).toEqual([])
+  })
+
+  test('a short drive that leaves no room for three flags does not keep them away for ever', () => {
+    const desk = new Desk()
+    desk.turnTo('readings')
+    drives(desk, 1)
+    desk.endCollecting()
+    expect(desk.work.flags).toBe(1)
+    drives(desk, 4)
+    desk.endCollecting()
+    expect(desk.work.flags).toBe(3)
+    desk.setFlags(2)
+    drives(desk, 4)
+    desk.endCollecting()
+    expect(desk.work.flags).toBe(2)
+  })
+
+  test('other flags while Bo drives are those of the drive; a step back ends it', () => {
+    const desk = new Desk()
+    desk.turnTo('readings')
+    const before = desk.last
+    drives(desk, 8)
+    desk.setFlags(4)
+    drives(desk, 2)
+    expect(desk.collecting).toBe(true)
+    desk.goTo(before)
+    expect(desk.collecting).toBe(false)
+    desk.goTo(before + 1)
+    expect(desk.work.table.rows).toHaveLength(10)
+    expect(desk.work.state!.centres).toHaveLength(4)
+  })
+
+  test('collects three hundred readings and no more', () => {
+    const desk = new Desk()
+    desk.turnTo('readings')
+    drives(desk, 310)
+    expect(desk.work.table.rows).toHaveLength(300)
+  })
+
+  test.each([
+    ['the device is switched off', () => {}],
+    ['another page of the playground is opened', (desk: Desk) => desk.turnTo('things')],
+    ['the playground is left', (desk: Desk) => desk.close()],
+    ['the browser shows another tab', (desk: Desk) => desk.save()],
+  ])('readings are there again when %s while Bo drives', (_, leave) => {
+    const desk = new Desk()
+    desk.turnTo('readings')
+    drives(desk, 7)
+    leave(desk)
+    const again = new Desk()
+    again.turnTo('readings')
+    expect(again.work.table.rows).toHaveLength(7)
+    expect(again.work.state!.centres).toHaveLength(3)
+  })
+
+  test('each page is found again as it was left, with its result', () => {
+    const desk = new Desk()
+    desk.takeSet('leaves')
+    for (let step = 0; step < 100 && !desk.done; step++) desk.stepAll()
+    const { state } = desk.work
+    desk.turnTo('points')
+    desk.takeTrap('moons')
+    desk.turnTo('things')
+    expect(desk.work).toMatchObject({ set: 'leaves', state })
+    desk.turnTo('points')
+    expect(desk.work.set).toBe('moons')
+    desk.goTo(desk.at - 1)
+    expect(desk.work.set).toBe('leaves')
+  })
+
+  test('what changed while it plays is saved when the page is hidden', () => {
+    const desk = new Desk()
+    desk.play()
+    desk.count('colour', true)
+    expect(new Desk().work.counting).not.toContain('colour')
+    desk.save()
+    expect(new Desk().work.counting).toContain('colour')
+  })
+
   test('is found again as it was left, with its names', () => {
     const desk = new Desk()
     desk.takeTrap('moons')

@@ -1,7 +1,7 @@
 import { goto } from '$app/navigation'
 import { resolve } from '$app/paths'
 import type { Session } from '#lib/state/session.svelte.ts'
-import { written, workOfReadings } from './kept.ts'
+import { writtenReadings } from './kept.ts'
 
 /** A way from the lab into the sorting playground. */
 export interface SortingDoor {
@@ -17,7 +17,7 @@ export function doorsOf(session: Session, readings: readonly (readonly number[])
     go: () => void open(session, session.project.sorting),
   } as const
   if (readings.length === 0) return [playground]
-  const collected = () => void open(session, written(workOfReadings(readings)))
+  const collected = () => void open(session, writtenReadings(readings, session.project.sorting))
   return [{ word: 'collected', go: collected }, playground]
 }
 

@@ -1,7 +1,7 @@
 import fc from 'fast-check'
 import { describe, expect, test } from 'vitest'
 import { Desk } from './desk.svelte.ts'
-import { read, workOfReadings, written, type Kept } from './kept.ts'
+import { othersIn, read, workOfReadings, writtenReadings, written, type Kept } from './kept.ts'
 import type { Shelf } from './shelf.ts'
 import { MOST_COLUMNS, MOST_FLAGS, MOST_POINTS } from './work.ts'
 
@@ -11,6 +11,7 @@ function shelfOf(kept: unknown = null): Shelf & { readonly now: () => unknown } 
   return {
     kept,
     keep: (next) => (now = JSON.parse(JSON.stringify(next())) as unknown),
+    flush: () => {},
     owner: null,
     close: () => {},
     now: () => now,
@@ -60,6 +61,35 @@ describe('what a project keeps of the playground', () => {
     expect(read(JSON.parse(JSON.stringify(written(work))))?.table.rows[0]).toEqual([10, 0, 0])
   })
 
+  test('readings from the lab leave the other pages as they are', () => {
+    const shelf = shelfOf(whole())
+    const desk = new Desk(shelf)
+    desk.turnTo('things')
+    desk.takeSet('leaves')
+    const kept = writtenReadings([[255, 0, 0]], shelf.now())
+    expect(kept).toMatchObject({ version: 1, source: 'readings' })
+    expect(kept.pages!.map(({ source, set }) => [source, set])).toEqual([
+      ['things', 'leaves'],
+      ['points', 'heaps'],
+    ])
+    const again = new Desk(shelfOf(kept))
+    again.turnTo('points')
+    expect([again.work.set, again.nameOf(1)]).toEqual(['heaps', 'Heap'])
+    expect(writtenReadings([[1, 2, 3]], 'broken').pages).toBeUndefined()
+  })
+
+  test('a page that cannot be read takes no other page with it', () => {
+    const other = {
+      ...whole(),
+      pages: [
+        { ...whole(), source: 'things', set: 'cars' },
+        { ...whole(), set: 'moons' },
+      ],
+    }
+    expect(othersIn(other).map(({ set }) => set)).toEqual(['moons'])
+    expect(read(other)?.set).toBe('heaps')
+  })
+
   const row = [1, 2]
   test.each([
     ['a newer version', { version: 2 }],
@@ -70,6 +100,7 @@ describe('what a project keeps of the playground', () => {
     ['rows of unequal length', { rows: [row, [1]] }],
     ['a number that is none', { rows: [[1, null]] }],
     ['a number without end', { rows: [[1, Infinity]] }],
+    ['a number whose square has none', { rows: [[1, 1e141]] }],
     ['no flag', { flags: 0 }],
     ['half a flag', { flags: 1.5 }],
     ['too many flags', { flags: MOST_FLAGS + 1 }],
@@ -86,7 +117,7 @@ describe('what a project keeps of the playground', () => {
   test('whatever lies there, the playground opens and can be sorted', () => {
     const part = fc.oneof(fc.anything(), fc.constant(undefined))
     const kept = whole()
-    const names = Object.keys(kept)
+    const names = [...Object.keys(kept), 'pages']
     fc.assert(
       fc.property(fc.constantFrom(...names), part, (name, value) => {
         const desk = new Desk(shelfOf({ ...kept, [name]: value }))

@@ -9,6 +9,8 @@ export interface Shelf {
   /** What lay there when it was opened; not to be trusted. */
   readonly kept: unknown
   keep(kept: () => Kept): void
+  /** Saves what waits, now. */
+  flush(): void
   /** Whose it is; null on the page that belongs to no project. */
   readonly owner: Owner | null
   close(): void
@@ -32,6 +34,7 @@ export interface OpenedForSorting {
 export const deviceShelf = (): Shelf => ({
   kept: readSetting<unknown>('sorting', null),
   keep: (kept) => writeSetting('sorting', kept()),
+  flush: () => {},
   owner: null,
   close: () => {},
 })
@@ -41,15 +44,11 @@ export function projectShelf({ id, revision, project }: OpenedForSorting): Shelf
   const keeper = new Keeper(id, revision)
   let { name } = project
   keeper.whenRenamed = (renamed) => (name = renamed)
-  const away = () => void (document.visibilityState === 'hidden' && keeper.flush())
-  document.addEventListener('visibilitychange', away)
   return {
     kept: project.sorting ?? null,
     keep: (kept) => keeper.changed(() => ({ ...project, name, sorting: kept() })),
+    flush: () => void keeper.flush(),
     owner: { place: placeOf(project), id, keeper },
-    close() {
-      document.removeEventListener('visibilitychange', away)
-      keeper.close()
-    },
+    close: () => keeper.close(),
   }
 }

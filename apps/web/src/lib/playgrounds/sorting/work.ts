@@ -41,7 +41,11 @@ export interface Work {
   readonly throws: number
 }
 
+/** As many flags as a page begins with. */
+export const FIRST_FLAGS = 3
 export const MOST_FLAGS = 6
+/** That Bo collects on the playground's floor. */
+export const MOST_READINGS = 300
 export const MOST_POINTS = 5000
 export const MOST_COLUMNS = 8
 const inUnit = { part: '', low: 0, high: 10, scale: 10 }
@@ -91,9 +95,9 @@ export function pointsIn(table: Table): Points {
 
 const sortable = ({ columns, rows }: Table) => columns.length > 0 && rows.length > 0
 
-/** As many flags as there are, or as there can be: no more than points. */
-export const flagsFor = (wanted: number, table: Table): number =>
-  Math.max(1, Math.min(wanted, MOST_FLAGS, table.rows.length))
+/** As many flags as are wanted, or as there can be: no more than points. An empty table waits for points. */
+export const flagsFor = (wanted: number, { rows }: Table): number =>
+  Math.max(1, Math.min(wanted, MOST_FLAGS, rows.length || MOST_FLAGS))
 
 /** Other rows or columns: flags are thrown anew. */
 export function withTable(work: Work, table: Table): Work {
@@ -101,6 +105,14 @@ export function withTable(work: Work, table: Table): Work {
   // Of red, green and blue, red and blue part colours best.
   const axes = [length > 0 ? 0 : -1, work.source === 'readings' ? 2 : length > 1 ? 1 : -1] as const
   return thrown({ ...work, table, axes, flags: flagsFor(work.flags, table) })
+}
+
+/** More readings, and no flags while they come. Flags that few readings have kept away come back with more. */
+export function withReadings(work: Work, readings: Table['rows']): Work {
+  const { rows: before, columns } = work.table
+  const rows = [...before, ...readingTable(readings).rows].slice(0, MOST_READINGS)
+  const flags = before.length <= work.flags ? Math.max(work.flags, FIRST_FLAGS) : work.flags
+  return { ...work, flags, table: { columns, rows }, state: null }
 }
 
 /** All flags at new places, nothing sorted yet. */
