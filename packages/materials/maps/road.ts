@@ -15,7 +15,7 @@ const FARTHEST = 1e6
 const GAP = 0.01
 
 /** A road as it is drawn, from its first point to its last. */
-export interface Road extends PathShape {
+interface Road extends PathShape {
   /** Path data of `M`, `L`, `A` and `C`, absolute, in units of the map. */
   readonly line: string
 }
