@@ -74,3 +74,22 @@ for (const language of languagesOf(import.meta.filename)) {
     })
   })
 }
+
+test('what a hand has helped with is not cheered: it is said, and leads to the start place', async ({
+  child,
+  page,
+}) => {
+  await child.opensLab('forward')
+  await child.typesNumber('driveDistance', '170')
+  await child.pressesStart()
+  await child.bo.focus()
+  await child.types('ArrowUp')
+  await new TimeHands(child).hurries()
+  await expect(page.getByText(child.word('lab.uncountedText'))).toBeVisible()
+  await child.seesCheck('forward', 'arrives')
+  await expect(page.getByText(child.word('lab.successTitle'))).toHaveCount(0)
+  await child.presses('lab.uncountedAgain')
+  await child.seesCheck('forward', 'arrives', false)
+  await child.presses('lab.start')
+  await expect(page.getByText(child.word('lab.successTitle'))).toBeVisible()
+})

@@ -142,6 +142,12 @@ export class Desk {
     if (this.#session.lab.view.phase === 'running' && this.#session.beganElsewhere) this.notice = 'elsewhere'
   }
 
+  /** Puts Bo on one of the card's start poses: what was said about the run before is over. */
+  chooseStart(index: number): void {
+    this.notice = null
+    this.#session.chooseStart(index)
+  }
+
   step(kind: StepKind): void {
     const { phase } = this.#session.lab.view
     if (phase === 'ready' || phase === 'ended') this.start()
