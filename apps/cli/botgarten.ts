@@ -2,37 +2,50 @@
 import { addBlocks } from '@botgarten/blocks'
 import { expert } from '@botgarten/blocks/later'
 import { learning } from '@botgarten/blocks/learning'
-import { cards } from './cards.ts'
-import { convert } from './convert.ts'
+import { findCommand } from './commands.ts'
 import { CallError, FileError } from './errors.ts'
-import { learn } from './learn.ts'
-import { run } from './run.ts'
+import { helpOf, listOf } from './help.ts'
+import { languageIn, languageNamed } from './options.ts'
+import { say, speak } from './words.ts'
 
 // No screen waits for a smaller first part here.
 addBlocks(expert)
 addBlocks(learning)
 
-const verbs: { readonly [name: string]: (args: string[]) => string | Promise<string> } = {
-  run,
-  cards,
-  learn,
-  convert,
-  // Asked for late: it alone needs a browser.
-  print: async (args) => (await import('./print/print.ts')).print(args),
+async function answerTo(args: readonly string[]): Promise<string> {
+  const { lang, rest: words } = languageIn(args)
+  const language = lang === undefined ? undefined : languageNamed(lang)
+  if (language) speak(language)
+  const { found, path, rest } = findCommand(words)
+  const asksForHelp = rest.includes('--help') || rest.includes('-h')
+  if (typeof found === 'function') {
+    const command = await found()
+    return asksForHelp ? helpOf(path, command) : command.carryOut(rest, language)
+  }
+  if (asksForHelp) return listOf(path, found)
+  const [name] = rest
+  const names = Object.keys(found).join(', ')
+  throw name === undefined
+    ? new CallError('call.which', { names })
+    : new CallError('call.unknownCommand', { name, names })
 }
 
-const usage = `botgarten run FILE|CARD [--solution|--wrong N] [--weights FILE] [--start N] [--seconds N] [--seed N] [--json] | botgarten cards [--json] | botgarten convert IN.xml|IN.json OUT.xml|OUT.json [--robot ID] [--json] | botgarten print ITEM|all [--lang de|en] [--paper a4|a5] [--turn short|long] [--out DIR] [--address URL] [--json] | botgarten learn q --map M|FILE.svg --start A --goal B [--closed 3-2,2-3] [--rules standard|study] [--algorithm q|sarsa] [--alpha --gamma --nu --rho] [--alpha-decay --rho-decay] [--episodes N] [--time MOVES] [--seed N] [--json] | botgarten learn q-sweep … [--runs N] [--csv FILE] [--shard I/N] [--threads N] | botgarten learn q-thesis [--runs N] [--csv FILE] [--shard I/N] | botgarten learn kmeans --data FILE.csv --k K [--init FILE|random|++] [--distance euclidean|manhattan|cosine] [--starts N] [--seed N] [--decimal-comma] [--json]`
+/** Where a call is at fault it is said where more stands. */
+function sentenceOf(error: CallError | FileError, args: readonly string[]): string {
+  const sentence = error.message.replaceAll('\n', ' ')
+  if (error instanceof FileError) return sentence
+  const { path } = findCommand(languageIn(args).rest)
+  return say('call.help', { sentence, command: ['botgarten', ...path, '--help'].join(' ') })
+}
 
 /** Carries one call out. Exit 0: it ran · 1: a file is at fault · 2: the call is at fault. */
-async function main([verb = '', ...args]: string[]): Promise<number> {
+async function main(args: readonly string[]): Promise<number> {
   try {
-    const carryOut = Object.hasOwn(verbs, verb) ? verbs[verb] : undefined
-    if (!carryOut) throw new CallError(usage)
-    process.stdout.write((await carryOut(args)) + '\n')
+    process.stdout.write((await answerTo(args)) + '\n')
     return 0
   } catch (error) {
     if (!(error instanceof CallError || error instanceof FileError)) throw error
-    process.stderr.write(`botgarten: ${error.message.replaceAll('\n', ' ')}\n`)
+    process.stderr.write(`botgarten: ${sentenceOf(error, args)}\n`)
     return error instanceof CallError ? 2 : 1
   }
 }

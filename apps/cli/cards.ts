@@ -1,11 +1,16 @@
 import { basename } from 'node:path'
+import type { Command } from './commands.ts'
 import { allCards, textOf, wrongAnswers } from './content.ts'
-import { CallError, options } from './errors.ts'
+import { options, refuseMore } from './options.ts'
+
+const known = { json: { type: 'boolean' } } as const
 
 /** `botgarten cards [--json]`: every card, its start poses, checks and typical wrong answers. */
-export function cards(args: string[]): string {
-  const { values, positionals } = options(args, { json: { type: 'boolean' } })
-  if (positionals.length > 0) throw new CallError(`"cards" takes no names, but there is "${positionals[0]}".`)
+export const cards: Command = { options: known, carryOut: listCards }
+
+function listCards(args: string[]): string {
+  const { values, positionals } = options(args, known)
+  refuseMore(positionals)
   const list = allCards().map(({ folder, card }) => ({
     id: card.id,
     code: card.code,

@@ -1,21 +1,24 @@
-import { writeFileSync } from 'node:fs'
 import { extname } from 'node:path'
 import { isBlockType, type Block } from '@botgarten/blocks'
 import { writeProject, type Project } from '@botgarten/programs'
 import { fileFrom } from '@botgarten/programs/open-roberta'
-import { CallError, FileError, options } from './errors.ts'
+import type { Command } from './commands.ts'
+import { CallError } from './errors.ts'
+import { write } from './files.ts'
+import { options } from './options.ts'
 import { isOpenRoberta, readProjectFile } from './project-file.ts'
 
 const known = { robot: { type: 'string' }, json: { type: 'boolean' } } as const
 
 /** `botgarten convert IN OUT`: a project or an Open Roberta file as the other of them, by the files' endings. */
-export function convert(args: string[]): string {
+export const convert: Command = { options: known, carryOut: convertFile }
+
+function convertFile(args: string[]): string {
   const { values, positionals } = options(args, known)
   const [from, to, ...more] = positionals
-  if (!from || !to || more.length > 0) throw new CallError('"convert" takes two files: IN and OUT.')
+  if (!from || !to || more.length > 0) throw new CallError('call.convertWhat')
   for (const path of [from, to])
-    if (!['.xml', '.json'].includes(extname(path).toLowerCase()))
-      throw new CallError(`"${path}" ends neither in .xml nor in .json.`)
+    if (!['.xml', '.json'].includes(extname(path).toLowerCase())) throw new CallError('call.ending', { path })
   const project = readProjectFile(from)
   const robot = robotOf(project, values.robot)
   write(to, isOpenRoberta(to) ? fileFrom(project, robot.id) : writeProject(project))
@@ -29,16 +32,11 @@ export function convert(args: string[]): string {
 function robotOf({ world }: Project, id: string | undefined) {
   const robot = id === undefined ? world.robots[0] : world.robots.find((one) => one.id === id)
   if (!robot)
-    throw new CallError(`There is no robot "${id}": ${world.robots.map((one) => one.id).join(', ')}.`)
+    throw new CallError('call.noRobot', {
+      id: id ?? '',
+      robots: world.robots.map((one) => one.id).join(', '),
+    })
   return robot
-}
-
-function write(path: string, text: string): void {
-  try {
-    writeFileSync(path, text)
-  } catch (error) {
-    throw new FileError(`"${path}" cannot be written: ${(error as Error).message}`)
-  }
 }
 
 const typesIn = ({ type, values, statements }: Block): string[] => [

@@ -1,46 +1,25 @@
-import { parseArgs, type ParseArgsConfig } from 'node:util'
+import { say, type Facts, type Key } from './words.ts'
 
-/** The call itself is wrong: exit 2. */
-export class CallError extends Error {}
-
-/** A file is missing or wrong: exit 1. */
-export class FileError extends Error {}
-
-/** Reads options; what is unknown or has no value is the call's fault. */
-export function options<const Options extends NonNullable<ParseArgsConfig['options']>>(
-  args: string[],
-  known: Options,
-) {
-  try {
-    return parseArgs({ args, options: known, allowPositionals: true })
-  } catch (error) {
-    throw new CallError((error as Error).message)
+/** What is said in one sentence, in the language of the call. */
+class Refusal extends Error {
+  constructor(key: Key, facts?: Facts) {
+    super(say(key, facts))
   }
 }
 
-/** A number of the call within its range. */
-export function numberIn(
-  name: string,
-  text: string | undefined,
-  preset: number,
-  least: number,
-  most: number,
-): number {
-  if (text === undefined) return preset
-  const number = Number(text)
-  if (text.trim() === '' || !(number >= least && number <= most))
-    throw new CallError(`--${name} takes a number from ${least} to ${most}, not "${text}".`)
-  return number
+/** The call itself is wrong: exit 2. */
+export class CallError extends Refusal {}
+
+/** A file is missing or wrong: exit 1. */
+export class FileError extends Refusal {}
+
+/** Why the system did not read or write a file. */
+export function causeOf(error: unknown): string {
+  const { code = '', message } = error as NodeJS.ErrnoException
+  const key = `cause.${code}`
+  return isCause(key) ? say(key) : say('cause.other', { message })
 }
 
-export function wholeNumberIn(
-  name: string,
-  text: string | undefined,
-  preset: number,
-  least: number,
-  most: number,
-): number {
-  const number = numberIn(name, text, preset, least, most)
-  if (!Number.isInteger(number)) throw new CallError(`--${name} takes a whole number, not "${text}".`)
-  return number
-}
+const causes = ['ENOENT', 'EACCES', 'EPERM', 'EISDIR', 'ENOTDIR', 'EEXIST', 'EROFS', 'ENOSPC'] as const
+const isCause = (key: string): key is `cause.${(typeof causes)[number]}` =>
+  causes.some((code) => key === `cause.${code}`)

@@ -24,6 +24,7 @@ const csv = (rows: readonly (readonly number[])[], mark = ',') => rows.map((row)
 
 function kMeans(...args: string[]) {
   const { status, stdout, stderr } = spawnSync(process.execPath, [program, 'learn', 'kmeans', ...args], {
+    env: { ...process.env, LC_ALL: 'en_GB.UTF-8' },
     encoding: 'utf8',
     maxBuffer: 1e8,
   })

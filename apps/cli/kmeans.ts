@@ -1,4 +1,3 @@
-import { readFileSync, statSync } from 'node:fs'
 import {
   bestOf,
   cluster,
@@ -10,8 +9,12 @@ import {
 } from '@botgarten/learning/k-means'
 import { decodeTable, readTable, TableError, type Encoding, type Table } from '@botgarten/materials/tables'
 import { stream } from '@botgarten/numbers'
-import { CallError, FileError, options, wholeNumberIn } from './errors.ts'
-import { oneOf, seedOf } from './learn-options.ts'
+import type { Command } from './commands.ts'
+import { CallError, FileError } from './errors.ts'
+import { readBytes } from './files.ts'
+import { seedOf } from './learn-options.ts'
+import { oneOf, options, refuseMore, wholeNumberIn } from './options.ts'
+import { say } from './words.ts'
 
 const known = {
   data: { type: 'string' },
@@ -26,17 +29,19 @@ const known = {
 
 type Values = ReturnType<typeof options<typeof known>>['values']
 
-const tooLarge = 200_000_000
+/** In megabytes. */
+const tooLarge = 200
 const limits = { rows: 1_000_000, columns: 100, largest: LARGEST }
 const distances: readonly Distance[] = ['euclidean', 'manhattan', 'cosine']
 
 /** `botgarten learn kmeans`: groups in a table of numbers. */
-export function kMeans(args: string[]): string {
+export const kMeans: Command = { options: known, carryOut: findGroups }
+
+function findGroups(args: string[]): string {
   const { values, positionals } = options(args, known)
-  if (positionals.length > 0)
-    throw new CallError(`"learn kmeans" does not know what to do with "${positionals[0]}".`)
-  if (values.data === undefined) throw new CallError('--data is needed: a file of numbers as CSV.')
-  if (values.k === undefined) throw new CallError('--k is needed: how many groups to find.')
+  refuseMore(positionals)
+  if (values.data === undefined) throw new CallError('call.needsData')
+  if (values.k === undefined) throw new CallError('call.needsK')
   const distance = oneOf('distance', values.distance, distances)
   const table = tableIn(values.data, values)
   const points = pointsOf(table.rows)
@@ -59,8 +64,7 @@ function find(points: Points, groups: number, distance: Distance, values: Values
     const starts = wholeNumberIn('starts', values.starts, 10, 1, 100_000)
     return bestOf(points, groups, { starts, init, distance, stream: stream(seed, 'learn/kmeans/1') })
   }
-  if (values.starts !== undefined)
-    throw new CallError('--starts goes with --init random or ++; a file of centres is one start.')
+  if (values.starts !== undefined) throw new CallError('call.startsOfOwn')
   return cluster(points, centresIn(init, groups, points.features, values), distance)
 }
 
@@ -72,9 +76,10 @@ function centresIn(
 ): readonly (readonly number[])[] {
   const { rows, columns } = tableIn(path, values)
   if (rows.length !== groups || columns.length !== features)
-    throw new FileError(
-      `"${path}" has ${rows.length} centres of ${columns.length} numbers; ${groups} of ${features} are needed.`,
-    )
+    throw new FileError('file.centres', {
+      ...{ path, centres: rows.length, numbers: columns.length },
+      ...{ groups, features },
+    })
   return rows
 }
 
@@ -83,14 +88,14 @@ interface ReadTable extends Table {
 }
 
 function tableIn(path: string, values: Values): ReadTable {
+  const bytes = readBytes(path, tooLarge)
   try {
-    if (statSync(path).size > tooLarge) throw new Error(`it has more than ${tooLarge} bytes`)
-    const { text, encoding } = decodeTable(readFileSync(path))
+    const { text, encoding } = decodeTable(bytes)
     const table = readTable(text, limits, { decimalComma: values['decimal-comma'] ?? false })
     return { ...table, encoding }
   } catch (error) {
-    const what = error instanceof TableError ? 'is no table of numbers' : 'cannot be read'
-    throw new FileError(`"${path}" ${what}: ${(error as Error).message}`)
+    if (!(error instanceof TableError)) throw error
+    throw new FileError('file.noTable', { path, why: say(`table.${error.problem}`, error.facts) })
   }
 }
 

@@ -1,6 +1,7 @@
 import type { Decay, Settings, Task } from '@botgarten/learning/q-learning'
 import type { MapFile } from '@botgarten/materials/maps'
-import { CallError, numberIn, wholeNumberIn } from './errors.ts'
+import { CallError } from './errors.ts'
+import { numberIn, oneOf, wholeNumberIn } from './options.ts'
 
 /** What `learn q` and `learn q-sweep` both take to say what is to be learned. */
 export const taskOptions = {
@@ -29,7 +30,7 @@ export function taskOf(file: MapFile, given: Given): Task {
   const station = (name: 'start' | 'goal') => {
     const preset = file[name]
     if (given[name] === undefined && preset === undefined)
-      throw new CallError(`--${name} is needed: a station from 0 to ${last}.`)
+      throw new CallError('call.needsStation', { name, last })
     return wholeNumberIn(name, given[name], preset ?? 0, 0, last)
   }
   return {
@@ -48,7 +49,7 @@ function closedIn({ map }: MapFile, text: string | undefined): [number, number][
   return text.split(',').map((name) => {
     const [, from, to] = /^(\d+)-(\d+)$/.exec(name.trim())?.map(Number) ?? []
     if (from === undefined || to === undefined || !map.moves[from]?.some((road) => road.to === to))
-      throw new CallError(`--closed takes roads of the map such as 3-2,2-3; there is no road "${name}".`)
+      throw new CallError('call.closed', { name })
     return [from, to]
   })
 }
@@ -66,16 +67,6 @@ export const rulesOf = ({ rules }: Given): Settings['rules'] =>
   oneOf('rules', rules, ['standard', 'study'] as const)
 export const algorithmOf = ({ algorithm }: Given): Settings['algorithm'] =>
   oneOf('algorithm', algorithm, ['q', 'sarsa'] as const)
-
-export function oneOf<Name extends string>(
-  name: string,
-  text: string | undefined,
-  names: readonly Name[],
-): Name {
-  const found = text === undefined ? names[0] : names.find((one) => one === text)
-  if (found === undefined) throw new CallError(`--${name} takes ${names.join(' or ')}, not "${text}".`)
-  return found
-}
 
 /** `0.999`: times so much after every episode; `visits` (α alone): times 10 / (9 + n) at the n-th update. */
 export function decayOf(name: 'alpha-decay' | 'rho-decay', text: string | undefined): Decay {

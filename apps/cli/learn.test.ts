@@ -12,6 +12,7 @@ const program = join(import.meta.dirname, 'botgarten.ts')
 
 function learn(...args: string[]) {
   const { status, stdout, stderr } = spawnSync(process.execPath, [program, 'learn', ...args], {
+    env: { ...process.env, LC_ALL: 'en_GB.UTF-8' },
     encoding: 'utf8',
   })
   return { status, stdout, stderr, json: () => JSON.parse(stdout) as { [key: string]: unknown } }
@@ -158,7 +159,7 @@ describe('botgarten learn q', () => {
   })
 
   it.each([
-    [['p'], 'takes one of: q, q-sweep, q-thesis, kmeans'],
+    [['p'], 'One of q, q-sweep, q-thesis, kmeans'],
     [['q'], '--map is needed'],
     [['q', '--map', 'moon'], 'There is no map and no file called "moon"'],
     [['q', '--map', 'railway'], '--start is needed: a station from 0 to 5'],

@@ -7,13 +7,12 @@ import {
   learnWatching,
   type Settings,
 } from '@botgarten/learning/q-learning'
-import { CallError, numberIn, options } from './errors.ts'
-import { kMeans } from './kmeans.ts'
+import type { Command } from './commands.ts'
+import { CallError } from './errors.ts'
 import { notLearnedIn, planIn, sentenceOf, settingsSaid } from './learn-report.ts'
 import { algorithmOf, decayOf, limitsOf, rulesOf, seedOf, taskOf, taskOptions } from './learn-options.ts'
 import { findMap } from './maps.ts'
-import { sweep } from './sweep/sweep.ts'
-import { thesis } from './sweep/thesis.ts'
+import { numberIn, options, refuseMore } from './options.ts'
 
 const known = {
   ...taskOptions,
@@ -28,25 +27,13 @@ const known = {
 
 type Values = ReturnType<typeof options<typeof known>>['values']
 
-const methods: { readonly [name: string]: (args: string[]) => string | Promise<string> } = {
-  q,
-  'q-sweep': sweep,
-  'q-thesis': thesis,
-  kmeans: kMeans,
-}
+/** `botgarten learn q …`: a way on a map, learned by trying. */
+export const q: Command = { options: known, carryOut: learnWay }
 
-/** `botgarten learn METHOD …`: learning without a screen. */
-export function learn([method = '', ...args]: string[]): string | Promise<string> {
-  const carryOut = Object.hasOwn(methods, method) ? methods[method] : undefined
-  if (!carryOut) throw new CallError(`"learn" takes one of: ${Object.keys(methods).join(', ')}.`)
-  return carryOut(args)
-}
-
-function q(args: string[]): string {
+function learnWay(args: string[]): string {
   const { values, positionals } = options(args, known)
-  if (positionals.length > 0)
-    throw new CallError(`"learn q" does not know what to do with "${positionals[0]}".`)
-  if (values.map === undefined) throw new CallError('--map is needed: a map by its name, or an SVG file.')
+  refuseMore(positionals)
+  if (values.map === undefined) throw new CallError('call.needsMap')
   const world = layOutWorld(taskOf(findMap(values.map), values))
   const seed = seedOf(values)
   // The same dice as in the lab: a row of its table can be learned again here.

@@ -1,11 +1,13 @@
-import { existsSync, readFileSync, readdirSync, statSync } from 'node:fs'
+import { existsSync, readdirSync } from 'node:fs'
 import { join } from 'node:path'
-import { readMap, type MapFile } from '@botgarten/materials/maps'
+import { readMap, type MapFile, type MapProblem } from '@botgarten/materials/maps'
 import { CallError, FileError } from './errors.ts'
-import { sentenceFor } from './map-problems.ts'
+import { readText } from './files.ts'
+import { say } from './words.ts'
 
 const folder = join(import.meta.dirname, '../../content/maps')
-const tooLarge = 4_000_000
+/** In megabytes. */
+const tooLarge = 4
 
 /** Names of the maps of the product. */
 export const shippedMaps = (): readonly string[] => readdirSync(folder)
@@ -14,23 +16,21 @@ export const shippedMaps = (): readonly string[] => readdirSync(folder)
 export function findMap(what: string): MapFile {
   const shipped = shippedMaps()
   if (!shipped.includes(what) && !existsSync(what))
-    throw new CallError(`There is no map and no file called "${what}". Maps: ${shipped.join(', ')}.`)
+    throw new CallError('call.noMapNoFile', { name: what, maps: shipped.join(', ') })
   const path = shipped.includes(what) ? join(folder, what, 'map.svg') : what
-  const { map, problems, warnings } = readMap(textOf(path))
+  const { map, problems, warnings } = readMap(readText(path, tooLarge))
   const named = warnings.map(sentenceFor).join('; ')
   if (!map)
-    throw new FileError(
-      `"${what}" is not a map: ${[...problems.map(sentenceFor), named].filter(Boolean).join('; ')}.`,
-    )
-  if (named !== '') process.stderr.write(`botgarten: in "${what}" ${named}.\n`)
+    throw new FileError('file.noMap', {
+      path: what,
+      why: [...problems.map(sentenceFor), named].filter(Boolean).join('; '),
+    })
+  if (named !== '') process.stderr.write(`botgarten: ${say('file.mapWith', { path: what, why: named })}\n`)
   return map
 }
 
-function textOf(path: string): string {
-  try {
-    if (statSync(path).size > tooLarge) throw new Error(`it has more than ${tooLarge} bytes`)
-    return readFileSync(path, 'utf8')
-  } catch (error) {
-    throw new FileError(`"${path}" cannot be read: ${(error as Error).message}`)
-  }
-}
+const sentenceFor = ({ kind, facts }: MapProblem): string =>
+  say(`map.${kind}`, Object.fromEntries(Object.entries(facts).map(([name, value]) => [name, shorten(value)])))
+
+const shorten = (fact: string | number) =>
+  typeof fact === 'string' && fact.length > 40 ? `${fact.slice(0, 40)}…` : fact

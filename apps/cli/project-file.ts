@@ -1,28 +1,35 @@
-import { readFileSync, statSync } from 'node:fs'
 import { basename, extname } from 'node:path'
 import { parseProject, ProjectError, type Project } from '@botgarten/programs'
 import { projectFrom } from '@botgarten/programs/open-roberta'
 import { freeWorld } from './content.ts'
 import { FileError } from './errors.ts'
+import { readText } from './files.ts'
+import { say, sayProblem } from './words.ts'
 
-/** No file that can be opened is larger. */
-const mostBytes = 20_000_000
+/** In megabytes: no file that can be opened is larger. */
+const tooLarge = 20
 
 /** A project by its file's ending: `.xml` is Open Roberta's, which drives in the free lab's world. @throws {FileError} */
 export function readProjectFile(path: string): Project {
+  const text = readText(path, tooLarge)
   try {
-    if (statSync(path).size > mostBytes) throw new ProjectError('tooBig', 'It is too big.')
-    const text = readFileSync(path, 'utf8')
     return isOpenRoberta(path)
       ? projectFrom(text, basename(path).slice(0, -'.xml'.length), freeWorld())
       : parseProject(text)
   } catch (error) {
-    if (error instanceof ProjectError)
-      throw new FileError(`"${path}" is not a ${kindOf(path)} that can be opened: ${error.message}`)
-    throw new FileError(`"${path}" cannot be read: ${(error as Error).message}`)
+    if (!(error instanceof ProjectError)) throw error
+    const kind = isOpenRoberta(path) ? 'file.noProgram' : 'file.noProject'
+    throw new FileError(kind, { path, why: whyOf(error) })
   }
 }
 
-export const isOpenRoberta = (path: string): boolean => extname(path).toLowerCase() === '.xml'
+const shorten = (text: string) => (text.length > 160 ? `${text.slice(0, 160)}…` : text)
 
-const kindOf = (path: string) => (isOpenRoberta(path) ? 'program of Open Roberta' : 'project')
+/** Who builds files by hand is also told which part of it is wrong. */
+function whyOf({ reason, facts, message }: ProjectError): string {
+  const sentence = sayProblem(reason, facts)
+  const isVague = reason === 'notAProject' || reason === 'notOpenRoberta'
+  return isVague ? say('project.detail', { sentence, detail: shorten(message) }) : sentence
+}
+
+export const isOpenRoberta = (path: string): boolean => extname(path).toLowerCase() === '.xml'

@@ -5,10 +5,13 @@ import { withLearnedWay } from '@botgarten/materials/maps'
 import { check } from '@botgarten/programs'
 import { TICKS_PER_SECOND } from '@botgarten/simulation'
 import { findCard, floorOf, programOf, worldOf, wrongAnswers, type FoundCard } from './content.ts'
-import { CallError, FileError, numberIn, options, wholeNumberIn } from './errors.ts'
+import type { Command } from './commands.ts'
+import { CallError, FileError } from './errors.ts'
+import { numberIn, options, wholeNumberIn } from './options.ts'
 import { isOpenRoberta, readProjectFile } from './project-file.ts'
 import { findMap, shippedMaps } from './maps.ts'
 import { withWeights } from './weights.ts'
+import { sayProblem } from './words.ts'
 
 const known = {
   solution: { type: 'boolean' },
@@ -31,10 +34,12 @@ interface Runnable {
 }
 
 /** `botgarten run FILE|CARD …`: a project or a card without a screen. */
-export function run(args: string[]): string {
+export const run: Command = { options: known, carryOut: runOnce }
+
+function runOnce(args: string[]): string {
   const { values, positionals } = options(args, known)
   const [what, ...more] = positionals
-  if (!what || more.length > 0) throw new CallError('"run" takes one project file or one card.')
+  if (!what || more.length > 0) throw new CallError('call.runWhat')
   const runnable = learned(withGivenWeights(find(what, values), values))
   const seconds = numberIn('seconds', values.seconds, presetSeconds(runnable), 0, 86_400)
   const seed = wholeNumberIn('seed', values.seed, 1, 0, 4_294_967_295)
@@ -64,9 +69,8 @@ const mapNamed = (id: string) => (shippedMaps().includes(id) ? findMap(id) : nul
 function find(what: string, values: Values): Runnable {
   const found = findCard(what)
   if (found) return cardRun(found, values)
-  if (!existsSync(what)) throw new CallError(`There is no card and no file called "${what}".`)
-  if (values.solution || values.wrong)
-    throw new CallError('--solution and --wrong belong to a card, not to a file.')
+  if (!existsSync(what)) throw new CallError('call.noCardNoFile', { name: what })
+  if (values.solution || values.wrong) throw new CallError('call.ofACard')
   return fileRun(what, values)
 }
 
@@ -77,7 +81,7 @@ function cardRun({ folder, card }: FoundCard, values: Values): Runnable {
 }
 
 function fileFor(folder: string, values: Values): string {
-  if (values.solution && values.wrong) throw new CallError('Either --solution or --wrong N, not both.')
+  if (values.solution && values.wrong) throw new CallError('call.solutionOrWrong')
   if (values.solution) return 'solution.json'
   if (values.wrong === undefined) return 'start.json'
   const files = wrongAnswers(folder)
@@ -87,8 +91,7 @@ function fileFor(folder: string, values: Values): string {
 function fileRun(path: string, values: Values): Runnable {
   const project = readProjectFile(path)
   const found = project.card === undefined ? undefined : findCard(project.card)
-  if (values.start !== undefined && !found)
-    throw new CallError('--start belongs to a card; this project has none.')
+  if (values.start !== undefined && !found) throw new CallError('call.startOfACard')
   const document = found
     ? values.start === undefined
       ? project
@@ -112,14 +115,17 @@ function refuseWhatCannotRun({ programs, world }: Document): void {
     const program = programs[robot.program]
     const finding = program && check(program, robot.config).find(({ stops }) => stops)
     if (finding)
-      throw new FileError(`The program cannot run: ${finding.problem} at block "${finding.block}".`)
+      throw new FileError('file.cannotRun', {
+        why: sayProblem(finding.problem.replace('problem.', ''), finding.facts),
+        block: finding.block,
+      })
   }
 }
 
 function reportOf(lab: Lab, seed: number) {
   const { seconds, robots, checks, problem } = lab.view()
   const [robot] = robots
-  if (!robot) throw new FileError('There is no robot in this world.')
+  if (!robot) throw new FileError('file.noRobot')
   const { pose, trail, led, display, tones } = robot
   const assertions = assertionsOf(lab)
   return { seconds, seed, pose, trail, led, display, tones, checks, assertions, problem, hash: lab.hash() }

@@ -19,11 +19,11 @@ test.afterAll(() => {
 })
 
 /** Calls the command line as a teacher would. */
-function botgarten(args: readonly string[], env: NodeJS.ProcessEnv = process.env) {
+function botgarten(args: readonly string[], env: NodeJS.ProcessEnv = {}) {
   const { status, stdout, stderr } = spawnSync(
     process.execPath,
     [join(house, 'apps/cli/botgarten.ts'), 'print', ...args],
-    { encoding: 'utf8', env },
+    { encoding: 'utf8', env: { ...process.env, LC_ALL: 'en_GB.UTF-8', ...env } },
   )
   return { status, stdout, stderr }
 }
@@ -96,7 +96,7 @@ test('botgarten print without an address prints no code; what is wrong is said i
   const unwritable = botgarten(['q-city', '--out', join(file, 'below')])
   expect(unwritable).toMatchObject({ status: 1, stdout: '' })
   expect(unwritable.stderr).toMatch(/^botgarten: The folder ".+below" cannot be made/)
-  const blind = botgarten(['q-city', '--out', out], { ...process.env, CHROMIUM: join(out, 'no-browser') })
+  const blind = botgarten(['q-city', '--out', out], { CHROMIUM: join(out, 'no-browser') })
   expect(blind.status).toBe(1)
   expect(blind.stderr).toContain('did not start')
   expect(blind.stderr).toContain('Install Chrome, Chromium or Edge')

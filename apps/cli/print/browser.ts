@@ -4,8 +4,7 @@ import { join } from 'node:path'
 import { findChromium, flags } from '@botgarten/chromium'
 import type { Browser } from 'playwright-core'
 import { FileError } from '../errors.ts'
-
-const help = 'Install Chrome, Chromium or Edge, or say where one is: CHROMIUM=/path/to/chrome'
+import { say } from '../words.ts'
 
 /** A folder for what the browser itself lays down: one that is stopped while it starts leaves things there. */
 function folderForOnce(): string {
@@ -17,7 +16,7 @@ function folderForOnce(): string {
 /** The machine's browser, without a window. @throws FileError that says what to do where there is none */
 export async function openBrowser(): Promise<Browser> {
   const executablePath = findChromium()
-  if (executablePath === null) throw new FileError(`No browser was found to print with. ${help}`)
+  if (executablePath === null) throw new FileError('file.noBrowser', { help: say('file.browserHelp') })
   // Asked for late: no other verb needs it.
   const { chromium } = await import('playwright-core')
   try {
@@ -28,6 +27,9 @@ export async function openBrowser(): Promise<Browser> {
     })
   } catch (error) {
     const [said] = (error as Error).message.split('\n')
-    throw new FileError(`The browser ${executablePath} did not start (${said}). ${help}`)
+    throw new FileError('file.browserEnded', {
+      ...{ path: executablePath, message: said ?? '' },
+      help: say('file.browserHelp'),
+    })
   }
 }

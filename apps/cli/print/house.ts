@@ -17,7 +17,7 @@ const built = join(import.meta.dirname, '../../web/build/server/handler.js')
 
 /** Serves the built lab to this machine alone, on a free port. @throws FileError where it is not built */
 export async function openHouse(): Promise<House> {
-  if (!existsSync(built)) throw new FileError('The lab is not built yet: npm run build')
+  if (!existsSync(built)) throw new FileError('file.notBuilt')
   const { handler } = (await import(pathToFileURL(built).href)) as { handler: Handler }
   const server = createServer((request, response) =>
     handler(request, response, () => response.writeHead(404).end()),

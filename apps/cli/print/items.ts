@@ -32,8 +32,6 @@ export function itemsNamed(names: readonly string[]): readonly FoundItem[] {
       name,
       all.map(({ item }) => item.id),
     )
-    throw new CallError(
-      `There is no item "${name}". Did you mean ${near.join(', ')}? "all" prints every item.`,
-    )
+    throw new CallError('call.noItem', { name, near: near.join(', ') })
   })
 }

@@ -1,11 +1,14 @@
-import { mkdirSync, writeFileSync } from 'node:fs'
-import { basename, join } from 'node:path'
+import { mkdirSync } from 'node:fs'
+import { join } from 'node:path'
 import type { BrowserContext, Page } from 'playwright-core'
-import { FileError } from '../errors.ts'
+import type { Command } from '../commands.ts'
+import { causeOf, FileError } from '../errors.ts'
+import { write } from '../files.ts'
 import { openBrowser } from './browser.ts'
 import { openHouse } from './house.ts'
 import type { FoundItem } from './items.ts'
-import { help, orderOf, type Order } from './order.ts'
+import { known, orderOf, type Order } from './order.ts'
+import type { Language } from '../words.ts'
 
 interface Written {
   readonly file: string
@@ -16,9 +19,10 @@ interface Written {
 const patience = 60_000
 
 /** `botgarten print ITEM…|all …`: materials as PDF, by the very pages that the lab prints. */
-export async function print(args: string[]): Promise<string> {
-  const order = orderOf(args)
-  if (order === null) return help
+export const print: Command = { options: known, carryOut: printAll }
+
+async function printAll(args: string[], asked?: Language): Promise<string> {
+  const order = orderOf(args, asked)
   makeFolder(order.out)
   const written = await printed(order)
   if (order.json) return JSON.stringify(written)
@@ -86,7 +90,7 @@ async function pdfOf(page: Page, { item }: FoundItem, { paper, turn, address }: 
     return await page.pdf({ preferCSSPageSize: true, printBackground: true, tagged: true, outline: true })
   } catch (error) {
     const said = troubles[0] ?? (error as Error).message
-    throw new FileError(`"${item.id}" could not be printed: ${said.split('\n')[0]}`)
+    throw new FileError('file.notPrinted', { id: item.id, message: said.split('\n')[0]! })
   } finally {
     page.off('pageerror', hear)
   }
@@ -96,14 +100,6 @@ function makeFolder(path: string): void {
   try {
     mkdirSync(path, { recursive: true })
   } catch (error) {
-    throw new FileError(`The folder "${path}" cannot be made: ${(error as Error).message}`)
-  }
-}
-
-function write(path: string, pdf: Buffer): void {
-  try {
-    writeFileSync(path, pdf)
-  } catch (error) {
-    throw new FileError(`"${basename(path)}" cannot be written: ${(error as Error).message}`)
+    throw new FileError('file.noFolder', { path, why: causeOf(error) })
   }
 }

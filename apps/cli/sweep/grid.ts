@@ -29,8 +29,7 @@ export function settingsIn(given: Given): Setting[] {
   const numbers = (name: 'alpha' | 'gamma' | 'nu' | 'rho', preset: string) =>
     listOf(given[name] ?? preset).map((text) => {
       const value = Number(text)
-      if (text === '' || !(value >= 0 && value <= 1))
-        throw new CallError(`--${name} takes numbers from 0 to 1 with commas between, not "${text}".`)
+      if (text === '' || !(value >= 0 && value <= 1)) throw new CallError('call.shares', { name, text })
       return value
     })
   const decays = (name: 'alpha-decay' | 'rho-decay') =>

@@ -1,6 +1,8 @@
-import { CallError, options, wholeNumberIn } from '../errors.ts'
+import type { Command } from '../commands.ts'
+import { CallError } from '../errors.ts'
 import { algorithmOf, limitsOf, rulesOf, seedOf, taskOf, taskOptions } from '../learn-options.ts'
 import { findMap } from '../maps.ts'
+import { options, refuseMore, wholeNumberIn } from '../options.ts'
 import { listOptions, settingsIn } from './grid.ts'
 import { csvOf, handOut, pieceOf, shardIn, tableOptions, tell } from './table.ts'
 import { rowsOf } from './threads.ts'
@@ -8,11 +10,12 @@ import { rowsOf } from './threads.ts'
 const known = { ...taskOptions, ...listOptions, ...tableOptions } as const
 
 /** `botgarten learn q-sweep …`: all combinations of the given lists, many runs each, on all cores. */
-export async function sweep(args: string[]): Promise<string> {
+export const sweep: Command = { options: known, carryOut: sweepAll }
+
+async function sweepAll(args: string[]): Promise<string> {
   const { values, positionals } = options(args, known)
-  if (positionals.length > 0)
-    throw new CallError(`"learn q-sweep" does not know what to do with "${positionals[0]}".`)
-  if (values.map === undefined) throw new CallError('--map is needed: a map by its name, or an SVG file.')
+  refuseMore(positionals)
+  if (values.map === undefined) throw new CallError('call.needsMap')
   const job = {
     task: taskOf(findMap(values.map), values),
     ...{ rules: rulesOf(values), algorithm: algorithmOf(values), seed: seedOf(values) },

@@ -1,5 +1,5 @@
-import { writeFileSync } from 'node:fs'
-import { CallError, FileError } from '../errors.ts'
+import { CallError } from '../errors.ts'
+import { write } from '../files.ts'
 import type { Row } from './runs.ts'
 
 /** Options of every sweep: how much of it, and where its table goes. */
@@ -26,7 +26,7 @@ export interface Shard {
 export function shardIn(text = '1/1'): Shard {
   const [, part, parts] = /^(\d+)\/(\d+)$/.exec(text)?.map(Number) ?? []
   if (part === undefined || parts === undefined || part < 1 || part > parts)
-    throw new CallError(`--shard takes a part and how many there are, such as 2/8, not "${text}".`)
+    throw new CallError('call.shard', { text })
   return { part, parts }
 }
 
@@ -53,10 +53,6 @@ export function csvOf(
 /** Where the call names a file the table goes there and a sentence comes back. */
 export function handOut(table: string, csv: string | undefined, settings: number): string {
   if (csv === undefined) return table.trimEnd()
-  try {
-    writeFileSync(csv, table)
-  } catch (error) {
-    throw new FileError(`"${csv}" cannot be written: ${(error as Error).message}`)
-  }
+  write(csv, table)
   return `${settings} settings: ${csv}`
 }

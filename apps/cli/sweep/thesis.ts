@@ -1,6 +1,7 @@
-import { CallError, options, wholeNumberIn } from '../errors.ts'
+import type { Command } from '../commands.ts'
 import { seedOf } from '../learn-options.ts'
 import { findMap } from '../maps.ts'
+import { options, refuseMore, wholeNumberIn } from '../options.ts'
 import { settingsIn } from './grid.ts'
 import type { Job } from './runs.ts'
 import { threadsIn } from './sweep.ts'
@@ -34,10 +35,11 @@ const tasks = [
 const known = { ...tableOptions, seed: { type: 'string' } } as const
 
 /** `botgarten learn q-thesis …`: 225 settings, 50 runs each, on three maps, by the study rules. */
-export async function thesis(args: string[]): Promise<string> {
+export const thesis: Command = { options: known, carryOut: sweepThesis }
+
+async function sweepThesis(args: string[]): Promise<string> {
   const { values, positionals } = options(args, known)
-  if (positionals.length > 0)
-    throw new CallError(`"learn q-thesis" does not know what to do with "${positionals[0]}".`)
+  refuseMore(positionals)
   const runs = wholeNumberIn('runs', values.runs, 50, 1, 1_000_000)
   const all = tasks.flatMap(({ map, start, goal, closed, moves }) => {
     const task = { map: findMap(map).map, start, goal, closed }
