@@ -10,7 +10,10 @@ const program = join(import.meta.dirname, 'botgarten.ts')
 
 /** Calls the command line as a teacher would. */
 function botgarten(...args: string[]) {
-  const { status, stdout, stderr } = spawnSync(process.execPath, [program, ...args], { encoding: 'utf8' })
+  const { status, stdout, stderr } = spawnSync(process.execPath, [program, ...args], {
+    encoding: 'utf8',
+    env: { ...process.env, LC_ALL: 'en_GB.UTF-8' },
+  })
   return { status, stdout, stderr, json: () => JSON.parse(stdout) as { [key: string]: unknown } }
 }
 
@@ -132,8 +135,10 @@ describe('botgarten run', () => {
     ).toBe(once.stdout)
   })
 
-  it('takes weights from a file', () => {
-    const weights = file('weights.json', '{"eyeLeft":{"wheelLeft":0.8},"eyeRight":{"wheelRight":0.8}}')
+  it('takes weights from a file: those of its schema drive as the solution does', () => {
+    const { examples } = schema('weights.json') as { examples: object[] }
+    expectToFit(examples[0], 'weights.json')
+    const weights = file('weights.json', JSON.stringify(examples[0]))
     const given = botgarten('run', 'friendship', '--weights', weights, '--json').json()
     expect(given['hash']).toBe(botgarten('run', 'friendship', '--solution', '--json').json()['hash'])
   })
@@ -159,11 +164,6 @@ describe('botgarten run', () => {
     ['a file that is no project', ['run', file('list.json', '[1, 2, 3]')]],
     ['a project of a later version', ['run', file('later.json', '{"botgarten": 99}')]],
     ['a file of Open Roberta that is none', ['run', file('page.xml', '<html/>')]],
-    ['weights of another net', ['run', 'friendship', '--weights', file('other.json', '{"a":{"b":1}}')]],
-    [
-      'weights that are no numbers',
-      ['run', 'friendship', '--weights', file('words.json', '{"eyeLeft":{"wheelLeft":"big"}}')],
-    ],
     ['weights that are not there', ['run', 'friendship', '--weights', join(folder, 'nothing.json')]],
   ]
   it.each(fileAtFault)('%s: exit 1 and one clear line', (_, args) => {
@@ -190,5 +190,46 @@ describe('botgarten run', () => {
     const { status, stdout, stderr } = botgarten(...args)
     expect({ status, stdout }).toEqual({ status: 2, stdout: '' })
     expect(stderr).toMatch(/^botgarten: .+\n$/)
+  })
+})
+
+describe('the language of what is said', () => {
+  it('is the one that the call asks for, wherever it stands', () => {
+    for (const args of [
+      ['--lang', 'de', 'run', 'nowhere'],
+      ['run', '--lang=de', 'nowhere'],
+    ])
+      expect(botgarten(...args).stderr).toBe(
+        'botgarten: Es gibt weder eine Karte noch eine Datei „nowhere“. Hilfe: botgarten run --help\n',
+      )
+    expect(botgarten('run', 'nowhere', '--lang', 'en').stderr).toContain('There is no card and no file')
+  })
+
+  it('is that of a file of Open Roberta that cannot be opened, too', () => {
+    const path = file('mbot2.xml', '<export xmlns="http://de.fhg.iais.roberta.blockly"><a/></export>')
+    expect(botgarten('run', path, '--lang', 'de').stderr).toMatch(
+      /ist kein Programm von Open Roberta, das sich/,
+    )
+  })
+
+  it('is refused by name where there is none: exit 2', () => {
+    const { status, stderr } = botgarten('cards', '--lang', 'fr')
+    expect({ status, stderr }).toEqual({
+      status: 2,
+      stderr: 'botgarten: --lang takes de or en, not "fr". Help: botgarten cards --help\n',
+    })
+  })
+})
+
+describe('--help', () => {
+  it('is a usage and every option of the command, whatever else the call lacks', () => {
+    const { status, stdout } = botgarten('learn', 'q', '--help')
+    expect(status).toBe(0)
+    expect(stdout).toMatch(/^botgarten learn q --map M \[options\]\n/)
+    expect(stdout).toContain('--alpha-decay F|visits')
+    expect(botgarten('learn', '--help').stdout).toContain('botgarten learn kmeans')
+    expect(botgarten('--help', '--lang', 'de').stdout).toMatch(
+      /botgarten print {4}Druckt Materialien als PDF\./,
+    )
   })
 })
