@@ -79,9 +79,10 @@ test.each([
   ],
   ['links that never end', '[a]('.repeat(25_000)],
 ])('%s are read within two seconds, and can be drawn', (_, markdown) => {
-  const begun = performance.now()
+  const before = process.cpuUsage()
   const tree = readFreeText(markdown)
-  expect(performance.now() - begun).toBeLessThan(2000)
+  const { user, system } = process.cpuUsage(before)
+  expect((user + system) / 1e6).toBeLessThan(2)
   expect(depthOf(tree)).toBeLessThan(50)
   if (markdown.includes('Ms Lee')) expect(JSON.stringify(tree)).toContain('Ms Lee')
 })

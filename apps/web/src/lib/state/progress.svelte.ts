@@ -20,6 +20,7 @@ export class CardProgress {
 
   /** Index of the card's start pose that this is, −1 for another place. */
   startAt(pose: Pose | undefined): number {
+    if (!pose) return -1
     return this.#card?.starts.findIndex((start) => samePose(start, pose)) ?? -1
   }
 

@@ -53,7 +53,8 @@ afterAll(() => {
 
 /** The card as a child has it open, with this program and these knobs. A way that is to be learned has been learned. */
 async function opened(card: LoadedCard, program: CardProgram): Promise<Session> {
-  const project = withLearnedWay(cardProject(card.world, card.card, program, card.card.id), mapNamed)
+  const fresh = cardProject(card.world, card.card, program, card.card.id)
+  const project = { ...fresh, ...withLearnedWay(fresh, mapNamed) }
   const expert = await bringFor(project)
   const session = new Session({
     ...{ id: card.card.id, revision: 0, project, card, floor: floorOf(project.world), expert },
