@@ -15,7 +15,7 @@ const config: KnipConfig = {
       ignoreDependencies: ['@inlang/plugin-message-format', 'content'],
     },
     benchmarks: { entry: ['*.bench.ts'] },
-    e2e: { entry: ['saved-work.ts', 'tests/**/*.{spec,touch}.ts', 'walk/*.walk.ts', 'walk.config.ts'] },
+    e2e: { entry: ['saved-work.ts', 'tests/**/*.{spec,touch}.ts', 'walk/*.walk.ts'] },
   },
 }
 
