@@ -56,10 +56,13 @@ export class Comer {
     await this.#child.seesLab()
   }
 
-  /** Saves the program for Open Roberta. */
-  async saves(): Promise<{ readonly name: string; readonly text: string }> {
+  /** Saves the program for Open Roberta; `how` where it asks first, since it does not know all of it. */
+  async saves(how?: 'asItIs' | 'asSteps'): Promise<{ readonly name: string; readonly text: string }> {
     await this.#child.presses('lab.menu')
-    return this.takes(() => this.#child.presses('lab.saveOpenRoberta'))
+    return this.takes(async () => {
+      await this.#child.presses('lab.saveOpenRoberta')
+      if (how) await this.#child.presses(`openRoberta.${how}`)
+    })
   }
 
   async takes(press: () => Promise<void>) {

@@ -12,6 +12,7 @@ const late = [
   'debug',
   'inside',
   'net',
+  'openRoberta',
   'projects',
   'q',
   'robot',

@@ -1,3 +1,5 @@
+import { readFileSync } from 'node:fs'
+import { strFromU8, unzipSync } from 'fflate'
 import { xmlTree } from '../../packages/programs/testing/xml-tree.ts'
 import { leftEye, leftWheel, type Child } from '../child.ts'
 import { Comer, openRobertaFile } from '../child-open-roberta.ts'
@@ -102,7 +104,7 @@ for (const language of languagesOf(import.meta.filename)) {
       await child.pressesStart()
       await child.seesDriving()
       await child.pressesStop()
-      const { name, text } = await comer.saves()
+      const { name, text } = await comer.saves('asItIs')
       expect(name).toBe('Freundschaft.xml')
       await comer.opens('again.xml', text)
       await comer.seesProgram('again')
@@ -252,7 +254,7 @@ test('blocks that nobody knows here are grey with their name, and are written ba
   await expect(page.locator('.blocklyBlockCanvas').last()).toContainText('robActions_fly')
   await child.pressesStart()
   await child.pressesStop()
-  const { text } = await comer.saves()
+  const { text } = await comer.saves('asItIs')
   expect(text).toContain('<block type="robActions_fly" id="odd"><field name="HEIGHT">3</field>')
   expect(text).toContain('hui')
 })
@@ -284,4 +286,38 @@ test('a block that nobody knows is told at its block; Bo runs up to it, and the 
   await child.presses('lab.showBlock')
   await expect(block).toBeInViewport()
   await expect(block).toHaveClass(/blocklySelected/)
+})
+
+test('what Open Roberta does not know is named, and the network can be said in its blocks', async ({
+  child,
+}) => {
+  const comer = new Comer(child)
+  await child.opensLab('free')
+  await comer.opens('Friends.xml', friendship)
+  await comer.seesProgram('Friends')
+  await child.typesWeight(leftEye, leftWheel, 0.8)
+  const { text } = await comer.saves('asSteps')
+  expect(text).not.toContain('"ai_')
+  expect(text).toContain('robActions_NNstep')
+  await comer.opens('Steps.xml', text)
+  await comer.seesProgram('Steps')
+  await child.pressesStart()
+  await child.seesDriving()
+  await child.pressesStop()
+})
+
+test('all programs of this device are taken to Open Roberta in one archive', async ({ child, page }) => {
+  const comer = new Comer(child)
+  await child.opensLab('free')
+  await comer.opens('Friends.xml', friendship)
+  await comer.seesProgram('Friends')
+  await comer.opens('Action.xml', action)
+  await comer.seesProgram('Action')
+  await page.goto('/projects')
+  const [archive] = await Promise.all([page.waitForEvent('download'), child.presses('openRoberta.takeAll')])
+  expect(archive.suggestedFilename()).toBe('Botgarten for Open Roberta.zip')
+  const files = unzipSync(readFileSync(await archive.path()))
+  const folder = child.word('openRoberta.folder')
+  expect(Object.keys(files).sort()).toEqual(['Action.xml', 'Friends.xml', `${folder}/Friends.xml`].sort())
+  expect(xmlTree(strFromU8(files['Action.xml']!))).toEqual(xmlTree(action))
 })

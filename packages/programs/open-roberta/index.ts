@@ -1,3 +1,3 @@
-export { fileFrom, projectFrom } from './files.ts'
+export { fileFrom, fileInSteps, projectFrom, strangeness } from './files.ts'
 export { readOpenRoberta } from './read.ts'
 export { writeOpenRoberta } from './write.ts'

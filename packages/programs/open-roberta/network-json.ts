@@ -37,6 +37,13 @@ function numberOf(text: string): number | null {
   return Number.isFinite(size) ? (sign === '-' ? 0 - size : size) : null
 }
 
+/** The number without an exponent, which Open Roberta's network does not read. */
+function plain(value: number): string {
+  const text = String(value)
+  if (!text.includes('e')) return text
+  return Math.abs(value) < 1 ? value.toFixed(100).replace(/0+$/, '') : BigInt(value).toString()
+}
+
 /** Hidden neurons without names are called as Open Roberta calls them. */
 const layersOf = ({
   inputs,
@@ -85,7 +92,7 @@ export function withNetwork(data: string, brain: Brain): string {
   if (!network) return data
   const layers = layersOf(network)
   const said = (text: string | undefined, value: number) =>
-    text !== undefined && (numberOf(text) ?? 0) === value ? text : String(value)
+    text !== undefined && (numberOf(text) ?? 0) === value ? text : plain(value)
   const weights = layers.map((ids, layer) =>
     ids.map((from, k) =>
       (layers[layer + 1] ?? []).map((to, at) =>
@@ -101,4 +108,26 @@ export function withNetwork(data: string, brain: Brain): string {
   )
   const same = JSON.stringify([weights, biases]) === JSON.stringify([network.weights, network.biases])
   return same ? data : JSON.stringify({ ...(JSON.parse(data) as object), weights, biases })
+}
+
+/** What Open Roberta writes beside a network that nobody has trained. */
+const untrained = {
+  ...{ learningRate: 0.03, regularizationRate: 0, noise: 0, batchSize: 10, discretize: false },
+  ...{ percTrainData: 50, activationKey: 'linear', activation: {}, regularization: null, initUntil: null },
+  ...{ collectStats: false, precision: '2', weightArcMaxSize: 8, weightSuppressMultOp: true },
+}
+
+/** A brain whose neurons have Open Roberta's names, as data of the start block. Its neurons all give their sums. */
+export function dataFrom({ layers, weights }: Brain): string {
+  const ids = layers.map((layer) => layer.map(({ id }) => id))
+  const hidden = ids.slice(1, -1)
+  return JSON.stringify({
+    ...untrained,
+    ...{ numHiddenLayers: hidden.length, networkShape: hidden.map(({ length }) => length) },
+    weights: ids.map((row, layer) =>
+      row.map((from) => (ids[layer + 1] ?? []).map((to) => plain(weights[from]?.[to] ?? 0))),
+    ),
+    biases: layers.map((layer) => layer.map(({ bias }) => plain(bias))),
+    ...{ inputs: ids[0] ?? [], outputs: ids.at(-1) ?? [], hiddenNeurons: hidden },
+  })
 }

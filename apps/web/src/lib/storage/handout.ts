@@ -1,6 +1,6 @@
 import type { Project } from '@botgarten/programs'
 
-const types = { json: 'application/json', xml: 'application/xml', csv: 'text/csv' }
+const types = { json: 'application/json', xml: 'application/xml', csv: 'text/csv', zip: 'application/zip' }
 type Ending = 'botgarten.json' | 'brain.json' | keyof typeof types
 
 const nameOfFile = (name: string) => name.replace(/[^\p{L}\p{N} _-]/gu, '').slice(0, 80) || 'botgarten'
@@ -11,9 +11,13 @@ const nameOfFile = (name: string) => name.replace(/[^\p{L}\p{N} _-]/gu, '').slic
  */
 export const saveProjectFile = (project: Project): void => handOut(project.name, JSON.stringify(project))
 
-export function handOut(name: string, text: string, ending: Ending = 'botgarten.json'): void {
+export function handOut(
+  name: string,
+  content: string | Uint8Array<ArrayBuffer>,
+  ending: Ending = 'botgarten.json',
+): void {
   const type = types[ending.split('.').at(-1) as keyof typeof types]
-  const address = URL.createObjectURL(new Blob([text], { type }))
+  const address = URL.createObjectURL(new Blob([content], { type }))
   const link = document.createElement('a')
   link.href = address
   link.download = `${nameOfFile(name)}.${ending}`

@@ -21,10 +21,14 @@ export async function openFile(file: File, desk: Desk): Promise<void> {
   else await show(placeOf(outcome.project), outcome.id)
 }
 
-/** Hands the program of the robot on the screen out as a file for Open Roberta. */
-export async function saveForOpenRoberta(session: Session, name: string): Promise<void> {
-  const { saveOpenRobertaFile } = await import('#lib/open-roberta/later.ts')
-  saveOpenRobertaFile({ ...session.project, name }, session.robotId)
+/**
+ * Hands the program of the robot on the screen out as a file for Open Roberta; or what to ask first, where Open Roberta
+ * does not know all of it.
+ */
+export async function saveForOpenRoberta(session: Session, name: string) {
+  const { saveOpenRobertaFile, SaveDialog } = await import('#lib/open-roberta/later.ts')
+  const outgoing = saveOpenRobertaFile({ ...session.project, name }, session.robotId)
+  return outgoing && { SaveDialog, outgoing }
 }
 
 /** Another tab has saved this project: what stands here becomes one of its own, and goes on undisturbed. */
