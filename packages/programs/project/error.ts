@@ -11,15 +11,25 @@ type SceneReason = 'sceneNotJson' | 'notAScene' | 'isAProject' | 'tooManyThings'
 type OpenRobertaReason =
   'notXml' | 'unsafeXml' | 'notOpenRoberta' | 'otherRobot' | 'tooManyBlocks' | 'tooDeep'
 
+/** The limit that is passed, and in which block, where it is one. `most`: bytes, levels, letters or entries. */
+export interface Limit {
+  readonly kind: 'size' | 'depth' | 'text' | 'name' | 'count'
+  readonly most: number
+  readonly block?: string
+}
+
 /** The only error that `parseProject`, `parseScene` and `readOpenRoberta` throw. `message` is for people who build and for the command line. */
 export class ProjectError extends Error {
   override readonly name = 'ProjectError'
   readonly reason: ProjectReason
   readonly facts: Facts
+  /** Where it is too much rather than no project. */
+  readonly limit: Limit | undefined
 
-  constructor(reason: ProjectReason, message: string, facts: Facts = {}) {
+  constructor(reason: ProjectReason, message: string, facts: Facts = {}, limit?: Limit) {
     super(message)
     this.reason = reason
     this.facts = facts
+    this.limit = limit
   }
 }

@@ -1,40 +1,51 @@
 import { ProjectError } from './error.ts'
 
 /** product.md 8 */
-const mostBytes = 5_000_000
+export const mostBytes = 5_000_000
 /** Levels of brackets in the file; a block inside a block takes two or three. */
-const deepest = 600
+export const deepest = 600
 /** Objects, lists and simple values together. */
-const mostParts = 1_000_000
+export const mostParts = 1_000_000
 export const longestText = 20_000
+/** Ids of blocks. */
 export const longestId = 200
+/** Names used as keys: some are ids with more behind them, such as a hidden neuron's `block#k`. */
+export const longestKey = 220
 
 /** Names that reach into every object where they are used as a key. */
 const reserved = new Set(['__proto__', 'constructor', 'prototype'])
 export const isReserved = (name: string) => reserved.has(name)
 
 export function refuseBigText(text: string): void {
-  const tooBig = text.length > mostBytes || new TextEncoder().encode(text).length > mostBytes
-  if (tooBig) throw new ProjectError('tooBig', 'A project has at most 5 MB.')
+  if (text.length > mostBytes || bytesIn(text) > mostBytes) throw tooBig()
 }
 
-/** Looks through foreign data without recursion: size, depth, and keys that must not be. */
-export function refuseOversize(root: unknown): void {
+export const bytesIn = (text: string): number => new TextEncoder().encode(text).length
+
+export const tooBig = () =>
+  new ProjectError('tooBig', 'A project has at most 5 MB.', {}, { kind: 'size', most: mostBytes })
+
+/** Looks through foreign data without recursion: size, depth, and keys that must not be. Returns how many parts it has. */
+export function refuseOversize(root: unknown): number {
   const stack: { readonly value: unknown; readonly depth: number }[] = [{ value: root, depth: 0 }]
   let parts = 0
   let bytes = 0
   for (let top = stack.pop(); top; top = stack.pop()) {
     const { value, depth } = top
     bytes += typeof value === 'string' ? value.length : 0
-    if (++parts > mostParts || bytes > mostBytes) throw new ProjectError('tooBig', 'The project is too big.')
+    if (++parts > mostParts || bytes > mostBytes) throw tooBig()
     if (typeof value !== 'object' || value === null) continue
-    if (depth >= deepest) throw new ProjectError('notAProject', 'The project is nested too deeply.')
+    if (depth >= deepest) throw tooDeep()
     for (const [name, child] of Object.entries(value)) {
       refuseKey(name)
       stack.push({ value: child, depth: depth + 1 })
     }
   }
+  return parts
 }
+
+const tooDeep = () =>
+  new ProjectError('notAProject', 'The project is nested too deeply.', {}, { kind: 'depth', most: deepest })
 
 function refuseKey(name: string): void {
   if (isReserved(name)) throw new ProjectError('notAProject', `A key must not be called "${name}".`)

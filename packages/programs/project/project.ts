@@ -1,7 +1,9 @@
 import * as v from 'valibot'
 import type { Project } from '../types.ts'
 import { ProjectError } from './error.ts'
+import { issueError } from './issue.ts'
 import { refuseBigText, refuseOversize } from './limits.ts'
+import { knowPictures } from './refusal.ts'
 import { projectSchema } from './schema.ts'
 
 const newest = 1
@@ -16,7 +18,8 @@ export function parseProject(source: unknown): Project {
   refuseOversize(data)
   refuseNewer(data)
   const result = v.safeParse(projectSchema, data, { abortEarly: true })
-  if (!result.success) throw new ProjectError('notAProject', describe(result.issues[0]))
+  if (!result.success) throw issueError(result.issues[0], data)
+  knowPictures(result.output)
   return result.output
 }
 
@@ -34,9 +37,4 @@ function refuseNewer(data: unknown): void {
   if (typeof version !== 'number' || !(version > newest)) return
   const message = `The project has version ${version}; this Botgarten reads up to ${newest}.`
   throw new ProjectError('newerVersion', message, { version })
-}
-
-function describe(issue: v.BaseIssue<unknown>): string {
-  const path = issue.path?.map(({ key }) => String(key)).join('.') ?? ''
-  return path === '' ? issue.message : `${path}: ${issue.message}`
 }

@@ -1,7 +1,7 @@
 import * as v from 'valibot'
 import type { Block, Mutation } from '@botgarten/blocks'
 import type { Program, Stack } from '../types.ts'
-import { isReserved, longestId, longestText } from './limits.ts'
+import { isReserved, longestId, longestKey, longestText } from './limits.ts'
 
 export const textSchema = v.pipe(v.string(), v.maxLength(longestText))
 /** Data of a block may be a whole network. */
@@ -11,10 +11,10 @@ export const finite = v.pipe(v.number(), v.finite())
 /** Names that are used as keys. */
 export const idSchema = v.pipe(
   v.string(),
-  v.maxLength(longestId),
+  v.maxLength(longestKey),
   v.check((id) => !isReserved(id), 'This name is reserved.'),
 )
-const filledId = v.pipe(idSchema, v.minLength(1))
+const filledId = v.pipe(idSchema, v.minLength(1), v.maxLength(longestId))
 
 export const recordOf = <T extends v.GenericSchema>(schema: T) => v.record(idSchema, schema)
 

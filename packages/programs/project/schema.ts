@@ -16,12 +16,18 @@ export const brainSchema: v.GenericSchema<Brain> = v.object({
 })
 
 const whole = v.pipe(v.number(), v.integer(), v.minValue(0), v.maxValue(1_000_000))
-const shortText = v.pipe(v.string(), v.maxLength(2000))
 const station = v.pipe(v.number(), v.integer(), v.minValue(0), v.maxValue(9999))
 const learnedRun = v.object({
-  ...{ map: shortText, start: station, goal: station, closed: shortText, way: shortText, guess: shortText },
-  pay: v.exactOptional(shortText),
-  ...{ alpha: finite, gamma: finite, nu: finite, rho: finite, rules: shortText, seed: whole },
+  ...{
+    map: textSchema,
+    start: station,
+    goal: station,
+    closed: textSchema,
+    way: textSchema,
+    guess: textSchema,
+  },
+  pay: v.exactOptional(textSchema),
+  ...{ alpha: finite, gamma: finite, nu: finite, rho: finite, rules: textSchema, seed: whole },
   ...{
     episodes: whole,
     moves: whole,
@@ -32,7 +38,7 @@ const learnedRun = v.object({
   },
 })
 const learned: v.GenericSchema<Learned> = v.object({
-  ...{ seed: whole, moves: whole, key: shortText },
+  ...{ seed: whole, moves: whole, key: textSchema },
   noted: v.boolean(),
   runs: v.pipe(v.array(learnedRun), v.maxLength(1000)),
 })
