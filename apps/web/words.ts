@@ -24,7 +24,7 @@ const late = [
 
 /** What goes wrong with the blocks of a pack, with files, and while a world is built. */
 const lateProblems =
-  /^problem\.(link\w+|nothingToTake|homeTooBig|notJson|tooBig|notAProject|newerVersion|notKept|notXml|unsafeXml|notOpenRoberta|otherRobot|tooManyBlocks|tooManyThings|tooDeep|tooManyNeurons|tooManyInLayer|noSuchStation|startIsGoal|emptyObstacle|groupsFromTo|fewReadings|noGroupsYet|noSuchGroup|picture\w+|sceneNotJson|notAScene|isAProject)\./
+  /^problem\.(link\w+|nothingToTake|homeTooBig|notJson|tooBig|notAProject|newerVersion|notKept|damaged|tooMuch|notXml|unsafeXml|notOpenRoberta|otherRobot|tooManyBlocks|tooManyThings|tooDeep|tooManyNeurons|tooManyInLayer|noSuchStation|startIsGoal|emptyObstacle|groupsFromTo|fewReadings|noGroupsYet|noSuchGroup|picture\w+|sceneNotJson|notAScene|isAProject)\./
 
 /** Words of blocks that come in a pack have its names; what their lists offer comes with them. */
 const ofPacks =
@@ -41,7 +41,7 @@ const ofComfort = /^comfort\.(projector|quiet|letters|aloud)/
 
 /** What stands on a card, in the menus and in what the lab says when something has gone wrong or well. */
 const ofDialogs =
-  /^lab\.(need|conflict|gone|keepCopy|loadNewer|fullT|refused|success|rays|trail|onPaper|openFile|saveFile|saveOpenRoberta|cardNumber|youNeed|minutes|pairs|fromGrade|firstDrive|mission|further|showBlock)/
+  /^lab\.(need|conflict|gone|keepCopy|loadNewer|fullT|refused|outdated|blocked|tooMuch|showBlock|saveRaw|success|rays|trail|onPaper|openFile|saveFile|saveOpenRoberta|cardNumber|youNeed|minutes|pairs|fromGrade|firstDrive|mission|further)/
 
 /** Home says it when it has found a new version: its words come then. */
 const ofVersion = /^offline\.newVersion/

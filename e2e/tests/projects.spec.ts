@@ -119,17 +119,16 @@ for (const language of languagesOf(import.meta.filename)) {
       await shelf.seesNames('Due')
     })
 
-    test('the bin forgets after 30 days and not before', async ({ child, page }) => {
+    test('a clock that jumps a month ahead takes one day from the bin, not all of it', async ({
+      child,
+      page,
+    }) => {
       const shelf = await keeps(child, 'Uno')
       await shelf.chooses('Uno', 'throw')
       await shelf.hears('projects.thrown', { name: 'Uno' })
-      const day = 86_400_000
-      await page.clock.install({ time: Date.now() + 29 * day })
+      await page.clock.install({ time: Date.now() + 31 * 86_400_000 })
       await shelf.goesToBin()
-      await expect(shelf.inBin('Uno')).toContainText(child.word('projects.lastDay'))
-      await page.clock.setFixedTime(Date.now() + 31 * day)
-      await shelf.goesToBin()
-      await expect(child.words('projects.binEmpty')).toBeVisible()
+      await expect(shelf.inBin('Uno')).toContainText(child.word('projects.days', { days: 29 }))
     })
 
     test('a card whose project lies in the bin begins anew, and neither overwrites the other', async ({

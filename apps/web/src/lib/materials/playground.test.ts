@@ -1,18 +1,23 @@
-import { beforeEach, expect, test, vi } from 'vitest'
-import { freshDevice, keptKeys, load, save } from '#lib/storage/projects-for-tests.ts'
+import { beforeEach, expect, test } from 'vitest'
+import { database } from '#lib/storage/database.ts'
+import { load, save } from '#lib/storage/projects.ts'
+import { deviceThatKeepsNothing, freshDevice, keysIn } from '#lib/storage/testing/device.ts'
 import { language } from '#lib/words/language.svelte.ts'
 import { layOut } from './playground.ts'
 import { programOf } from './programs.ts'
 
-vi.mock('#lib/storage/projects.ts', () => import('#lib/storage/projects-for-tests.ts'))
 beforeEach(() => freshDevice())
 
+async function keptKeys() {
+  await database()
+  return keysIn('projects')
+}
 const programsIn = async (id: string) => (await load(id))?.project.programs
 const programsOf = async (file: string) => (await programOf('friendship', file)).program.programs
 
 test('a solution is kept for its slide, beside what a child keeps of the card', async () => {
   expect(await layOut('friendship', 'solution')).toEqual({ id: 'slide-friendship-solution', asStart: false })
-  expect(keptKeys()).toEqual(['slide-friendship-solution'])
+  expect(await keptKeys()).toEqual(['slide-friendship-solution'])
   expect(await programsIn('slide-friendship-solution')).toEqual(await programsOf('solution'))
 })
 
@@ -27,20 +32,24 @@ test.each([
 
 test('nothing is kept for a start program that nobody has touched', async () => {
   expect(await layOut('friendship', 'start')).toEqual({ id: 'slide-friendship-start', asStart: false })
-  expect(keptKeys()).toEqual([])
+  expect(await keptKeys()).toEqual([])
 })
 
 test.each(['start', 'solution'])('what the last class did with the %s is taken back', async (file) => {
   const { id } = await layOut('friendship', 'solution')
   const touched = (await load(id))!.project
   const place = `slide-friendship-${file}`
-  await save(place, { ...touched, programs: {} }, (await load(place))?.revision ?? 0)
+  await save(
+    place,
+    { ...touched, programs: { main: { stacks: [], config: { stacks: [] } } } },
+    (await load(place))?.revision ?? 0,
+  )
   await layOut('friendship', file)
   expect(await programsIn(place)).toEqual(await programsOf(file))
 })
 
 test('where nothing can be kept, the card stands there with its start program, and that is told', async () => {
-  freshDevice({ keepsNothing: true })
+  await deviceThatKeepsNothing()
   expect((await layOut('friendship', 'solution')).asStart).toBe(true)
   expect((await layOut('friendship', 'start')).asStart).toBe(false)
 })

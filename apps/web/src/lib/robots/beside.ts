@@ -1,8 +1,8 @@
 import type { Document } from '@botgarten/lab'
 import { weightsOf, withWeights, type Brain, type Weights } from '@botgarten/learning/neural-network'
 import type { Beside } from '@botgarten/materials'
-import { networks, parseProject } from '@botgarten/programs'
-import { load } from '#lib/storage/projects.ts'
+import { networks, type Project } from '@botgarten/programs'
+import { open } from '#lib/storage/projects.ts'
 import { withRobot } from './crew.ts'
 
 type OfNetworks = { readonly [network: string]: Weights }
@@ -27,20 +27,15 @@ export function withBeside(
 
 /** What the child has found for that card on this device, else what solves it. */
 export async function weightsFor({ card, weights }: Beside): Promise<OfNetworks> {
-  const kept = await load(card)
+  const kept = await open(card)
   const own = kept && ownWeights(kept.project, Object.keys(weights))
   return own ?? weights
 }
 
-function ownWeights(project: unknown, ids: readonly string[]): OfNetworks | null {
-  try {
-    const { brains, world } = parseProject(project)
-    const set = world.robots[0]?.brain ?? ''
-    const own = ids.map((id) => [id, brains[id] ? weightsOf(brains[id], set) : {}] as const)
-    return own.some(([, weights]) => isSet(weights)) ? Object.fromEntries(own) : null
-  } catch {
-    return null
-  }
+function ownWeights({ brains, world }: Project, ids: readonly string[]): OfNetworks | null {
+  const set = world.robots[0]?.brain ?? ''
+  const own = ids.map((id) => [id, brains[id] ? weightsOf(brains[id], set) : {}] as const)
+  return own.some(([, weights]) => isSet(weights)) ? Object.fromEntries(own) : null
 }
 
 const isSet = (weights: Weights) => Object.values(weights).some((row) => Object.values(row).some(Boolean))

@@ -2,6 +2,7 @@ import { untrack } from 'svelte'
 import type { Facts, Finding } from '@botgarten/blocks'
 import type { StepKind } from '@botgarten/lab'
 import { told } from '#lib/editor/told.ts'
+import { saveRaw } from '#lib/storage/handout.ts'
 import { readSetting, writeSetting } from '#lib/storage/settings.ts'
 import { isTyping, undoKey } from './keys.ts'
 import type { Session } from './session.svelte.ts'
@@ -15,6 +16,8 @@ export interface Message {
   readonly title: string
   readonly text: string
   readonly facts: Facts
+  /** Saves as a file what could not be read. */
+  readonly onsaveraw?: () => void
 }
 
 interface Settings {
@@ -40,7 +43,12 @@ export class Desk {
     this.#session = session
     const { trouble } = session.opened
     if (trouble === 'floorMissing') this.notice = trouble
-    if (trouble === 'brokenHere') this.say('session.brokenHere', 'session.brokenHereText')
+    const { damaged } = session.opened
+    if (damaged)
+      this.message = {
+        ...{ title: `session.${trouble}`, text: `session.${trouble}Text`, facts: {} },
+        onsaveraw: () => saveRaw(damaged.name, damaged.raw),
+      }
   }
 
   get shown() {

@@ -4,7 +4,7 @@ import { bringFor, bringLearning } from '#lib/editor/packs.ts'
 import { keepsAnything } from '#lib/storage/database.ts'
 import { freshId, load } from '#lib/storage/projects.ts'
 import { cardProject } from '@botgarten/materials'
-import type { Project } from '@botgarten/programs'
+import { parseProject, salvageProject, type Project } from '@botgarten/programs'
 import { pictureIn } from '#lib/floor/pictures.ts'
 import { paintFloor, type Floor, type World } from '@botgarten/simulation'
 
@@ -20,7 +20,9 @@ export interface Opened {
   /** Does its program hold more than the plain shelf? */
   readonly expert: boolean
   /** Message keys of what went wrong on the way; the lab stands all the same. */
-  readonly trouble: 'brokenHere' | 'floorMissing' | null
+  readonly trouble: 'brokenHere' | 'partlyHere' | 'floorMissing' | null
+  /** What lies on the device and could not be read whole. */
+  readonly damaged: { readonly name: string; readonly raw: unknown } | null
   /** Does this device keep anything at all? */
   readonly keeps: boolean
 }
@@ -30,7 +32,7 @@ export async function openLab(name: string, projectId: string | null): Promise<O
   const card = name === 'free' ? null : await loadCard(name)
   if (name !== 'free' && !card) return null
   const fresh = card ? cardProject(card.world, card.card, card.start, card.card.id) : await loadFreeLab()
-  const kept = await readKept(projectId ?? name)
+  const kept = await readKept(projectId ?? name, name, fresh)
   const project = kept.project ?? fresh
   const [floor, expert] = await Promise.all([
     floorOf(project),
@@ -45,22 +47,32 @@ export async function openLab(name: string, projectId: string | null): Promise<O
     floor: floor ?? paintFloor({ ...project.world, floor: { colour: '#FFFFFF' } }),
     floorAddress: pictureOf(project),
     expert,
-    trouble: kept.broken ? 'brokenHere' : floor ? null : 'floorMissing',
+    trouble: kept.trouble ?? (floor ? null : 'floorMissing'),
+    damaged: kept.damaged,
     keeps: kept.revision > 0 || (await keepsAnything()),
   }
 }
 
-/** A kept project is read as carefully as a stranger's file; a broken one stays where it is. */
-async function readKept(id: string) {
+/**
+ * A kept project is read as carefully as a stranger's file. One that is damaged or too much stays where it is, and what of
+ * it can be opened becomes a project of its own.
+ */
+async function readKept(id: string, place: string, fresh: Project) {
   const kept = await load(id)
-  if (!kept) return { id, revision: 0, project: null, broken: false }
-  // A first visit has nothing to read.
-  const { parseProject } = await import('../storage/reading/later.ts')
+  if (!kept) return { id, revision: 0, project: null, trouble: null, damaged: null }
   try {
-    return { id, revision: kept.revision, project: parseProject(kept.project), broken: false }
+    const project = parseProject(kept.project)
+    return { id, revision: kept.revision, project, trouble: null, damaged: null }
   } catch (cause) {
     console.warn('A kept project cannot be read.', cause)
-    return { id: freshId(id), revision: 0, project: null, broken: true }
+    const project = salvageProject(kept.project, fresh)?.project ?? null
+    const name = project?.name || id
+    return {
+      ...{ id: freshId(place), revision: 0 },
+      project: project && { ...project, name },
+      trouble: project ? ('partlyHere' as const) : ('brokenHere' as const),
+      damaged: { name, raw: kept.project },
+    }
   }
 }
 

@@ -1,100 +1,131 @@
 import { announce } from './channel.ts'
-import { database, troubleOf, type Kept, type Thrown, type Trouble } from './database.ts'
-import { firstRevision, freshId } from './projects.ts'
+import { troubleOf, writing, type Thrown, type Trouble, type Writing } from './database.ts'
+import { daysOfUse } from './days.ts'
+import { freshId } from './projects.ts'
+import {
+  deleteProject,
+  firstRevision,
+  getProject,
+  momentOf,
+  putProject,
+  readRecords,
+  savedRevision,
+  type Damaged,
+} from './records.ts'
 
-const DAYS_KEPT = 30
-const DAY = 86_400_000
+/** So many days of use something lies in the bin. */
+export const DAYS_KEPT = 30
 
-/** Whole days until something in the bin is forgotten, 1 on its last one. */
-export const daysLeft = (thrown: number, now: number): number =>
-  Math.min(DAYS_KEPT, Math.max(1, Math.ceil((thrown + DAYS_KEPT * DAY - now) / DAY)))
+/** Something in the bin, and how many days of use are left until it is forgotten: 1 on its last one. */
+export interface Binned extends Pick<Thrown, 'id' | 'was' | 'project' | 'changed' | 'thrown'> {
+  readonly left: number
+}
 
-/** How long something has lain in the bin: at most as long as it is kept there. */
-export const ageInBin = (thrown: number, now: number): number =>
-  Math.min(DAYS_KEPT * DAY, Math.max(0, now - thrown))
+/** What lies in the bin, the last thrown first, and what of it cannot be read. */
+export interface Bin {
+  readonly thrown: readonly Binned[]
+  readonly damaged: readonly Damaged[]
+}
 
-export const isOver = (thrown: number, now: number): boolean => now - thrown >= DAYS_KEPT * DAY
+/** Something that comes into the bin from elsewhere, where it was for so many days of use. */
+export interface ToBin extends Omit<Binned, 'id' | 'left'> {
+  readonly daysIn: number
+}
 
 /** `gone`: another tab has moved it already. */
 type Moved = { readonly kind: 'moved'; readonly id: string } | { readonly kind: 'gone' | Trouble }
 
-const stores = ['projects', 'bin'] as const
-
-/** Puts a project into the bin, as whoever saved last has left it. Both happen, or neither. */
+/** Puts a project into the bin, as whoever saved last has left it, damaged or not. Both happen, or neither. */
 export async function throwAway(id: string): Promise<Moved> {
-  try {
-    const transaction = (await database()).transaction(stores, 'readwrite', { durability: 'strict' })
-    const found = await transaction.objectStore('projects').get(id)
+  const moved = await tried(async (transaction) => {
+    const found = await getProject(transaction, id)
     if (!found) return { kind: 'gone' }
-    const thrown: Thrown = { ...found, id: freshId('bin'), was: id, thrown: Date.now() }
+    const now = Date.now()
+    const day = await daysOfUse(transaction, now)
+    const thrown: Thrown = { ...found, id: freshId('bin'), was: id, thrown: now, day }
     await transaction.objectStore('bin').put(thrown)
-    await transaction.objectStore('projects').delete(id)
-    await transaction.done
-    announce({ kind: 'gone', id })
+    await deleteProject(transaction, id)
     return { kind: 'moved', id: thrown.id }
-  } catch (cause) {
-    return { kind: troubleOf(cause) }
-  }
+  })
+  if (moved.kind === 'moved') announce({ kind: 'gone', id })
+  return moved
 }
 
 /** Takes a project out of the bin. It gets its old key, or a new one where something else has that now. */
 export async function takeBack(id: string): Promise<Moved> {
-  try {
-    const transaction = (await database()).transaction(stores, 'readwrite', { durability: 'strict' })
+  const revision = firstRevision()
+  const moved = await tried(async (transaction) => {
     const found = await transaction.objectStore('bin').get(id)
     if (!found) return { kind: 'gone' }
-    const { was, thrown: _thrown, ...kept } = found
-    const taken = await transaction.objectStore('projects').getKey(was)
-    const back: Kept = {
-      ...kept,
-      id: taken === undefined ? was : freshId(was.replace(/-[^-]*$/, '')),
-      revision: firstRevision(),
-    }
-    await transaction.objectStore('projects').put(back)
+    const was = typeof found.was === 'string' && found.was !== '' ? found.was : 'free'
+    const free = (await savedRevision(transaction, was)) === null
+    const back = free ? was : freshId(was.replace(/-[^-]*$/, ''))
+    const { project, changed } = found
+    await putProject(transaction, { id: back, project, changed: momentOf(changed), revision })
     await transaction.objectStore('bin').delete(id)
-    await transaction.done
-    announce({ kind: 'saved', id: back.id, revision: back.revision })
-    return { kind: 'moved', id: back.id }
+    return { kind: 'moved', id: back }
+  })
+  if (moved.kind === 'moved') announce({ kind: 'saved', id: moved.id, revision })
+  return moved
+}
+
+async function tried(act: (transaction: Writing) => Promise<Moved>): Promise<Moved> {
+  try {
+    return await writing(act)
   } catch (cause) {
     return { kind: troubleOf(cause) }
   }
 }
 
-/** What lies in the bin, the last thrown first. What has lain there for 30 days is forgotten on the way. */
-export async function listBin(): Promise<readonly Thrown[]> {
+/** What lies in the bin. What has lain there for 30 days of use is forgotten on the way. */
+export async function listBin(): Promise<Bin> {
   try {
-    const transaction = (await database()).transaction('bin', 'readwrite')
-    const all = await transaction.store.getAll()
-    const now = Date.now()
-    const over = all.filter(({ thrown }) => isOver(thrown, now))
-    await Promise.all(over.map(({ id }) => transaction.store.delete(id)))
-    await transaction.done
-    return all.filter((one) => !over.includes(one)).sort((a, b) => b.thrown - a.thrown)
+    const all = await writing(async (transaction) => {
+      const today = await daysOfUse(transaction, Date.now())
+      const kept: (Thrown & { readonly left: number })[] = []
+      for (const record of await transaction.objectStore('bin').getAll()) {
+        const left = DAYS_KEPT - (today - (await dayThrown(transaction, record, today)))
+        if (left > 0) kept.push({ ...record, thrown: momentOf(record.thrown), left })
+        else await transaction.objectStore('bin').delete(record.id)
+      }
+      return kept
+    })
+    const { read, damaged } = readRecords(all.sort((a, b) => b.thrown - a.thrown))
+    return { thrown: read, damaged }
   } catch (cause) {
     console.warn('The bin cannot be read on this device.', cause)
-    return []
+    return { thrown: [], damaged: [] }
   }
 }
 
+/** The day of use on which something came into the bin: today, where that was not counted or cannot be. */
+async function dayThrown(transaction: Writing, record: Thrown, today: number): Promise<number> {
+  const { day } = record
+  if (day !== undefined && Number.isSafeInteger(day) && day <= today) return day
+  await transaction.objectStore('bin').put({ ...record, day: today })
+  return today
+}
+
 /** Puts projects into the bin that come from elsewhere. All of them, or none. */
-export async function addToBin(all: readonly Omit<Thrown, 'id' | 'revision'>[]): Promise<Trouble | null> {
-  try {
-    const transaction = (await database()).transaction('bin', 'readwrite', { durability: 'strict' })
+export async function addToBin(all: readonly ToBin[]): Promise<Trouble | null> {
+  return troubleIn(async (transaction) => {
     const revision = firstRevision()
-    await Promise.all(all.map((one) => transaction.store.add({ ...one, id: freshId('bin'), revision })))
-    await transaction.done
-    return null
-  } catch (cause) {
-    return troubleOf(cause)
-  }
+    const today = await daysOfUse(transaction, Date.now())
+    for (const { daysIn, ...one } of all)
+      await transaction.objectStore('bin').add({ ...one, id: freshId('bin'), revision, day: today - daysIn })
+  })
 }
 
 /** Forgets these for good: what the child has seen in the bin, and nothing that another tab has put there since. */
 export async function emptyBin(ids: readonly string[]): Promise<Trouble | null> {
+  return troubleIn(async (transaction) => {
+    await Promise.all(ids.map((id) => transaction.objectStore('bin').delete(id)))
+  })
+}
+
+async function troubleIn(act: (transaction: Writing) => Promise<void>): Promise<Trouble | null> {
   try {
-    const transaction = (await database()).transaction('bin', 'readwrite', { durability: 'strict' })
-    await Promise.all(ids.map((id) => transaction.store.delete(id)))
-    await transaction.done
+    await writing(act)
     return null
   } catch (cause) {
     return troubleOf(cause)

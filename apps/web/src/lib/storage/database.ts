@@ -1,5 +1,5 @@
 import type { Project } from '@botgarten/programs'
-import { openDB, type DBSchema, type IDBPDatabase } from 'idb'
+import { openDB, type DBSchema, type IDBPDatabase, type IDBPTransaction } from 'idb'
 
 /** A project on this device. `revision` grows with every save, so that two tabs notice each other. */
 export interface Kept {
@@ -19,20 +19,60 @@ export interface Thrown {
   readonly revision: number
   /** When it was thrown away, in milliseconds since 1970. */
   readonly thrown: number
+  /** On which day of use that was (days.ts). Versions 1 and 2 did not count them. */
+  readonly day?: number
+}
+
+/**
+ * A record of the store `projects`. Pictures and revision have records of their own, so that a save writes neither 5 MB nor
+ * reads them. `pictures`: hashes of its pictures; what versions 1 and 2 have written has none, and holds both itself.
+ */
+export interface ProjectRecord {
+  readonly id: string
+  readonly project: Project
+  readonly changed: number
+  readonly pictures?: readonly string[]
+  readonly revision?: number
+}
+
+interface PictureRecord {
+  readonly project: string
+  readonly hash: string
+  readonly asset: Project['assets'][string]
 }
 
 interface Schema extends DBSchema {
-  projects: { key: string; value: Kept }
+  projects: { key: string; value: ProjectRecord }
   bin: { key: string; value: Thrown }
+  revisions: { key: string; value: { readonly id: string; readonly revision: number } }
+  pictures: { key: [project: string, hash: string]; value: PictureRecord }
+  days: { key: string; value: { readonly id: string; readonly count: number; readonly last: string } }
 }
 
 type Opened = IDBPDatabase<Schema>
+type Store = 'projects' | 'bin' | 'revisions' | 'pictures' | 'days'
+const allStores = ['projects', 'bin', 'revisions', 'pictures', 'days'] as const
+export type Writing = IDBPTransaction<Schema, Store[], 'readwrite'>
+export type Reading = IDBPTransaction<Schema, Store[], 'readonly'>
 
 /** One step a version: the first makes version 1 of nothing. What was shipped stays as it is. */
 const migrations: readonly ((db: Opened) => void)[] = [
   (db) => void db.createObjectStore('projects', { keyPath: 'id' }),
   (db) => void db.createObjectStore('bin', { keyPath: 'id' }),
+  // Records of `projects` are split one by one, when they are opened.
+  (db) => {
+    db.createObjectStore('revisions', { keyPath: 'id' })
+    db.createObjectStore('pictures', { keyPath: ['project', 'hash'] })
+    db.createObjectStore('days', { keyPath: 'id' })
+  },
 ]
+
+/** So long another tab may hold on to an older database before this one says so, in milliseconds. */
+const PATIENCE = 3000
+
+class BlockedError extends Error {
+  override readonly name = 'BlockedError'
+}
 
 let opened: Promise<Opened> | undefined
 
@@ -40,8 +80,19 @@ const forget = () => (opened = undefined)
 
 /** The database of this device. Rejects where the browser refuses; what is refused once may be allowed the next time. */
 export function database(): Promise<Opened> {
-  opened ??= openDB<Schema>('botgarten', migrations.length, {
+  opened ??= open()
+  opened.catch(forget)
+  return opened
+}
+
+async function open(): Promise<Opened> {
+  let giveUp: (error: Error) => void = () => {}
+  const blocked = new Promise<never>((_, reject) => (giveUp = reject))
+  const wait = () =>
+    void setTimeout(() => giveUp(new BlockedError('An older tab holds the database.')), PATIENCE)
+  const asked = openDB<Schema>('botgarten', migrations.length, {
     upgrade: (db, from) => migrations.slice(from).forEach((migrate) => migrate(db)),
+    blocked: wait,
     // A tab with a newer version waits: this one lets go, and asks anew with its next save.
     blocking: (_now, _wanted, event) => {
       ;(event.target as IDBDatabase).close()
@@ -49,8 +100,32 @@ export function database(): Promise<Opened> {
     },
     terminated: forget,
   })
-  opened.catch(forget)
-  return opened
+  return Promise.race([asked, blocked])
+}
+
+/** Writes all of it, so that it survives a device that is switched off, or nothing. */
+export async function writing<Result>(act: (transaction: Writing) => Promise<Result>): Promise<Result> {
+  const transaction = (await database()).transaction([...allStores], 'readwrite', { durability: 'strict' })
+  // Whatever stops it stops `act`, or is awaited below.
+  transaction.done.catch(() => {})
+  try {
+    const result = await act(transaction)
+    await transaction.done
+    return result
+  } catch (cause) {
+    try {
+      transaction.abort()
+    } catch {
+      // It has ended by itself.
+    }
+    throw cause
+  }
+}
+
+/** Reads all stores as they are at one moment. */
+export async function reading<Result>(act: (transaction: Reading) => Promise<Result>): Promise<Result> {
+  const transaction = (await database()).transaction([...allStores])
+  return act(transaction)
 }
 
 /** Does this browser keep anything at all? */
@@ -63,11 +138,20 @@ export async function keepsAnything(): Promise<boolean> {
   }
 }
 
-/** `full`: no room left · `refused`: the device keeps nothing. */
-export type Trouble = 'full' | 'refused'
+/**
+ * `full`: no room left · `refused`: the device keeps nothing · `outdated`: a newer Botgarten has been here, this page is to
+ * be loaded again · `blocked`: a tab with an older one does not let go.
+ */
+export type Trouble = 'full' | 'refused' | 'outdated' | 'blocked'
+
+const troubles: { readonly [name: string]: Trouble } = {
+  QuotaExceededError: 'full',
+  VersionError: 'outdated',
+  BlockedError: 'blocked',
+}
 
 /** What kept a write from happening. */
 export function troubleOf(cause: unknown): Trouble {
   console.warn('This could not be kept on the device.', cause)
-  return cause instanceof DOMException && cause.name === 'QuotaExceededError' ? 'full' : 'refused'
+  return (cause instanceof Error && troubles[cause.name]) || 'refused'
 }

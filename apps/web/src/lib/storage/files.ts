@@ -8,10 +8,10 @@ import { troubleOf } from './database.ts'
 import { isOpenRoberta } from './endings.ts'
 import { handOut } from './handout.ts'
 import { addToBin, listBin } from './bin.ts'
-import { isHome, mostHomeBytes, readHome, writeHome } from './home-file.ts'
+import { isHome, mostHomeBytes, packHome, readHome } from './home-file.ts'
 import { deviceDrawer, follow, mergeSettings, settingsIn, type HomeSettings } from './home-settings.ts'
 import { mergeBin, mergeHome } from './merge.ts'
-import { add, freshId, list, save } from './projects.ts'
+import { add, freshId, listWhole, save } from './projects.ts'
 
 /** Why a file was not taken up, as the words `problem.<problem>.title` and `.text` with their facts. */
 interface Refusal {
@@ -71,12 +71,14 @@ function homeIn(text: string): unknown {
 
 async function takeHomeFile(data: unknown): Promise<OpenedFile> {
   const { projects, bin, settings, broken } = readHome(data)
-  const { added, copies, same } = mergeHome(await list(), projects, {
+  const here = await listWhole()
+  const unread = here.damaged.map(({ id }) => id)
+  const { added, copies, same } = mergeHome(here.projects, unread, projects, {
     fresh: freshId,
     copy: (project) => nameOfCopy(shownName({ project }), []),
     place: placeOf,
   })
-  const thrown = mergeBin(await listBin(), bin, Date.now())
+  const thrown = mergeBin((await listBin()).thrown, bin, Date.now())
   const trouble = (await add(added)) ?? (await addToBin(thrown))
   if (trouble) return { problem: 'notKept', facts: {} }
   const come = takeSettings(settings)
@@ -104,15 +106,26 @@ function takeSettings(settings: HomeSettings): Merged['settings'] | null {
 /** Puts a foreign project beside those that are here. */
 export async function keepProject(project: Project): Promise<OpenedFile> {
   const id = freshId(placeOf(project))
-  const { kind } = await save(id, project, 0)
-  return kind === 'saved' ? { id, project } : { problem: 'notKept', facts: {} }
+  const saved = await save(id, project, 0)
+  if (saved.kind === 'saved') return { id, project }
+  if (saved.kind === 'tooMuch') return { problem: 'tooMuch', facts: {} }
+  return { problem: 'notKept', facts: {} }
 }
 
-/** Hands everything that lies on this device out as one file. Returns whether there was anything. */
-export async function saveHomeFile(day = new Date()): Promise<boolean> {
-  const [all, bin, settings] = [await list(), await listBin(), settingsIn(deviceDrawer)]
-  if (all.length + bin.length === 0 && !settings.sorting) return false
-  const text = writeHome(all, bin, settings, day.getTime())
-  handOut(`${m['projects.homeFile']()} ${day.toISOString().slice(0, 10)}`, text)
-  return true
+/** A file to take home. */
+export interface HomeFile {
+  readonly name: string
+  readonly save: () => void
+}
+
+/** Everything that lies on this device as files: one, or as many as it takes. None where there is nothing. */
+export async function homeFiles(day = new Date()): Promise<readonly HomeFile[]> {
+  const [{ projects }, { thrown }, settings] = [await listWhole(), await listBin(), settingsIn(deviceDrawer)]
+  if (projects.length + thrown.length === 0 && !settings.sorting) return []
+  const texts = packHome(projects, thrown, settings)
+  const name = `${m['projects.homeFile']()} ${day.toISOString().slice(0, 10)}`
+  return texts.map((text, at) => {
+    const own = texts.length === 1 ? name : `${name} ${at + 1}-${texts.length}`
+    return { name: own, save: () => handOut(own, text) }
+  })
 }

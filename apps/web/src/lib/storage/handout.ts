@@ -1,4 +1,5 @@
 import type { Project } from '@botgarten/programs'
+import { rawText } from './raw.ts'
 
 const types = { json: 'application/json', xml: 'application/xml', csv: 'text/csv', zip: 'application/zip' }
 type Ending = 'botgarten.json' | 'brain.json' | keyof typeof types
@@ -10,6 +11,9 @@ const nameOfFile = (name: string) => name.replace(/[^\p{L}\p{N} _-]/gu, '').slic
  * without bringing along what reads.
  */
 export const saveProjectFile = (project: Project): void => handOut(project.name, JSON.stringify(project))
+
+/** Hands out what lies in a record that cannot be read, as it lies there. */
+export const saveRaw = (name: string, raw: unknown): void => handOut(name, rawText(raw), 'json')
 
 export function handOut(
   name: string,

@@ -1,31 +1,23 @@
-import { parseProject, ProjectError, type Project } from '@botgarten/programs'
+import { ProjectError, type Project } from '@botgarten/programs'
 import fc from 'fast-check'
-import { readFileSync } from 'node:fs'
 import { describe, expect, test } from 'vitest'
-import type { Kept, Thrown } from './database.ts'
-import { readHome, writeHome as write } from './home-file.ts'
+import type { Binned } from './bin.ts'
+import { packHome, readHome } from './home-file.ts'
 import { mergeBin, mergeHome } from './merge.ts'
+import type { Listed } from './projects.ts'
+import { fear, friendship } from './testing/sample.ts'
 
-const read = (path: string) =>
-  JSON.parse(readFileSync(new URL(`../../../../../content/${path}`, import.meta.url), 'utf8')) as object
-const card = (id: string, folder: string): Project =>
-  parseProject({
-    ...{ botgarten: 1, name: id, card: id, assets: {} },
-    ...read(`cards/network/${folder}/start.json`),
-    world: read(`worlds/${id}/world.json`),
-  })
-const friendship = card('friendship', '05-friendship')
-const fear = card('fear', '06-fear')
 const moved = (project: Project, hints: number): Project => ({ ...project, progress: { starts: [], hints } })
-const kept = (id: string, project: Project, changed = 1): Kept => ({ id, project, changed, revision: 7 })
+const kept = (id: string, project: Project, changed = 1): Listed => ({ id, project, changed })
 
 const day = 86_400_000
 const now = Date.UTC(2026, 10, 21)
-const writeHome = (all: readonly Kept[], bin: readonly Thrown[] = []) =>
-  write(all, bin, { sound: false }, now)
-const thrown = (was: string, project: Project, days: number): Thrown => ({
-  ...{ id: `bin-${was}`, was, project, changed: 1, revision: 7 },
-  thrown: now - days * day,
+const writeHome = (all: readonly Listed[], bin: readonly Binned[] = []) =>
+  packHome(all, bin, { sound: false })[0]!
+/** Something that has been in the bin for so many days of use. */
+const thrown = (was: string, project: Project, days: number): Binned => ({
+  ...{ id: `bin-${was}`, was, project, changed: 1 },
+  ...{ thrown: now - days * day, left: 30 - days },
 })
 
 let fresh = 0
@@ -34,13 +26,13 @@ const names = {
   copy: ({ name }: Project) => `${name} (copy)`,
   place: (project: Project) => project.card ?? 'free',
 }
-const merge = (here: readonly Kept[], file: string) =>
-  mergeHome(here, readHome(JSON.parse(file)).projects, names)
+const merge = (here: readonly Listed[], file: string, keys: readonly string[] = []) =>
+  mergeHome(here, keys, readHome(JSON.parse(file)).projects, names)
 
 test('what was taken home is there again on an empty device, under its keys', () => {
   const all = [kept('friendship', friendship), kept('fear-x1', fear, 99)]
   const { added, same, copies } = merge([], writeHome(all))
-  expect(added).toEqual(all.map(({ revision: _, ...one }) => one))
+  expect(added).toEqual(all)
   expect([same, copies]).toEqual([0, 0])
 })
 
@@ -61,8 +53,13 @@ test('another project of the same key is not overwritten: the one from the file 
 test('opening the same file once more adds nothing', () => {
   const here = [kept('friendship', friendship)]
   const file = writeHome([kept('friendship', moved(friendship, 3)), kept('fear', fear)])
-  const after = [...here, ...merge(here, file).added.map((one) => ({ ...one, revision: 1 }))]
+  const after = [...here, ...merge(here, file).added]
   expect(merge(after, file).added).toEqual([])
+})
+
+test('a key of a project that cannot be read is not taken either', () => {
+  const { added, copies } = merge([], writeHome([kept('friendship', friendship)]), ['friendship'])
+  expect([added[0]!.id.startsWith('friendship-fresh'), copies]).toEqual([true, 1])
 })
 
 test('a key that belongs to another card is not taken over', () => {
@@ -140,14 +137,14 @@ describe('the bin', () => {
   test('goes home too, with the settings, and its 30 days go on where they stopped', () => {
     const muchLater = now + 400 * day
     expect(mergeBin([], bin, muchLater)).toEqual([
-      { was: 'friendship', project: friendship, changed: 1, thrown: muchLater - 12 * day },
-      { was: 'fear', project: fear, changed: 1, thrown: muchLater },
+      { was: 'friendship', project: friendship, changed: 1, thrown: muchLater - 12 * day, daysIn: 12 },
+      { was: 'fear', project: fear, changed: 1, thrown: muchLater, daysIn: 0 },
     ])
     expect(settings).toEqual({ sound: false })
   })
 
   test('what lies in the bin here is not doubled, and the same file adds nothing twice', () => {
-    const here = mergeBin([], bin, now).map((one, i): Thrown => ({ ...one, id: `here-${i}`, revision: 1 }))
+    const here = mergeBin([], bin, now)
     expect(mergeBin(here, bin, now)).toEqual([])
     expect(mergeBin([], [...bin, ...bin], now)).toHaveLength(2)
     // Two versions of one project are two.
@@ -169,6 +166,56 @@ describe('the bin', () => {
 
   test('an age beyond all bounds is that of the last day', () => {
     const old = { ...bin[0]!, age: 8e15 }
-    expect(mergeBin([], [old], now)[0]!.thrown).toBe(now - 30 * day)
+    expect(mergeBin([], [old], now)[0]!.daysIn).toBe(29)
+  })
+})
+
+describe('more than one file may hold', () => {
+  const all = Array.from({ length: 7 }, (_, k) => kept(`friendship-${k}`, moved(friendship, k), k))
+  const bin = [thrown('a', fear, 3), thrown('b', moved(fear, 2), 29)]
+  const settings = { sound: false, tour: 'seen' }
+  const texts = (bytes: number, projects = 100) => packHome(all, bin, settings, { bytes, projects })
+
+  test('is one file to the last byte that fits', () => {
+    const [whole] = packHome(all, bin, settings)
+    const length = new TextEncoder().encode(whole).length
+    expect(texts(length)).toEqual([whole])
+    expect(texts(length - 1).length).toBe(2)
+  })
+
+  test('goes into several, none larger than it may be, that are the whole together in any order', () => {
+    for (const most of [5000, 8000, 12_000]) {
+      const files = texts(most)
+      expect(files.length).toBeGreaterThan(1)
+      for (const text of files) expect(new TextEncoder().encode(text).length).toBeLessThanOrEqual(most)
+      let here: readonly Listed[] = []
+      let binned: ReturnType<typeof mergeBin> = []
+      for (const text of files.toReversed()) {
+        const read = readHome(JSON.parse(text))
+        expect(read.broken).toBe(0)
+        here = [...here, ...mergeHome(here, [], read.projects, names).added]
+        binned = [...binned, ...mergeBin(binned, read.bin, now)]
+      }
+      expect(here.toSorted((a, b) => a.changed - b.changed)).toEqual(all)
+      expect(binned.map(({ was, daysIn }) => [was, daysIn]).toSorted()).toEqual([['a', 3], ['b', 29]]) // prettier-ignore
+    }
+  })
+
+  test('is parted by number too, and the settings are in the first', () => {
+    const files = texts(1e8, 3)
+    expect(files.map((text) => readHome(JSON.parse(text)).projects.length)).toEqual([3, 3, 1])
+    expect(files.map((text) => readHome(JSON.parse(text)).settings)).toEqual([settings, {}, {}])
+  })
+
+  test('2,000 projects are one file, one more are two', () => {
+    const many = (count: number) => Array.from({ length: count }, (_, k) => kept(`free-${k}`, fear))
+    expect(packHome(many(2000), [], {}).length).toBe(1)
+    expect(packHome(many(2001), [], {}).length).toBe(2)
+  })
+
+  test('a key that is longer than any reader takes comes back all the same', () => {
+    const [text] = packHome([kept('k'.repeat(400), friendship), kept('', fear)], [], {})
+    const { projects, broken } = readHome(JSON.parse(text!))
+    expect([broken, projects.map(({ project }) => project)]).toEqual([0, [friendship, fear]])
   })
 })

@@ -1,30 +1,24 @@
 import { parseProject, ProjectError, type Project } from '@botgarten/programs'
 import * as v from 'valibot'
-import { ageInBin } from './bin.ts'
-import type { Kept, Thrown } from './database.ts'
+import { DAYS_KEPT, type Binned } from './bin.ts'
+import type { Listed } from './projects.ts'
 import { readSettings, type HomeSettings } from './home-settings.ts'
 
-/** What "take home" writes: everything on the device, in one file. */
-interface HomeFile {
-  readonly botgartenHome: 2
-  readonly projects: readonly { readonly id: string; readonly changed: number; readonly project: Project }[]
-  /** `age`: milliseconds since it was thrown away, when the file was written. */
-  readonly bin: readonly Binned[]
-  readonly settings: HomeSettings
-}
-
 /** A project of the bin on its way: its 30 days go on where they stopped. */
-export interface Binned {
+export interface PackedBinned {
   readonly was: string
   readonly changed: number
+  /** For how long it was in the bin: as many milliseconds as its days of use have. */
   readonly age: number
   readonly project: Project
 }
 
+export const DAY = 86_400_000
+
 /** A home file that was read: what is whole, and how many of its projects are not. */
 export interface ReadHome {
-  readonly projects: readonly Omit<Kept, 'revision'>[]
-  readonly bin: readonly Binned[]
+  readonly projects: readonly Listed[]
+  readonly bin: readonly PackedBinned[]
   readonly settings: HomeSettings
   readonly broken: number
 }
@@ -34,7 +28,8 @@ const mostProjects = 2000
 /** Version 1 had projects only. */
 const newest = 2
 
-const key = v.pipe(v.string(), v.nonEmpty(), v.maxLength(300))
+const longestKey = 300
+const key = v.pipe(v.string(), v.nonEmpty(), v.maxLength(longestKey))
 const moment = v.pipe(v.number(), v.finite(), v.minValue(0), v.maxValue(8.64e15))
 const entry = v.object({ id: key, changed: moment, project: v.unknown() })
 const binned = v.object({ was: key, changed: moment, age: moment, project: v.unknown() })
@@ -44,24 +39,50 @@ const schema = v.variant('botgartenHome', [
   v.object({ botgartenHome: v.literal(newest), projects: some, bin: some, settings: v.unknown() }),
 ])
 
-/** One line of JSON with all of them. */
-export function writeHome(
-  kept: readonly Kept[],
-  thrown: readonly Thrown[],
-  settings: HomeSettings,
-  now: number,
-): string {
-  const file: HomeFile = {
-    botgartenHome: newest,
-    projects: kept.map(({ id, changed, project }) => ({ id, changed, project })),
-    bin: thrown.map(({ was, changed, project, thrown }) => ({
-      ...{ was, changed, project },
-      age: ageInBin(thrown, now),
-    })),
-    settings,
-  }
-  return JSON.stringify(file)
+interface Limits {
+  readonly bytes: number
+  readonly projects: number
 }
+
+/**
+ * Everything on the device as files that `readHome` takes back whole: one line of JSON each, and one file wherever one can
+ * hold it all. What is in several comes together again, in whatever order they are opened.
+ */
+export function packHome(
+  projects: readonly Listed[],
+  bin: readonly Pick<Binned, 'was' | 'changed' | 'project' | 'left'>[],
+  settings: HomeSettings,
+  most: Limits = { bytes: mostHomeBytes, projects: mostProjects },
+): readonly string[] {
+  const encoder = new TextEncoder()
+  const around = encoder.encode(fileOf([], [], settings)).length
+  const entries = [
+    ...projects.map(({ id, changed, project }) => ({
+      to: 0,
+      json: JSON.stringify({ id: keyOf(id), changed, project }),
+    })),
+    ...bin.map(({ was, changed, project, left }) => ({
+      to: 1,
+      json: JSON.stringify({ was: keyOf(was), changed, age: (DAYS_KEPT - left) * DAY, project }),
+    })),
+  ]
+  const files: [projects: string[], bin: string[]][] = [[[], []]]
+  let bytes = around
+  for (const { to, json } of entries) {
+    const comma = files.at(-1)![to]!.length > 0 ? 1 : 0
+    const more = encoder.encode(json).length + comma
+    const full = bytes + more > most.bytes || files.at(-1)![to]!.length >= most.projects
+    if (full) files.push([[], []])
+    bytes = (full ? around : bytes) + more
+    files.at(-1)![to]!.push(json)
+  }
+  return files.map(([projects, bin], at) => fileOf(projects, bin, at === 0 ? settings : {}))
+}
+
+const keyOf = (id: string) => id.slice(0, longestKey) || 'free'
+
+const fileOf = (projects: readonly string[], bin: readonly string[], settings: HomeSettings): string =>
+  `{"botgartenHome":${newest},"projects":[${projects.join()}],"bin":[${bin.join()}],"settings":${JSON.stringify(settings)}}`
 
 /** Does this data say of itself that it is a home file, of whatever version? */
 export const isHome = (data: unknown): data is { readonly botgartenHome: unknown } =>

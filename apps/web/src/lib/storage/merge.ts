@@ -1,12 +1,12 @@
 import { writeProject, type Project } from '@botgarten/programs'
-import { ageInBin } from './bin.ts'
-import type { Kept, Thrown } from './database.ts'
-import type { Binned, ReadHome } from './home-file.ts'
+import { DAYS_KEPT, type Binned, type ToBin } from './bin.ts'
+import { DAY, type PackedBinned, type ReadHome } from './home-file.ts'
+import type { Listed } from './projects.ts'
 
 /** What becomes of the projects of a home file on a device that has some already. */
 export interface Merge {
   /** To be written. None of their keys is one of this device. */
-  readonly added: readonly Omit<Kept, 'revision'>[]
+  readonly added: readonly Listed[]
   /** How many of the added ones stand beside another project of the same key. */
   readonly copies: number
   /** How many are here already, to the letter. */
@@ -18,16 +18,17 @@ const fingerprint = ({ name: _name, ...project }: Project) => writeProject({ nam
 /**
  * Lays projects beside those of this device. What is here stays as it is: a project that differs from the one under its
  * key gets a key and a name of its own.
- * @param place where the lab opens a project: its card, or `free`
+ * @param keys that are in use besides, by projects that cannot be read
  */
 export function mergeHome(
-  here: readonly Kept[],
+  here: readonly Listed[],
+  keys: readonly string[],
   file: ReadHome['projects'],
   name: { fresh(place: string): string; copy(project: Project): string; place(project: Project): string },
 ): Merge {
   const known = new Set(here.map(({ project }) => fingerprint(project)))
-  const taken = new Set(here.map(({ id }) => id))
-  const added: Omit<Kept, 'revision'>[] = []
+  const taken = new Set([...here.map(({ id }) => id), ...keys])
+  const added: Listed[] = []
   let copies = 0
   for (const one of file) {
     const print = fingerprint(one.project)
@@ -53,18 +54,19 @@ export function mergeHome(
  * any longer here than there.
  */
 export function mergeBin(
-  here: readonly Thrown[],
-  file: readonly Binned[],
+  here: readonly Pick<Binned, 'was' | 'project'>[],
+  file: readonly PackedBinned[],
   now: number,
-): readonly Omit<Thrown, 'id' | 'revision'>[] {
-  const print = ({ was, project }: Pick<Thrown, 'was' | 'project'>) =>
+): readonly ToBin[] {
+  const print = ({ was, project }: Pick<Binned, 'was' | 'project'>) =>
     JSON.stringify([was, project.name, fingerprint(project)])
   const known = new Set(here.map(print))
   return file.flatMap(({ was, changed, project, age }) => {
     const one = print({ was, project })
     if (known.has(one)) return []
     known.add(one)
-    return [{ was, changed, project, thrown: now - ageInBin(now - age, now) }]
+    const daysIn = Math.min(DAYS_KEPT - 1, Math.floor(age / DAY))
+    return [{ was, changed, project, thrown: now - daysIn * DAY, daysIn }]
   })
 }
 

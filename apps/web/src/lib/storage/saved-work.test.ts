@@ -6,11 +6,13 @@ import { promisify } from 'node:util'
 import { courseOf, learningKey, readMap } from '@botgarten/materials/maps'
 import { learningIn, parseProject, parseScene, writeProject, type Project } from '@botgarten/programs'
 import { parseBrainFile } from '@botgarten/programs/brain-file'
-import { afterAll, beforeAll, describe, expect, test } from 'vitest'
+import { afterAll, describe, expect, test } from 'vitest'
 import { read as readSorting, written } from '#lib/playgrounds/sorting/kept.ts'
+import { listBin } from './bin.ts'
 import { readHome } from './home-file.ts'
 import { settingNames, settingsIn } from './home-settings.ts'
 import { readLink } from './link.ts'
+import { list, load } from './projects.ts'
 import { putDevice, type Device } from './testing/device.ts'
 
 // What children's devices and files hold, as products of the past have written it (e2e/saved-work.ts): all of it opens,
@@ -61,21 +63,20 @@ describe.each(folders)('%s', (folder) => {
   }
   /** As the shelf hands it out: under the name that it bears there. */
   const underName = ({ name, ...project }: Project): Project => ({ name: shown[name] ?? name, ...project })
-  let opened: Awaited<ReturnType<typeof putDevice>>
-  beforeAll(async () => {
-    opened = await putDevice(device)
-  })
 
   test('every record of the device opens as it was written', async () => {
-    const { list, load, listBin } = opened
-    const all = await list()
-    expect(all.map(({ id }) => id).toSorted()).toEqual(device.stores.projects.map(({ id }) => id).toSorted())
-    for (const one of device.stores.projects)
-      expect(await load(one.id)).toMatchObject({
-        ...{ id: one.id, changed: one.changed, revision: one.revision },
-        project: one.project,
-      })
-    expect((await listBin()).map(({ id, was, project }) => ({ id, was, project }))).toEqual(
+    await putDevice(device)
+    const { projects, damaged } = await list()
+    expect(damaged).toEqual([])
+    expect(projects.map(({ id }) => id).toSorted()).toEqual(
+      device.stores.projects.map(({ id }) => id).toSorted(),
+    )
+    // The second time from records that have been split.
+    for (const one of [...device.stores.projects, ...device.stores.projects])
+      expect(await load(one.id)).toEqual(one)
+    const bin = await listBin()
+    expect(bin.damaged).toEqual([])
+    expect(bin.thrown.map(({ id, was, project }) => ({ id, was, project }))).toEqual(
       device.stores.bin
         .toSorted((a, b) => b.thrown - a.thrown)
         .map(({ id, was, project }) => ({ id, was, project })),

@@ -1,18 +1,18 @@
 import { resolve } from '$app/paths'
 import { allCards, pictureOf, placeOf } from '#lib/content/cards.ts'
 import { nameOf, shownName } from '#lib/content/names.ts'
-import type { Kept } from '#lib/storage/database.ts'
+import type { Listed } from '#lib/storage/projects.ts'
 import type { Playground } from '@botgarten/materials'
 import type { BedCard, Level, RecentProject } from './home.ts'
 
 /** The name of the card a project belongs to, in the language of now; null in the free lab. */
-export function cardName({ project }: Pick<Kept, 'project'>): string | null {
+export function cardName({ project }: Pick<Listed, 'project'>): string | null {
   const place = placeOf(project)
   return place === 'free' ? null : (nameOf(place) ?? place)
 }
 
 /** Where a project is opened; one under its card's own name is what the card's address opens. */
-export function addressOf({ id, project }: Pick<Kept, 'id' | 'project'>): string {
+export function addressOf({ id, project }: Pick<Listed, 'id' | 'project'>): string {
   const card = placeOf(project)
   return id === card
     ? resolve('/lab/[card]', { card })
@@ -20,7 +20,7 @@ export function addressOf({ id, project }: Pick<Kept, 'id' | 'project'>): string
 }
 
 /** What lies on this device, as tiles that lead back to it. */
-export const recentOf = (kept: readonly Kept[]): RecentProject[] =>
+export const recentOf = (kept: readonly Listed[]): RecentProject[] =>
   kept.map((one) => ({
     href: addressOf(one),
     name: shownName(one),
@@ -29,7 +29,7 @@ export const recentOf = (kept: readonly Kept[]): RecentProject[] =>
   }))
 
 /** From how many of its start poses a card has been solved on this device. */
-function levelOf(card: string, kept: readonly Kept[]): Level {
+function levelOf(card: string, kept: readonly Listed[]): Level {
   const of = allCards.find(({ id }) => id === card)?.starts ?? 0
   const solved = kept
     .filter(({ project }) => placeOf(project) === card)
@@ -38,7 +38,7 @@ function levelOf(card: string, kept: readonly Kept[]): Level {
 }
 
 /** The cards of one bed, and how far each has been solved on this device. */
-export const bedOf = (bed: Playground, kept: readonly Kept[]): BedCard[] =>
+export const bedOf = (bed: Playground, kept: readonly Listed[]): BedCard[] =>
   allCards
     .filter((card) => card.bed === bed)
     .map(({ id, code, group }) => ({

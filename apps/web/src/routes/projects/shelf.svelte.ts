@@ -1,10 +1,12 @@
 import { placeOf } from '#lib/content/cards.ts'
 import { listBin, takeBack, throwAway } from '#lib/storage/bin.ts'
 import { watchTabs } from '#lib/storage/channel.ts'
-import { keepsAnything, type Kept } from '#lib/storage/database.ts'
-import type { Merged } from '#lib/storage/files.ts'
+import { keepsAnything } from '#lib/storage/database.ts'
+import type { HomeFile, Merged } from '#lib/storage/files.ts'
+import { saveRaw } from '#lib/storage/handout.ts'
 import { nameOfCopy } from '#lib/storage/copy-name.ts'
-import { freshId, list, rename, save } from '#lib/storage/projects.ts'
+import { freshId, list, load, open, rename, save, type Listed } from '#lib/storage/projects.ts'
+import type { Damaged } from '#lib/storage/records.ts'
 import { wordsOfRefusal } from '#lib/storage/refusal.ts'
 import * as m from '#lib/words/generated/messages.js'
 import type { Project } from '@botgarten/programs'
@@ -21,11 +23,14 @@ interface Told {
   readonly title: string
   readonly text: string
   readonly good: boolean
+  /** Files that wait to be saved, each by a press of its own: browsers stop pages that save several at once. */
+  readonly files?: readonly HomeFile[]
 }
 
 /** All projects of this device in a child's hands. */
 export class Shelf {
-  #all = $state.raw<readonly Kept[] | null>(null)
+  #all = $state.raw<readonly Listed[] | null>(null)
+  #damaged = $state.raw<readonly Damaged[]>([])
   #binned = $state(0)
   #keeps = $state(true)
   #open = $state.raw<readonly string[]>([])
@@ -35,6 +40,10 @@ export class Shelf {
   /** null until they have been read. */
   get all() {
     return this.#all
+  }
+  /** What of them cannot be read. */
+  get damaged() {
+    return this.#damaged
   }
   get binned() {
     return this.#binned
@@ -64,8 +73,9 @@ export class Shelf {
 
   async look(): Promise<void> {
     const [all, bin, keeps] = await Promise.all([list(), listBin(), keepsAnything()])
-    this.#all = all
-    this.#binned = bin.length
+    this.#all = all.projects
+    this.#damaged = all.damaged
+    this.#binned = bin.thrown.length + bin.damaged.length
     this.#keeps = keeps
   }
 
@@ -76,27 +86,53 @@ export class Shelf {
 
   async #did(outcome: { readonly kind: string }, said: Said): Promise<void> {
     await this.look()
-    if (outcome.kind === 'full' || outcome.kind === 'refused') this.#refuse('notKept')
-    else this.#said = outcome.kind === 'gone' ? { text: m['projects.gone']() } : said
+    if (outcome.kind === 'gone') this.#said = { text: m['projects.gone']() }
+    else if (outcome.kind === 'saved' || outcome.kind === 'moved') this.#said = said
+    else this.#refuse(outcome.kind === 'tooMuch' ? 'tooMuch' : 'notKept')
   }
 
   #refuse(...problem: Parameters<typeof wordsOfRefusal>): void {
     this.#told = { ...wordsOfRefusal(...problem), good: false }
   }
 
-  async rename({ id }: Kept, name: string): Promise<void> {
+  async rename({ id }: Listed, name: string): Promise<void> {
     await this.#did(await rename(id, name), { text: m['projects.renamed']({ name }) })
   }
 
-  async duplicate(one: Kept): Promise<void> {
+  /** A project of the shelf with its pictures, under the name it bears there; says so where it cannot be read. */
+  async whole(one: Listed): Promise<Project | null> {
+    const kept = await open(one.id)
+    if (!kept) {
+      await this.look()
+      this.#refuse('damaged')
+      return null
+    }
+    return { ...kept.project, name: shownName(one) }
+  }
+
+  async duplicate(one: Listed): Promise<void> {
+    const project = await this.whole(one)
+    if (!project) return
     const name = nameOfCopy(shownName(one), (this.#all ?? []).map(shownName))
-    const outcome = await save(freshId(placeOf(one.project)), { ...one.project, name }, 0)
+    const outcome = await save(freshId(placeOf(one.project)), { ...project, name }, 0)
     await this.#did(outcome, { text: m['projects.doubled']({ name }) })
   }
 
-  async throwAway(one: Kept): Promise<void> {
-    const name = shownName(one)
-    const outcome = await throwAway(one.id)
+  throwAway(one: Listed): Promise<void> {
+    return this.#throwAway(one.id, shownName(one))
+  }
+
+  throwDamaged({ id, name }: Damaged): Promise<void> {
+    return this.#throwAway(id, name ?? m['projects.damaged']())
+  }
+
+  /** Hands out all that lies there of a project that cannot be read. */
+  async saveDamaged({ id, name, raw }: Damaged): Promise<void> {
+    saveRaw(name ?? m['projects.damaged'](), (await load(id))?.project ?? raw)
+  }
+
+  async #throwAway(id: string, name: string): Promise<void> {
+    const outcome = await throwAway(id)
     const back = async () => {
       if (outcome.kind === 'moved')
         await this.#did(await takeBack(outcome.id), { text: m['projects.back']({ name }) })
@@ -132,7 +168,11 @@ export class Shelf {
   }
 
   async takeHome(): Promise<void> {
-    const { saveHomeFile } = await import('#lib/storage/later.ts')
-    if (!(await saveHomeFile())) this.#refuse('nothingToTake')
+    const { homeFiles } = await import('#lib/storage/later.ts')
+    const files = await homeFiles()
+    if (files.length === 0) return this.#refuse('nothingToTake')
+    if (files.length === 1) return files[0]!.save()
+    const title = m['projects.manyFiles']({ count: files.length })
+    this.#told = { title, text: m['projects.manyFilesText'](), good: true, files }
   }
 }

@@ -1,10 +1,10 @@
 import type { Project } from '@botgarten/programs'
 import { expect, test } from 'vitest'
-import type { Kept } from '#lib/storage/database.ts'
+import type { Listed } from '#lib/storage/projects.ts'
 import { findProjects } from './find.ts'
 
-const kept = (name: string, changed: number): Kept => ({
-  ...{ id: name, changed, revision: 1 },
+const kept = (name: string, changed: number): Listed => ({
+  ...{ id: name, changed },
   project: { name } as Project,
 })
 const all = [kept('Möwe 10', 3), kept('möwe 9', 2), kept('Rallye', 1)]

@@ -1,4 +1,4 @@
-import type { Kept } from '#lib/storage/database.ts'
+import type { Listed } from '#lib/storage/projects.ts'
 
 export type Order = 'time' | 'name'
 
@@ -9,10 +9,10 @@ const plain = (text: string) => text.normalize('NFKD').replace(/\p{M}/gu, '').to
 
 /** What is called like the words, wherever they stand in its name, in the order asked for. */
 export function findProjects(
-  all: readonly Kept[],
+  all: readonly Listed[],
   wanted: { readonly words: string; readonly order: Order; readonly locale: string },
-  nameOf: (kept: Kept) => string,
-): readonly Kept[] {
+  nameOf: (kept: Listed) => string,
+): readonly Listed[] {
   const words = plain(wanted.words).split(/\s+/).filter(Boolean)
   const found = all.filter((one) => words.every((word) => plain(nameOf(one)).includes(word)))
   if (wanted.order === 'time') return found

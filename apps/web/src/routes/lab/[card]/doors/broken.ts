@@ -4,7 +4,7 @@ import { placeOf } from '#lib/content/cards.ts'
 import type { Opened } from '#lib/state/opening.ts'
 
 /** What could not be read here stays where it is: the new start has an address of its own from now on. */
-export function leaveBroken({ id, project, trouble }: Opened): void {
-  if (trouble === 'brokenHere')
+export function leaveBroken({ id, project, damaged }: Opened): void {
+  if (damaged)
     void replaceState(resolve(`/lab/[card]?p=${encodeURIComponent(id)}`, { card: placeOf(project) }), {})
 }

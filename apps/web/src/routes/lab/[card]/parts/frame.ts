@@ -1,3 +1,4 @@
+import type { SaveStatus } from '#lib/storage/autosave.ts'
 import type { Snippet } from 'svelte'
 import type { Phase } from '@botgarten/lab'
 import type { Project } from '@botgarten/programs'
@@ -17,7 +18,6 @@ interface PaneState {
 }
 
 /** `elsewhere`: another tab holds this project; `failed` offers to try again. */
-type SaveState = 'saving' | 'saved' | 'failed' | 'elsewhere' | 'gone'
 
 export interface Goal {
   readonly id: string
@@ -106,7 +106,7 @@ export interface LabFrameProps {
   // ---- top bar ----
   /** Name of the card or the project. */
   title: string
-  saved: SaveState
+  saved: SaveStatus['state']
   onretrysave: () => void
   /** null in the free lab: no Card button. */
   card: CardFace | null
@@ -190,10 +190,13 @@ export interface LabFrameProps {
   /** Another tab has thrown this project away meanwhile. */
   gone: boolean
   onkeepgone: () => void
-  /** The device has no room left, or refuses to keep anything. The panel offers to save a file. */
-  storage: 'ok' | 'full' | 'refused'
+  /** Why nothing can be saved. The panel says what to try, and offers to save a file. */
+  storage: SaveStatus['storage']
+  /** What is too much to be saved, and where. */
+  refusal: SaveStatus['refusal']
+  onshowblock: (block: string) => void
   /** A plain message with one OK: a broken project file, for instance. */
-  message: { readonly title: string; readonly text: string } | null
+  message: { readonly title: string; readonly text: string; readonly onsaveraw?: (() => void) | undefined } | null
   onmessageclose: () => void
 
   // ---- pane borders ----

@@ -1,1 +1,0 @@
-export { parseProject } from '@botgarten/programs'
