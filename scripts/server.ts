@@ -48,15 +48,21 @@ const unused = [
 const permissions = [...unused, 'hid', 'midi'].map((name) => `${name}=()`).join(', ')
 
 /** What every answer carries. SvelteKit replaces the policy on pages it renders, and the caching of what has a hash in its name. */
-function dress(response: ServerResponse, policy: string) {
+function dress(response: ServerResponse, policy: string, trusted: boolean) {
   response.setHeader('content-security-policy', policy)
   response.setHeader('x-content-type-options', 'nosniff')
   response.setHeader('referrer-policy', 'same-origin')
   response.setHeader('permissions-policy', permissions)
-  // A page of somebody else that opened the lab has no hold on its window; the presenter's window is our own.
-  response.setHeader('cross-origin-opener-policy', 'same-origin')
+  // A page of somebody else that opened the lab has no hold on its window; the presenter's window is our own. Browsers
+  // ignore this over plain http and complain about it.
+  if (trusted) response.setHeader('cross-origin-opener-policy', 'same-origin')
   response.setHeader('cache-control', 'no-cache')
 }
+
+/** Does the browser trust the page's origin: the machine itself, or https through a proxy? */
+const isTrusted = ({ headers }: IncomingMessage) =>
+  headers['x-forwarded-proto'] === 'https' ||
+  /^(localhost|127(\.\d+){3}|\[::1\])(:\d+)?$/.test(headers.host ?? '')
 
 async function close(server: Server) {
   const closed = once(server, 'close')
@@ -76,7 +82,7 @@ export async function startServer(options: ServerOptions): Promise<RunningServer
   const { operator = readOperator(process.env) } = options
   const server = createServer((request, response) => {
     const path = (request.url ?? '/').replace(/[?#].*/, '').replace(/(?<=.)\/$/, '')
-    dress(response, policies.get(path) ?? baseline)
+    dress(response, policies.get(path) ?? baseline, isTrusted(request))
     if (operator !== null && path === '/operator.md')
       return void response.setHeader('content-type', 'text/markdown; charset=utf-8').end(operator)
     handler(request, response, () => response.writeHead(404).end())

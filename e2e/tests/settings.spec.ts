@@ -60,7 +60,7 @@ for (const language of languagesOf(import.meta.filename)) {
       expect(fonts.length).toBeGreaterThan(0)
       expect(await child.blockWords()).toEqual(words)
       const font = await child
-        .block('wheelLeft')
+        .block('eyeLeft')
         .locator('text')
         .first()
         .evaluate((text) => getComputedStyle(text).fontFamily)
@@ -93,7 +93,7 @@ for (const language of languagesOf(import.meta.filename)) {
       await child.presses('lab.hint')
       await reads(child, 'theHint')
       await child
-        .block('wheelLeft')
+        .block('eyeLeft')
         .locator('.blocklyPath')
         .first()
         .click({ position: { x: 8, y: 14 } })
@@ -101,7 +101,7 @@ for (const language of languagesOf(import.meta.filename)) {
       await expect.poll(() => said(page)).toHaveLength(4)
       const heard = await said(page)
       expect(heard[1]).toContain(await page.getByRole('heading', { level: 1 }).innerText())
-      expect(heard[3]).toBe(child.word('block.ai_nn_output_node.help'))
+      expect(heard[3]).toBe(child.word('block.ai_nn_input_node_ultrasonic.help'))
       const spot = await child.middleOf(child.block('eyeLeft').locator('text').first())
       await page.mouse.move(spot.x, spot.y)
       await page.mouse.down()

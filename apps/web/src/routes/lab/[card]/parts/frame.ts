@@ -194,7 +194,8 @@ export interface LabFrameProps {
   storage: SaveStatus['storage']
   /** What is too much to be saved, and where. */
   refusal: SaveStatus['refusal']
-  onshowblock: (block: string) => void
+  /** Brings a block into sight. */
+  onreveal: (block: string) => void
   /** A plain message with one OK: a broken project file, for instance. */
   message: { readonly title: string; readonly text: string; readonly onsaveraw?: (() => void) | undefined } | null
   onmessageclose: () => void
