@@ -58,7 +58,7 @@ async function opened(card: LoadedCard, program: CardProgram): Promise<Session> 
   const expert = await bringFor(project)
   const session = new Session({
     ...{ id: card.card.id, revision: 0, project, card, floor: floorOf(project.world), expert },
-    ...{ floorAddress: null, trouble: null, keeps: true },
+    ...{ floorAddress: null, trouble: null, damaged: null, keeps: true },
   })
   session.learnFirst = () => false
   session.lab.speed = 16
