@@ -3,7 +3,7 @@ import { opensSettings, wish } from '../child-cards.ts'
 import { expect, test } from '../house.ts'
 import { readPdf } from '../pdf.ts'
 import { givesVoice, heardOn, said } from '../voice.ts'
-import { languagesOf, languages } from '../words.ts'
+import { languagesOf } from '../words.ts'
 
 /** A voice says a title first. */
 const starting = (title: string) => new RegExp(`^${title.replaceAll(/[.*+?^${}()|[\]\\]/g, '\\$&')}`)

@@ -7,7 +7,7 @@ import type { Page } from '@playwright/test'
 import { axeFindings } from '../axe.ts'
 import { expect, test } from '../house.ts'
 import { readPdf } from '../pdf.ts'
-import { languagesOf, languages } from '../words.ts'
+import { languagesOf } from '../words.ts'
 
 interface Held {
   readonly type: string
