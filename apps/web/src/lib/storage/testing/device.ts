@@ -14,7 +14,7 @@ export interface Device {
   readonly localStorage: { readonly [name: string]: string }
 }
 
-export interface DeviceRecord {
+interface DeviceRecord {
   readonly id: string
   readonly project: Project
   readonly changed: number

@@ -197,7 +197,11 @@ export interface LabFrameProps {
   /** Brings a block into sight. */
   onreveal: (block: string) => void
   /** A plain message with one OK: a broken project file, for instance. */
-  message: { readonly title: string; readonly text: string; readonly onsaveraw?: (() => void) | undefined } | null
+  message: {
+    readonly title: string
+    readonly text: string
+    readonly onsaveraw?: (() => void) | undefined
+  } | null
   onmessageclose: () => void
 
   // ---- pane borders ----
