@@ -18,7 +18,7 @@ const isObject = (value: unknown): value is { readonly [key: string]: unknown } 
 export const momentOf = (value: unknown): number =>
   typeof value === 'number' && value >= 0 && value <= 8.64e15 ? value : 0
 
-export const revisionOf = (value: unknown): number =>
+const revisionOf = (value: unknown): number =>
   typeof value === 'number' && Number.isSafeInteger(value) && value > 0 ? value : 1
 
 /**

@@ -5,7 +5,7 @@ const read = (path: string) =>
   JSON.parse(readFileSync(new URL(`../../../../../../content/${path}`, import.meta.url), 'utf8')) as object
 
 /** A card with its start program. */
-export const card = (id: string, folder: string): Project =>
+const card = (id: string, folder: string): Project =>
   parseProject({
     ...{ botgarten: 1, name: id, card: id, assets: {} },
     ...read(`cards/network/${folder}/start.json`),
