@@ -4,6 +4,7 @@ interface Event {
   readonly ph: string
   readonly pid: number
   readonly tid: number
+  readonly ts?: number
   readonly dur?: number
   readonly args?: { readonly name?: string }
 }
@@ -30,3 +31,16 @@ export function mainThreadOf(trace: string): MainThread {
 }
 
 const isTask = ({ name, ph }: Event) => name === 'RunTask' && ph === 'X'
+
+/** Milliseconds of every task in which a page has set this mark. */
+export function tasksWithMark(trace: string, mark: string): readonly number[] {
+  const { traceEvents: events } = JSON.parse(trace) as { traceEvents: Event[] }
+  const marks = events.filter(({ name }) => name === mark)
+  const tasks = events.filter(isTask)
+  const holds = (task: Event) =>
+    marks.some(
+      ({ pid, tid, ts = 0 }) =>
+        pid === task.pid && tid === task.tid && ts >= task.ts! && ts <= task.ts! + (task.dur ?? 0),
+    )
+  return tasks.filter(holds).map(({ dur = 0 }) => dur / 1000)
+}

@@ -8,6 +8,8 @@ declare global {
     interface PageState {
       /** What became of a home file that was opened on the way to this page. */
       merged?: Merged
+      /** A file was too much: only what could be opened is here. */
+      lost?: boolean
     }
   }
 }

@@ -1,4 +1,5 @@
 import type { World } from '@botgarten/simulation'
+import { refusalOf } from '../project/refusal.ts'
 import type { Project } from '../types.ts'
 import { brainsIn, withBrains } from './brains.ts'
 import { robotIn, withRobot } from './brick.ts'
@@ -15,11 +16,15 @@ export function projectFrom(text: string, name: string, world: World): Project {
   const program = readOpenRoberta(text)
   const config = robotIn(program.config)
   const robots = world.robots.slice(0, 1).map((robot) => ({ ...robot, program: 'main', brain: '', config }))
-  return {
+  const project: Project = {
     ...{ botgarten: 1, name, programs: { main: program }, brains: brainsIn(program) },
     world: { ...world, robots },
     assets: {},
   }
+  // What opens can be saved as well.
+  const refusal = refusalOf(project)
+  if (refusal) throw refusal
+  return project
 }
 
 type Out = Pick<Project, 'programs' | 'world' | 'brains'>

@@ -57,6 +57,27 @@ describe('a robot more', () => {
     expect(isProject(two).programs).toHaveProperty(id)
   })
 
+  it('is copied from copies, and from blocks with the longest ids, without ids that no file may have', () => {
+    let one: Document = document
+    for (const robot of ['bo', 'bo2', 'bo3']) one = withRobot(one, robot, 'own').document
+    const ids = Object.values(one.programs).map((program) => netOf(program).id)
+    expect(ids).toEqual([net.id, `bo2-${net.id}`, `bo3-${net.id}`, `bo4-${net.id}`])
+    expect(isProject(one).world.robots).toHaveLength(4)
+
+    const long = JSON.parse(
+      JSON.stringify(solution)
+        .replaceAll('"eye', `"${'e'.repeat(190)}`)
+        .replaceAll(`"${net.id}"`, `"${'n'.repeat(200)}"`),
+    ) as typeof solution
+    let grown: Document = { ...long, world, brains: brainsFor(long.programs, long.brains) }
+    for (const robot of ['bo', 'bo2']) grown = withRobot(grown, robot, 'own').document
+    expect(isProject(grown).world.robots).toHaveLength(3)
+    const [first, , third] = Object.values(grown.programs).map((program) => grown.brains[netOf(program).id]!)
+    expect(Object.values(third!.weights).flatMap((row) => Object.values(row))).toEqual(
+      Object.values(first!.weights).flatMap((row) => Object.values(row)),
+    )
+  })
+
   it.each(['shared', 'own'] as const)('drives by its own weights (%s)', (kind) => {
     const { id, document: two } = withRobot(document, 'bo', kind)
     const lab = createLab()

@@ -54,7 +54,7 @@ function withOwnWeights(document: Document, { program, brain }: RobotPlacement, 
 
 function withOwnProgram(document: Document, { program, brain }: RobotPlacement, name: string): Document {
   const original = document.programs[program] ?? noProgram
-  const idOf = (id: string) => `${name}-${id}`
+  const idOf = ownIds(program, name)
   const brains: { [network: string]: Brain } = { ...document.brains }
   for (const { id } of networks(original)) {
     const before = brains[id] ?? emptyBrain
@@ -67,6 +67,22 @@ function withOwnProgram(document: Document, { program, brain }: RobotPlacement, 
     }
   }
   return { ...document, programs: { ...document.programs, [name]: renamed(original, idOf) }, brains }
+}
+
+/** Ids of a file may be as long as ids can be. */
+const longest = 150
+
+/** The ids of one program under the name of another, however often it was copied and however long they are. */
+function ownIds(from: string, name: string): (id: string) => string {
+  const short = new Map<string, string>()
+  return (id) => {
+    const own = id.startsWith(`${from}-`) ? id.slice(from.length + 1) : id
+    if (own.length <= longest) return `${name}-${own}`
+    // A hidden neuron is called like its block with a number behind it, in the copy too.
+    const [, block = own, number = ''] = /^(.*?)(#\d+)?$/s.exec(own) ?? []
+    if (!short.has(block)) short.set(block, `${name}-${short.size + 1}-${block.slice(0, 40)}`)
+    return `${short.get(block)}${number}`
+  }
 }
 
 const renamedWeights = (weights: Weights, idOf: (id: string) => string): Weights =>

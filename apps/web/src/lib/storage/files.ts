@@ -1,6 +1,6 @@
 import type { Facts } from '@botgarten/blocks'
-import { parseProject, ProjectError, type Project } from '@botgarten/programs'
-import { placeOf } from '#lib/content/cards.ts'
+import { parseProject, ProjectError, salvageProject, type Project } from '@botgarten/programs'
+import { loadFreeLab, placeOf } from '#lib/content/cards.ts'
 import { shownName } from '#lib/content/names.ts'
 import * as m from '#lib/words/generated/messages.js'
 import { nameOfCopy } from './copy-name.ts'
@@ -30,9 +30,15 @@ export interface Merged {
   readonly settings: { readonly taken: boolean; readonly kept: boolean; readonly sorted: boolean }
 }
 
+/** `lost`: it was too much, and only what could be opened is here. */
+interface OpenedProject {
+  readonly id: string
+  readonly project: Project
+  readonly lost?: boolean
+}
+
 /** A file of one project is a new project of this device; a home file lays its projects beside those that are here. */
-export type OpenedFile =
-  { readonly id: string; readonly project: Project } | { readonly merged: Merged } | Refusal
+export type OpenedFile = OpenedProject | { readonly merged: Merged } | Refusal
 
 const MOST_BYTES = 5_000_000
 
@@ -46,11 +52,25 @@ export async function openProjectFile(file: File): Promise<OpenedFile> {
     const home = homeIn(text)
     if (home) return await takeHomeFile(home)
     if (file.size > MOST_BYTES) return { problem: 'tooBig', facts: {} }
-    return await keepProject(parseProject(text))
+    return await takeProject(text)
   } catch (error) {
     if (!(error instanceof ProjectError)) throw error
     console.warn('The project file was refused.', error)
     return { problem: error.reason, facts: error.facts }
+  }
+}
+
+/** Of a project that is too much what can be opened; the child still has the file. */
+async function takeProject(text: string): Promise<OpenedFile> {
+  try {
+    return await keepProject(parseProject(text))
+  } catch (error) {
+    if (!(error instanceof ProjectError) || error.limit === undefined || error.reason === 'tooBig')
+      throw error
+    const salvaged = salvageProject(JSON.parse(text), await loadFreeLab())
+    if (!salvaged) throw error
+    const opened = await keepProject(salvaged.project)
+    return 'id' in opened ? { ...opened, lost: true } : opened
   }
 }
 

@@ -108,3 +108,20 @@ test('a link of a later version says so', () => {
   expect(reasonOf('#2.abc.def')).toBe('linkNewer')
   expect(reasonOf('#12.abc')).toBe('linkNewer')
 })
+
+test('a project that no reader would unpack, or open, gets no link, however small it is', async () => {
+  const letters = (count: number) => ({
+    id: `b${count}`,
+    type: 'text',
+    fields: { TEXT: 'x'.repeat(count) },
+  })
+  const withBlocks = (blocks: ReturnType<typeof letters>[]) => ({
+    ...friendship,
+    programs: { main: { stacks: [{ x: 0, y: 0, blocks }], config: { stacks: [] } } },
+  })
+  const many = (count: number) => Array.from({ length: count }, (_, k) => letters(19_000 - k))
+  const fits = withBlocks(many(50))
+  expect(readLink((await writeLink(fits))!)).toEqual(fits)
+  expect(await writeLink(withBlocks(many(60)))).toBeNull()
+  expect(await writeLink(withBlocks([letters(20_001)]))).toBeNull()
+})

@@ -1,4 +1,4 @@
-import { parseProject, ProjectError, writeProject, type Project } from '@botgarten/programs'
+import { parseProject, ProjectError, refusalOf, writeProject, type Project } from '@botgarten/programs'
 import { Inflate, strFromU8, strToU8 } from 'fflate'
 
 /** Why a link was refused, as the words `problem.<reason>.title` and `.text`. */
@@ -28,7 +28,9 @@ const version = '1'
  * @returns null where it is too large for a link
  */
 export async function writeLink({ progress: _progress, ...project }: Project): Promise<string | null> {
-  const packed = await pack(writeProject(project))
+  const text = writeProject(project)
+  if (refusalOf(project) || strToU8(text).length > mostUnpacked) return null
+  const packed = await pack(text)
   if (packed.length > mostBytes) return null
   const letters = toLetters(packed)
   return `${version}.${checkOf(letters)}.${letters}`

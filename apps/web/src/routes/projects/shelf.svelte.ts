@@ -141,7 +141,9 @@ export class Shelf {
   }
 
   /** Takes a file up. Returns the project where it holds one; a home file is told about here. */
-  async openFile(file: File): Promise<{ readonly id: string; readonly project: Project } | null> {
+  async openFile(
+    file: File,
+  ): Promise<{ readonly id: string; readonly project: Project; readonly lost?: boolean } | null> {
     const { openProjectFile } = await import('#lib/storage/later.ts')
     const outcome = await openProjectFile(file)
     if ('problem' in outcome) this.#refuse(outcome.problem, outcome.facts)

@@ -3,7 +3,7 @@ import { describe, expect, test } from 'vitest'
 import { Desk } from './desk.svelte.ts'
 import { othersIn, read, workOfReadings, writtenReadings, written, type Kept } from './kept.ts'
 import type { Shelf } from './shelf.ts'
-import { MOST_COLUMNS, MOST_FLAGS, MOST_POINTS } from './work.ts'
+import { fileTable, MOST_COLUMNS, MOST_FLAGS, MOST_POINTS, withTable } from './work.ts'
 
 /** A shelf that goes through JSON, as files and devices do. */
 function shelfOf(kept: unknown = null): Shelf & { readonly now: () => unknown } {
@@ -27,6 +27,29 @@ const whole = (): Kept => {
 }
 
 describe('what a project keeps of the playground', () => {
+  test('can be opened again, whatever table was read', () => {
+    const name = fc.oneof(fc.string(), fc.constant('x'.repeat(5000)))
+    const table = fc.integer({ min: 1, max: MOST_COLUMNS }).chain((columns) =>
+      fc.record({
+        names: fc.array(name, { minLength: columns, maxLength: columns }),
+        rows: fc.array(
+          fc.array(fc.double({ noNaN: true, min: -1e300, max: 1e300 }), {
+            minLength: columns,
+            maxLength: columns,
+          }),
+          { minLength: 1, maxLength: 20 },
+        ),
+      }),
+    )
+    fc.assert(
+      fc.property(table, ({ names, rows }) => {
+        const work = withTable({ ...workOfReadings([]), source: 'points' }, fileTable(names, rows))
+        const again = read(JSON.parse(JSON.stringify(written(work))))
+        expect(again && written(again)).toEqual(JSON.parse(JSON.stringify(written(work))))
+      }),
+    )
+  })
+
   test('has a version, and comes back as it was', () => {
     const kept = whole()
     expect(kept.version).toBe(1)

@@ -3,6 +3,7 @@ import * as v from 'valibot'
 import { setOf, sets } from './sets.ts'
 import {
   handTable,
+  LONGEST_COLUMN,
   MOST_COLUMNS,
   MOST_FLAGS,
   MOST_POINTS,
@@ -22,7 +23,7 @@ export const LONGEST_NAME = 24
 const number = v.pipe(v.number(), v.finite())
 const place = v.pipe(number, v.minValue(-LARGEST), v.maxValue(LARGEST))
 const row = v.pipe(v.array(place), v.minLength(1), v.maxLength(MOST_COLUMNS))
-const short = v.pipe(v.string(), v.maxLength(200))
+const short = v.pipe(v.string(), v.maxLength(LONGEST_COLUMN))
 const axis = v.pipe(v.number(), v.integer(), v.minValue(-1), v.maxValue(MOST_COLUMNS - 1))
 const page = v.object({
   source: v.picklist(['things', 'points', 'readings']),

@@ -48,6 +48,8 @@ export const MOST_FLAGS = 6
 export const MOST_READINGS = 300
 export const MOST_POINTS = 5000
 export const MOST_COLUMNS = 8
+/** Letters of a column's name. */
+export const LONGEST_COLUMN = 200
 const inUnit = { part: '', low: 0, high: 10, scale: 10 }
 
 export const thingTable = (set: ThingSet, counting: readonly string[]): Table => {
@@ -79,7 +81,7 @@ export function fileTable(names: readonly string[], rows: Table['rows']): Table 
   const columns = names.map((feature, at) => {
     const values = rows.map((row) => row[at]!)
     const [low, high] = [values.reduce((a, b) => Math.min(a, b)), values.reduce((a, b) => Math.max(a, b))]
-    return { ...inUnit, feature, unit: '', low, high }
+    return { ...inUnit, feature: feature.slice(0, LONGEST_COLUMN), unit: '', low, high }
   })
   return { columns, rows: rows.map((row) => row.map((value, at) => onPlane(value, columns[at]!))) }
 }

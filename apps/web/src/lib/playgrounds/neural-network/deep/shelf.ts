@@ -51,8 +51,12 @@ const fileOf = (session: Session, net: NetworkOutline, name: string) => {
   return brainFile(name, brain, net, weightsOf(brain, name))
 }
 
-export const save = (session: Session, net: NetworkOutline, name: string): void =>
-  handOut(name, JSON.stringify(fileOf(session, net, name)), 'brain.json')
+/** Hands a brain out as a file. @throws {BrainError} where it could not be opened again */
+export function save(session: Session, net: NetworkOutline, name: string): void {
+  const text = JSON.stringify(fileOf(session, net, name))
+  parseBrainFile(text)
+  handOut(name, text, 'brain.json')
+}
 
 /** Lays a brain from a file on the shelf. Returns its name there. @throws {BrainError} */
 export function bring(session: Session, net: NetworkOutline, text: string): string {

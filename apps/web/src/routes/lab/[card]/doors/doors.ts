@@ -8,7 +8,8 @@ import { freshId } from '#lib/storage/projects.ts'
 import { nameOfCopy } from '#lib/storage/copy-name.ts'
 
 const addressOf = (card: string, id: string) => resolve(`/lab/[card]?p=${encodeURIComponent(id)}`, { card })
-const show = (card: string, id: string) => goto(addressOf(card, id), { invalidateAll: true })
+const show = (card: string, id: string, lost = false) =>
+  goto(addressOf(card, id), { invalidateAll: true, state: { lost } })
 
 /** Opens a project file in place of this project, which stays on the device. */
 export async function openFile(file: File, desk: Desk): Promise<void> {
@@ -18,7 +19,7 @@ export async function openFile(file: File, desk: Desk): Promise<void> {
     const { problem, facts } = outcome
     desk.say(`problem.${problem}.title`, `problem.${problem}.text`, facts)
   } else if ('merged' in outcome) await goto(resolve('/projects'), { state: { merged: outcome.merged } })
-  else await show(placeOf(outcome.project), outcome.id)
+  else await show(placeOf(outcome.project), outcome.id, outcome.lost)
 }
 
 /**

@@ -1,0 +1,81 @@
+import fc from 'fast-check'
+import { afterEach, beforeEach, expect, test, vi } from 'vitest'
+import { readSettings } from './home-settings.ts'
+import { settings } from './setting-shapes.ts'
+import { readSetting, writeSetting } from './settings.ts'
+
+const texts = new Map<string, string>()
+const shelf = {
+  getItem: (key: string) => texts.get(key) ?? null,
+  setItem: (key: string, text: string) => void texts.set(key, text),
+}
+beforeEach(() => {
+  texts.clear()
+  vi.stubGlobal('localStorage', shelf)
+})
+afterEach(() => void vi.unstubAllGlobals())
+
+const good: { readonly [name in keyof typeof settings]: unknown } = {
+  comfort: { projector: false, quiet: true },
+  language: 'de',
+  'network-level': 'explorer',
+  'network-tens': true,
+  'q-level': 'expert',
+  settings: { rays: false, trail: true },
+  sizes: { columns: [0.3, 0.4] },
+  sorting: { rows: [[1, 2]] },
+  sound: false,
+  tour: 'seen',
+}
+const names = Object.keys(settings) as (keyof typeof settings)[]
+
+test.each(names)('%s is read as it was written, and its preset where nothing was', (name) => {
+  expect(readSetting(name, 'preset')).toBe('preset')
+  writeSetting(name, good[name])
+  expect(readSetting(name, 'preset')).toEqual(good[name])
+})
+
+test('whatever lies there, a page gets a setting or its preset', () => {
+  const text = fc.oneof(
+    fc.string(),
+    fc.jsonValue().map((value) => JSON.stringify(value)),
+  )
+  fc.assert(
+    fc.property(fc.constantFrom(...names), text, (name, lies) => {
+      texts.set(`botgarten.${name}`, lies)
+      const read: unknown = readSetting(name, 'preset')
+      // The same table says what may go home.
+      if (read !== 'preset') expect(readSettings({ [name]: read })).toHaveProperty(name)
+    }),
+    { numRuns: 1000 },
+  )
+})
+
+test.each([
+  ['settings', null],
+  ['settings', {}],
+  ['sizes', { columns: [9, 'x'] }],
+  ['sizes', null],
+  ['network-level', 'wizard'],
+  ['q-level', 7],
+  ['network-tens', 'yes'],
+  ['comfort', [1]],
+])('a damaged setting %s is not used', (name, value) => {
+  writeSetting(name, value)
+  expect(readSetting(name, 'preset')).toBe('preset')
+})
+
+test('a name that is a word of every object is nothing special', () => {
+  const name = 'constructor'
+  writeSetting(name, 1)
+  expect(readSetting(name, 0)).toBe(1)
+})
+
+test('a browser that refuses gives presets and takes nothing', () => {
+  const refuse = () => {
+    throw new DOMException('Refused for a test.', 'SecurityError')
+  }
+  vi.stubGlobal('localStorage', { getItem: refuse, setItem: refuse })
+  writeSetting('sound', false)
+  expect(readSetting('sound', true)).toBe(true)
+})
