@@ -68,7 +68,9 @@ async function pull(child: Child): Promise<readonly number[]> {
   const { x, y } = await child.middleOf(child.knob(rightEye, rightWheel))
   await page.mouse.move(x, y)
   await page.mouse.down()
-  await browser.startTracing(page, { categories: ['toplevel', 'devtools.timeline', 'blink.user_timing'] })
+  await browser.startTracing(page, {
+    categories: ['toplevel', 'disabled-by-default-devtools.timeline', 'blink.user_timing'],
+  })
   const end = Date.now() + seconds * 1000
   for (let step = 0; Date.now() < end; step += 1) {
     await page.mouse.move(x + 40 * Math.sin(step / 6), y)

@@ -6,6 +6,8 @@ interface Event {
   readonly tid: number
   readonly ts?: number
   readonly dur?: number
+  /** Time of the processor alone. */
+  readonly tdur?: number
   readonly args?: { readonly name?: string }
 }
 
@@ -32,7 +34,10 @@ export function mainThreadOf(trace: string): MainThread {
 
 const isTask = ({ name, ph }: Event) => name === 'RunTask' && ph === 'X'
 
-/** Milliseconds of every task in which a page has set this mark. */
+/**
+ * Milliseconds of the processor for every task in which a page has set this mark: what other programs do meanwhile does not
+ * count.
+ */
 export function tasksWithMark(trace: string, mark: string): readonly number[] {
   const { traceEvents: events } = JSON.parse(trace) as { traceEvents: Event[] }
   const marks = events.filter(({ name }) => name === mark)
@@ -42,5 +47,5 @@ export function tasksWithMark(trace: string, mark: string): readonly number[] {
       ({ pid, tid, ts = 0 }) =>
         pid === task.pid && tid === task.tid && ts >= task.ts! && ts <= task.ts! + (task.dur ?? 0),
     )
-  return tasks.filter(holds).map(({ dur = 0 }) => dur / 1000)
+  return tasks.filter(holds).map(({ tdur, dur = 0 }) => (tdur ?? dur) / 1000)
 }

@@ -36,23 +36,21 @@ function refuse(project: Project): void {
     assets: mapped(assets, (asset) => (known.has(asset) ? noPicture : asset)),
   }
   // Before anything that goes into its depth by recursion.
-  refuseOversize(news)
+  let parts = refuseOversize(news)
   const result = v.safeParse(projectSchema, news, { abortEarly: true })
   if (!result.success) throw issueError(result.issues[0], news)
-  const sizes = [
-    sizeOf({ ...project, programs: mapped(programs, () => 0), assets: mapped(assets, () => 0) }),
-    ...[...Object.values(programs), ...Object.values(assets)].map(sizeOnce),
-  ]
-  // A stand-in of one digit is counted in place of each part.
-  const bytes = sizes.reduce((sum, size) => sum + size.bytes, 1 - sizes.length)
-  const parts = sizes.reduce((sum, size) => sum + size.parts, 1 - sizes.length)
+  // A digit stands in place of each program and picture.
+  let bytes = bytesIn(
+    JSON.stringify({ ...project, programs: mapped(programs, () => 0), assets: mapped(assets, () => 0) }),
+  )
+  for (const part of [...Object.values(programs), ...Object.values(assets)]) {
+    const before = known.get(part)
+    const size = before ?? sizeOf(part)
+    known.set(part, size)
+    bytes += size.bytes - 1
+    parts += before ? size.parts - 1 : 0
+  }
   if (bytes > mostBytes || parts > mostParts) throw tooBig()
-}
-
-function sizeOnce(part: object): Size {
-  const size = known.get(part) ?? sizeOf(part)
-  known.set(part, size)
-  return size
 }
 
 const sizeOf = (part: unknown): Size => ({
