@@ -3,7 +3,7 @@ import type { Project } from '../types.ts'
 import { ProjectError } from './error.ts'
 import { issueError } from './issue.ts'
 import { refuseBigText, refuseOversize } from './limits.ts'
-import { knowPictures } from './refusal.ts'
+import { knowParts } from './refusal.ts'
 import { projectSchema } from './schema.ts'
 
 const newest = 1
@@ -19,7 +19,7 @@ export function parseProject(source: unknown): Project {
   refuseNewer(data)
   const result = v.safeParse(projectSchema, data, { abortEarly: true })
   if (!result.success) throw issueError(result.issues[0], data)
-  knowPictures(result.output)
+  knowParts(result.output)
   return result.output
 }
 

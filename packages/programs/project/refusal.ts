@@ -63,8 +63,9 @@ const mapped = <From, To>(all: { readonly [key: string]: From }, change: (one: F
 
 const besideBase64 = JSON.stringify(noPicture).length
 
-/** The pictures of a project that was read have passed. */
-export function knowPictures({ assets }: Project): void {
+/** Programs and pictures of a project that was read have passed. */
+export function knowParts({ programs, assets }: Project): void {
+  for (const program of Object.values(programs)) known.set(program, sizeOf(program))
   for (const asset of Object.values(assets))
     known.set(asset, { bytes: asset.base64.length + besideBase64, parts: 3 })
 }
