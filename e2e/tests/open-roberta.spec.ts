@@ -321,3 +321,23 @@ test('all programs of this device are taken to Open Roberta in one archive', asy
   expect(Object.keys(files).sort()).toEqual(['Action.xml', 'Friends.xml', `${folder}/Friends.xml`].sort())
   expect(xmlTree(strFromU8(files['Action.xml']!))).toEqual(xmlTree(action))
 })
+
+test('what may end a program here and not in Open Roberta is said when it is opened', async ({
+  child,
+  page,
+}) => {
+  const comer = new Comer(child)
+  await child.opensLab('free')
+  await comer.opens('Lists.xml', openRobertaFile('programs/composed__common__listOperationsBasic'))
+  await comer.seesProgram('Lists')
+  const panel = page.getByRole('status').filter({ hasText: child.word('openRoberta.ends.title') })
+  await expect(panel).toContainText(child.word('openRoberta.ends.place'))
+  await child.presses('openRoberta.ends.show.place')
+  await expect(
+    page.locator('.robLists_getIndex.blocklySelected, .robLists_setIndex.blocklySelected'),
+  ).toBeInViewport()
+  await panel.getByRole('button', { name: child.word('parts.close'), exact: true }).click()
+  await expect(panel).toBeHidden()
+  await child.reloads()
+  await expect(panel).toBeHidden()
+})

@@ -10,6 +10,8 @@ declare global {
       merged?: Merged
       /** A file was too much: only what could be opened is here. */
       lost?: boolean
+      /** A file was opened on the way to this page. */
+      fromFile?: boolean
     }
   }
 }

@@ -8,6 +8,7 @@ import { projectFrom } from '@botgarten/programs/open-roberta'
 import { filesOf, outgoingOf, type Outgoing } from './outgoing.ts'
 import { save } from './save.ts'
 
+export { differencesOf } from '@botgarten/programs/open-roberta'
 export { default as SaveDialog } from './SaveDialog.svelte'
 
 /** An Open Roberta file as a project in the world of the free lab. @throws {ProjectError} and nothing else of the file's */

@@ -1,3 +1,4 @@
+import type { Difference } from '@botgarten/programs/open-roberta'
 import { goto, replaceState } from '$app/navigation'
 import { resolve } from '$app/paths'
 import { placeOf } from '#lib/content/cards.ts'
@@ -8,8 +9,8 @@ import { freshId } from '#lib/storage/projects.ts'
 import { nameOfCopy } from '#lib/storage/copy-name.ts'
 
 const addressOf = (card: string, id: string) => resolve(`/lab/[card]?p=${encodeURIComponent(id)}`, { card })
-const show = (card: string, id: string, lost = false) =>
-  goto(addressOf(card, id), { invalidateAll: true, state: { lost } })
+const show = (card: string, id: string, state: App.PageState = {}) =>
+  goto(addressOf(card, id), { invalidateAll: true, state })
 
 /** Opens a project file in place of this project, which stays on the device. */
 export async function openFile(file: File, desk: Desk): Promise<void> {
@@ -19,7 +20,8 @@ export async function openFile(file: File, desk: Desk): Promise<void> {
     const { problem, facts } = outcome
     desk.say(`problem.${problem}.title`, `problem.${problem}.text`, facts)
   } else if ('merged' in outcome) await goto(resolve('/projects'), { state: { merged: outcome.merged } })
-  else await show(placeOf(outcome.project), outcome.id, outcome.lost)
+  else
+    await show(placeOf(outcome.project), outcome.id, { lost: outcome.lost ?? false, fromFile: true })
 }
 
 /**
@@ -30,6 +32,13 @@ export async function saveForOpenRoberta(session: Session, name: string) {
   const { saveOpenRobertaFile, SaveDialog } = await import('#lib/open-roberta/later.ts')
   const outgoing = saveOpenRobertaFile({ ...session.project, name }, session.robotId)
   return outgoing && { SaveDialog, outgoing }
+}
+
+/** What may end the robot's program here and not in Open Roberta, where the program comes from there. */
+export async function foreignDifferences(session: Session): Promise<readonly Difference[]> {
+  if (!session.program.raw) return []
+  const { differencesOf } = await import('#lib/open-roberta/later.ts')
+  return differencesOf(session.program, session.config)
 }
 
 /** Another tab has saved this project: what stands here becomes one of its own, and goes on undisturbed. */

@@ -1,2 +1,10 @@
 // Doors out of a project, and into another one: each is asked for by a click.
-export { keepCopy, keepGone, loadNewer, openFile, saveForOpenRoberta, sortingDoors } from './doors.ts'
+export {
+  foreignDifferences,
+  keepCopy,
+  keepGone,
+  loadNewer,
+  openFile,
+  saveForOpenRoberta,
+  sortingDoors,
+} from './doors.ts'
