@@ -1,5 +1,5 @@
 import * as v from 'valibot'
-import { triangleOf, type Area, type Obstacle, type Pose } from '@botgarten/simulation'
+import { triangleOf, type Area, type Line, type Obstacle, type Pose } from '@botgarten/simulation'
 import { ProjectError } from './error.ts'
 import { finite } from './schema-program.ts'
 
@@ -31,6 +31,9 @@ const thing = v.union([
     ...{ ax: share, ay: share, bx: share, by: share, cx: share, cy: share },
   }),
 ])
+/** A square on the floor with a number, which Open Roberta's cameras look for. It says nothing of its size but 36 px. */
+const marker = v.object({ x: share, y: share, w: share, h: share, markerId: v.number() })
+type Marker = v.InferOutput<typeof marker>
 type Thing = v.InferOutput<typeof thing>
 type Placed = Pick<Area, 'shape' | 'pose'>
 
@@ -38,6 +41,7 @@ const file = v.object({
   robotPoses: v.array(v.union([v.pipe(v.array(place), v.minLength(1)), place])),
   obstacles: v.array(thing),
   colorAreas: v.array(thing),
+  marker: v.optional(v.array(marker), []),
 })
 
 export const looksForeign = (data: unknown): boolean =>
@@ -47,17 +51,20 @@ export const looksForeign = (data: unknown): boolean =>
 export function readForeignScene(data: unknown): object {
   const result = v.safeParse(file, data, { abortEarly: true })
   if (!result.success) throw new ProjectError('notAScene', result.issues[0].message)
-  const { robotPoses, obstacles, colorAreas } = result.output
+  const { robotPoses, obstacles, colorAreas, marker } = result.output
   return {
     botgartenScene: 1,
     size: { width: tenth(SIZE.width), height: tenth(SIZE.height) },
     floor: { colour: '#FFFFFF' },
-    areas: colorAreas.map((one, index): Area => ({
-      id: `area${index + 1}`,
-      ...placed(one),
-      colour: one.color,
-    })),
-    lines: [],
+    areas: [
+      ...colorAreas.map((one, index): Area => ({
+        id: `area${index + 1}`,
+        ...placed(one),
+        colour: one.color,
+      })),
+      ...marker.map((one, index): Area => ({ id: `marker${index + 1}`, ...sheetOf(one), colour: '#FFFFFF' })),
+    ],
+    lines: marker.flatMap(digitsOf),
     obstacles: obstacles.map(obstacleOf),
     starts: robotPoses.map((pose) => startOf(Array.isArray(pose) ? (pose[1] ?? pose[0]!) : pose)),
     assets: {},
@@ -112,4 +119,48 @@ function triangle({ ax, ay, bx, by, cx, cy }: Extract<Thing, { form: 'triangle' 
     tip: hundredth(tip ?? 0),
   } as const
   return { shape, pose: rounded(found.pose) }
+}
+
+/** Around the number of a marker is a margin of a twelfth. */
+const MARGIN = 1 / 12
+
+function sheetOf({ x, y, w, h }: Marker): Placed {
+  const wide = { x: x - w * MARGIN, y: y - h * MARGIN, w: w * (1 + 2 * MARGIN), h: h * (1 + 2 * MARGIN) }
+  return placed({ form: 'rectangle', color: '#FFFFFF', ...wide })
+}
+
+const signs: { readonly [sign: string]: number } = { '-': -1, '0': 0, '+': 1 }
+
+/** Each digit in one stroke: −1, 0, 1 from left to right and from below to above. */
+const strokes = [
+  '-- +- ++ -+ --',
+  '0- 0+',
+  '-+ ++ +0 -0 -- +-',
+  '-+ ++ +0 -0 +0 +- --',
+  '-+ -0 +0 ++ +-',
+  '++ -+ -0 +0 +- --',
+  '++ -+ -- +- +0 -0',
+  '-+ ++ +-',
+  '-0 +0 ++ -+ -- +- +0',
+  '+0 -0 -+ ++ +- --',
+].map((stroke) => stroke.split(' ').map(([across, up]) => [signs[across!]!, signs[up!]!] as const))
+
+/** The number of a marker as lines on the floor; none for what is no number of at most two digits. */
+function digitsOf({ x, y, w, h, markerId }: Marker, index: number): Line[] {
+  if (!Number.isInteger(markerId) || markerId < 0 || markerId > 99) return []
+  const middle = point(x + w / 2, y + h / 2)
+  const size = atLeast((h * PICTURE.height) / PICTURE.pxPerCm)
+  const digits = [...String(markerId)].map(Number)
+  return digits.map((digit, place) => {
+    const left = middle.x + (place - (digits.length - 1) / 2) * size * 0.44
+    return {
+      id: `marker${index + 1}digit${place + 1}`,
+      points: strokes[digit]!.map(([across, up]) => ({
+        x: hundredth(left + across * size * 0.14),
+        y: hundredth(middle.y + up * size * 0.32),
+      })),
+      width: Math.max(0.5, hundredth(size * 0.1)),
+      colour: '#000000',
+    }
+  })
 }

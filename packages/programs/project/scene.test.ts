@@ -123,6 +123,47 @@ describe('a scene file of Open Roberta', () => {
     expect(corners.sort((a, b) => a[0]! - b[0]! || a[1]! - b[1]!)).toEqual([[30, 83], [30, 123], [60, 83]]) // prettier-ignore
   })
 
+  describe('with markers', () => {
+    const marked = (...ids: readonly unknown[]) =>
+      parseScene(
+        JSON.stringify({
+          ...foreign,
+          marker: ids.map((markerId, k) => ({
+            ...{ x: (100 + 60 * k) / 750, y: 100 / 480, w: 36 / 750, h: 36 / 480, theta: 0 },
+            ...{ color: '#FBED00', form: 'RECTANGLE', type: 'MARKER', markerId },
+          })),
+        }),
+      )
+
+    it('has each as a white sheet with its number, 0 to 99', () => {
+      const { areas, lines } = marked(7, 10, 99)
+      expect(areas.slice(1).map(({ colour }) => colour)).toEqual(Array(3).fill('#FFFFFF'))
+      // 42 px with the margin; its middle is at (118, 118) px.
+      expect(areas[1]).toMatchObject({ shape: { width: 14, height: 14 }, pose: at(36, 117.33) })
+      expect(lines.map(({ id }) => id)).toEqual([
+        ...['marker1digit1', 'marker2digit1', 'marker2digit2', 'marker3digit1', 'marker3digit2'],
+      ])
+      const [seven, one] = lines
+      // Along the top to the right, then down.
+      expect(seven!.points).toEqual([
+        { x: 34.32, y: 121.17 },
+        { x: 37.68, y: 121.17 },
+        { x: 37.68, y: 113.49 },
+      ])
+      expect(new Set(one!.points.map(({ x }) => x)).size).toBe(1)
+    })
+
+    it('has a sheet without a number for what is none of these', () => {
+      expect(marked(100, -1, 0.5).lines).toEqual([])
+      expect(marked(100, -1, 0.5).areas).toHaveLength(4)
+    })
+
+    it('is refused by name where they are too many', () => {
+      expect(() => marked(...Array<number>(51).fill(1))).toThrow(ProjectError)
+      expect(marked(...Array<number>(50).fill(99)).lines).toHaveLength(100)
+    })
+  })
+
   it('of an older kind has one pose a robot', () => {
     const old = { ...foreign, robotPoses: [{ x: 160 / 750, y: 160 / 480, theta: 0 }] }
     expect(parseScene(JSON.stringify(old)).starts).toEqual([at(50, 103.33)])

@@ -56,11 +56,18 @@ function refuseOther(data: unknown): void {
 /** Counted before anything else is looked at: too many things get an answer of their own. */
 function refuseCrowd(data: unknown): void {
   const lists = { ...(data as { [name: string]: unknown }) }
-  const limits = { obstacles: most.obstacles, areas: most.areas, colorAreas: most.areas, lines: most.lines }
-  for (const [name, limit] of Object.entries(limits)) {
-    const list = lists[name]
-    if (!Array.isArray(list) || list.length <= limit) continue
-    const message = `The scene has ${list.length} ${name}; a world holds at most ${limit}.`
-    throw new ProjectError('tooManyThings', message, { count: list.length, most: limit })
+  const sizeOf = (name: string) => (Array.isArray(lists[name]) ? lists[name].length : 0)
+  // A marker of Open Roberta's is an area with two lines on it.
+  const counts = [
+    ['obstacles', sizeOf('obstacles'), most.obstacles],
+    ['areas', sizeOf('areas'), most.areas],
+    ['markers', sizeOf('marker'), most.lines / 2],
+    ['colour areas', sizeOf('colorAreas') + sizeOf('marker'), most.areas],
+    ['lines', sizeOf('lines'), most.lines],
+  ] as const
+  for (const [name, count, limit] of counts) {
+    if (count <= limit) continue
+    const message = `The scene has ${count} ${name}; a world holds at most ${limit}.`
+    throw new ProjectError('tooManyThings', message, { count, most: limit })
   }
 }
