@@ -341,3 +341,23 @@ test('what may end a program here and not in Open Roberta is said when it is ope
   await child.reloads()
   await expect(panel).toBeHidden()
 })
+
+test('a robot is kept by name, used again in another project, left out and brought back', async ({
+  child,
+  page,
+}) => {
+  const { bo } = await rebuildsPlugs(child)
+  const named = bo.dialog.getByRole('button', { name: 'Rex', exact: true })
+  await bo.dialog.getByRole('textbox', { name: bo.word('keptName') }).fill('Rex')
+  await page.keyboard.press('Enter')
+  await expect(named).toBeVisible()
+  await page.goto('/lab/free?p=another')
+  await child.seesLab()
+  await bo.opens('build')
+  await bo.dialog.getByRole('button', { name: bo.word('leaveOut', { name: 'Rex' }) }).click()
+  await expect(named).toHaveCount(0)
+  await bo.dialog.getByRole('button', { name: bo.word('bringBack', { name: 'Rex' }) }).click()
+  await named.click()
+  await bo.seesAtPort('4', 'irseeker')
+  await expect(bo.motor('D')).toContainText(bo.word('plug.motor_middle'))
+})

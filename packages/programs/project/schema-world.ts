@@ -44,7 +44,7 @@ const motor = v.exactOptional(
 )
 const strength = v.pipe(finite, v.minValue(0.5), v.maxValue(1))
 
-const config = v.object({
+export const robotConfigSchema = v.object({
   wheelDiameter: length,
   trackWidth: length,
   sensors: v.object({
@@ -60,7 +60,13 @@ const config = v.object({
   strength: v.exactOptional(v.object({ left: strength, right: strength })),
 })
 
-const robot = v.object({ id: idSchema, pose: poseSchema, program: idSchema, brain: idSchema, config })
+const robot = v.object({
+  id: idSchema,
+  pose: poseSchema,
+  program: idSchema,
+  brain: idSchema,
+  config: robotConfigSchema,
+})
 
 const obstacle = v.object({
   id: idSchema,

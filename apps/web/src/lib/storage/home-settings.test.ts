@@ -1,3 +1,4 @@
+import { cardConfig, defaultConfig } from '@botgarten/simulation'
 import fc from 'fast-check'
 import { globSync, readFileSync } from 'node:fs'
 import { expect, test } from 'vitest'
@@ -21,6 +22,7 @@ const all: HomeSettings = {
   'network-level': 'explorer',
   'network-tens': true,
   'q-level': 'expert',
+  robots: { 'Wall-E': cardConfig },
   settings: { rays: false, trail: true },
   sizes: { columns: [0.3, 0.4], rows: [0.5, 0.6] },
   sorting: { source: 'points', rows: [[1, 2]] },
@@ -89,4 +91,11 @@ test('whatever stands there, only what is a setting is left, and a second look f
 test('a device whose own settings are broken takes none of them home', () => {
   const { drawer } = drawerWith({ comfort: '{', sizes: '{"columns":"x"}', sound: 'true' })
   expect(settingsIn(drawer)).toEqual({ sound: true })
+})
+
+test('robots of both are there after it, and this device’s where both have the name', () => {
+  const here = drawerWith({ robots: JSON.stringify({ Bo: defaultConfig, Rex: cardConfig }) })
+  const { taken, kept } = mergeSettings(here.drawer, { robots: { 'Wall-E': cardConfig, Bo: cardConfig } })
+  expect([taken, kept]).toEqual([[], []])
+  expect(settingsIn(here.drawer).robots).toEqual({ 'Wall-E': cardConfig, Bo: defaultConfig, Rex: cardConfig })
 })

@@ -58,7 +58,16 @@ export function mergeSettings(drawer: Drawer, settings: HomeSettings): MergedSet
     return here !== null && here !== writes(name, settings[name])
   })
   for (const name of taken) drawer.put(name, writes(name, settings[name]))
-  return { taken, kept }
+  const joined = joinRobots(drawer, settings)
+  return { taken, kept: joined ? kept.filter((name) => name !== 'robots') : kept }
+}
+
+/** Robots of both stay, under a name that both have this device's. True where there were some here. */
+function joinRobots(drawer: Drawer, { robots }: HomeSettings): boolean {
+  const { robots: own } = settingsIn(drawer)
+  if (typeof own !== 'object' || typeof robots !== 'object') return false
+  drawer.put('robots', JSON.stringify({ ...own, ...robots, ...own }))
+  return true
 }
 
 /** This device's. Where it refuses, nothing is set. */

@@ -1,5 +1,6 @@
 import { locales } from '../../../project.inlang/settings.json'
 import type { Locale } from '#lib/words/language.svelte.ts'
+import { robotConfigSchema } from '@botgarten/programs'
 import * as v from 'valibot'
 
 const wish = v.optional(v.boolean())
@@ -16,6 +17,7 @@ export const settings = {
   'network-level': level,
   'network-tens': v.boolean(),
   'q-level': level,
+  robots: v.record(v.pipe(v.string(), v.maxLength(100)), robotConfigSchema),
   settings: v.strictObject({ rays: v.boolean(), trail: v.boolean() }),
   sizes: v.strictObject({ columns: two, stacked: two, rows: two }),
   sorting: v.pipe(
