@@ -1,6 +1,5 @@
 import { locales } from '../../../project.inlang/settings.json'
 import type { Locale } from '#lib/words/language.svelte.ts'
-import { robotConfigSchema } from '@botgarten/programs'
 import * as v from 'valibot'
 
 const wish = v.optional(v.boolean())
@@ -17,7 +16,8 @@ export const settings = {
   'network-level': level,
   'network-tens': v.boolean(),
   'q-level': level,
-  robots: v.record(v.pipe(v.string(), v.maxLength(100)), robotConfigSchema),
+  /** The drawer of robots looks at each alone: one that is damaged takes no other with it. */
+  robots: v.record(v.pipe(v.string(), v.maxLength(100)), v.unknown()),
   settings: v.strictObject({ rays: v.boolean(), trail: v.boolean() }),
   sizes: v.strictObject({ columns: two, stacked: two, rows: two }),
   sorting: v.pipe(

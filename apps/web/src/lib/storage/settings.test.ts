@@ -21,6 +21,7 @@ const good: { readonly [name in keyof typeof settings]: unknown } = {
   'network-level': 'explorer',
   'network-tens': true,
   'q-level': 'expert',
+  robots: { Flitzer: { wheelDiameter: 5.6 } },
   settings: { rays: false, trail: true },
   sizes: { columns: [0.3, 0.4] },
   sorting: { rows: [[1, 2]] },
