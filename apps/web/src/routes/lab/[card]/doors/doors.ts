@@ -20,8 +20,7 @@ export async function openFile(file: File, desk: Desk): Promise<void> {
     const { problem, facts } = outcome
     desk.say(`problem.${problem}.title`, `problem.${problem}.text`, facts)
   } else if ('merged' in outcome) await goto(resolve('/projects'), { state: { merged: outcome.merged } })
-  else
-    await show(placeOf(outcome.project), outcome.id, { lost: outcome.lost ?? false, fromFile: true })
+  else await show(placeOf(outcome.project), outcome.id, { lost: outcome.lost ?? false, fromFile: true })
 }
 
 /**
