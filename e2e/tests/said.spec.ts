@@ -21,14 +21,13 @@ for (const language of languagesOf(import.meta.filename)) {
             request.onsuccess = () => done(request.result)
           })
           const store = database.transaction('projects', 'readwrite').objectStore('projects')
-          const all = await new Promise<{ id: string; project: { name: unknown } }[]>((done) => {
+          const all = await new Promise<{ id: string; project: number | { name: unknown } }[]>((done) => {
             const request = store.getAll()
             request.onsuccess = () => done(request.result as never)
           })
-          for (const one of all)
-            if (one.id === 'friendship') store.put({ ...one, project: { ...one.project, name: 7 } })
+          for (const one of all) if (one.id === 'friendship') store.put({ ...one, project: 7 })
           database.close()
-          return all.map(({ id, project }) => [id, project.name])
+          return all.map(({ id, project }) => [id, typeof project === 'number' ? project : project.name])
         })
       await kept()
 
