@@ -53,7 +53,7 @@ export default {
     {
       name: 'one-importer-of-blockly',
       severity: 'error',
-      from: { pathNot: '^apps/web/src/lib/editor/' },
+      from: { pathNot: '^apps/web/src/features/editor/' },
       to: { path: 'node_modules/blockly' },
     },
     {
@@ -71,8 +71,8 @@ export default {
     {
       name: 'drawing-is-pure',
       severity: 'error',
-      from: { path: '^apps/web/src/lib/drawing/', pathNot: '\\.test\\.ts$' },
-      to: { path: '^apps/web/src/lib/(?!drawing/)|node_modules/svelte' },
+      from: { path: '^apps/web/src/drawing/', pathNot: '\\.test\\.ts$' },
+      to: { path: '^apps/web/src/(?!drawing/)|node_modules/svelte' },
     },
     {
       name: 'resolvable',

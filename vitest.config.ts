@@ -28,7 +28,7 @@ export default defineConfig({
           name: 'web',
           testTimeout: 60_000,
           include: ['src/**/*.test.ts'],
-          setupFiles: [`${import.meta.dirname}/apps/web/src/lib/words/all-languages.ts`],
+          setupFiles: [`${import.meta.dirname}/apps/web/src/words/all-languages.ts`],
         },
       },
     ],

@@ -61,7 +61,7 @@ test('of the tables of words only those of the language that is spoken count', (
 })
 
 test('what another playground asks for late does not count', () => {
-  const later = ['q-learning', 'sorting'].map((name) => `src/lib/playgrounds/${name}/later.ts`)
+  const later = ['q-learning', 'sorting'].map((name) => `src/features/${name}/later.ts`)
   const parts = Object.fromEntries(later.map((name) => [name, chunk(name)]))
   const files = scriptsOf(
     '_app/immutable/page.js',

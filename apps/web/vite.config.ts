@@ -112,7 +112,7 @@ const chunks = [
   { name: cardOf, priority: 2 },
   {
     name: 'common',
-    test: /(src[\\/]lib[\\/](content|offline|parts(?![\\/](page|card)[\\/](?!face))|words)|node_modules[\\/]svelte)[\\/]|PrintIcon|storage[\\/](bin|channel|copy-name|database|endings|handout|projects|refusal|settings)\.ts|state[\\/]comfort/,
+    test: /(src[\\/](content|app|parts(?![\\/](page|card)[\\/](?!face))|words)|node_modules[\\/]svelte)[\\/]|PrintIcon|storage[\\/](bin|channel|copy-name|database|endings|handout|projects|refusal|settings)\.ts/,
     minShareCount: 2,
     priority: 1,
   },
@@ -132,10 +132,10 @@ const chunks = [
     minShareCount: 2,
     priority: 1,
   },
-  { name: 'drawing', test: /src[\\/]lib[\\/](drawing|world)[\\/]/, minShareCount: 2 },
+  { name: 'drawing', test: /src[\\/](drawing|features[\\/](world|building|time))[\\/]/, minShareCount: 2 },
   {
     name: 'engine',
-    test: /[\\/](packages[\\/](?!blocks|learning|numbers|materials[\\/](things|maps|items|questions)|simulation[\\/](floor[\\/]png|body[\\/]plugged))|node_modules[\\/]planck[\\/]|src[\\/]lib[\\/](?!materials|paper|parts[\\/](ErrorScreen|(page|card)[\\/](?!face))|storage|share|floor|editor[\\/](learning|expert|layers|pictures)|playgrounds[\\/](sorting|q-learning|neural-network[\\/]deep)))/,
+    test: /[\\/](packages[\\/](?!blocks|learning|numbers|materials[\\/](things|maps|items|questions)|simulation[\\/](floor[\\/]png|body[\\/]plugged))|node_modules[\\/]planck[\\/]|src[\\/](?!routes|service-worker|storage|lab[\\/]floor|parts[\\/](ErrorScreen|(page|card)[\\/](?!face))|features[\\/](about|home|lab-screen|materials|print|projects|q-learning|share|sorting|tour|network[\\/]deep|editor[\\/](learning|expert|layers|pictures))))/,
     minShareCount: 2,
   },
 ]
@@ -161,7 +161,7 @@ export default defineConfig({
       outDir: folder ? '.svelte-kit/web-space' : '.svelte-kit',
       // Small styles, of parts that come late above all, would each be a request.
       inlineStyleThreshold: 8192,
-      // It comes after the page: lib/offline.
+      // It comes after the page: app/offline.
       serviceWorker: { register: false },
       csp: {
         mode: 'hash',

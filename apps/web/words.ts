@@ -135,11 +135,11 @@ const messagesByKey: Plugin = {
   name: 'messages-by-key',
   enforce: 'pre',
   transform: {
-    filter: { code: /from '#lib\/words\/generated\/messages\.js'/ },
+    filter: { code: /from '#words\/generated\/messages\.js'/ },
     handler: (code) => ({
       code: code.replace(
-        /import (?:\* as m|\{ m \}) from '#lib\/words\/generated\/messages\.js'/,
-        "import { m } from '#lib/words/say.ts'",
+        /import (?:\* as m|\{ m \}) from '#words\/generated\/messages\.js'/,
+        "import { m } from '#words/say.ts'",
       ),
       map: null,
     }),

@@ -1,5 +1,5 @@
 export default {
-  outdir: './src/lib/words/generated',
+  outdir: './src/words/generated',
   strategy: ['baseLocale'],
   outputStructure: 'locale-modules',
   emitTsDeclarations: true,

@@ -1,4 +1,4 @@
-import type { Merged } from '#lib/storage/files.ts'
+import type { Merged } from '#storage/files.ts'
 
 declare global {
   /** Is this the build for a web space? */

@@ -5,7 +5,7 @@ import { startingStacks } from '../run/index-program.ts'
 import type { Program } from '../types.ts'
 
 /** What ends a program here where Open Roberta's simulation goes on (semantics.md, "Where programs end here"). */
-export type DifferenceKind = 'dividing' | 'place' | 'port' | 'unknown'
+type DifferenceKind = 'dividing' | 'place' | 'port' | 'unknown'
 
 export interface Difference {
   readonly kind: DifferenceKind

@@ -1,3 +1,3 @@
-import { fetchSortingWords } from '#lib/words/say.ts'
+import { fetchSortingWords } from '#words/say.ts'
 
 export const load = () => fetchSortingWords()

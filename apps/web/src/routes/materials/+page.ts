@@ -1,5 +1,5 @@
-import { fetchItems } from '#lib/materials/library.ts'
-import { fetchLateWords, fetchSortingWords } from '#lib/words/say.ts'
+import { fetchItems } from '#features/materials/library.ts'
+import { fetchLateWords, fetchSortingWords } from '#words/say.ts'
 
 export const load = async () => {
   await Promise.all([fetchItems(), fetchSortingWords(), fetchLateWords()])

@@ -1,3 +1,3 @@
-import { fetchLateWords } from '#lib/words/say.ts'
+import { fetchLateWords } from '#words/say.ts'
 
 export const load = () => fetchLateWords()

@@ -1,4 +1,4 @@
-import { fetchSortingWords } from '#lib/words/say.ts'
+import { fetchSortingWords } from '#words/say.ts'
 import type { PageLoad } from './$types'
 
 /** Without a project the page is this device's; `?p=` opens the sorting of a project. */
@@ -8,5 +8,4 @@ export const load: PageLoad = async ({ url }) => {
   return { opened, missing: id !== null && opened === null }
 }
 
-const openProject = async (id: string) =>
-  (await import('#lib/playgrounds/sorting/later.ts')).openForSorting(id)
+const openProject = async (id: string) => (await import('#features/sorting/later.ts')).openForSorting(id)

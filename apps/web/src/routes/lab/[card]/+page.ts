@@ -1,7 +1,7 @@
 import { error } from '@sveltejs/kit'
-import { fetchBlocklyWords } from '#lib/editor/blockly-words.ts'
-import { allCards } from '#lib/content/cards.ts'
-import { openLab } from '#lib/state/opening.ts'
+import { fetchBlocklyWords } from '#features/editor/blockly-words.ts'
+import { allCards } from '#content/cards.ts'
+import { openLab } from '#lab/opening.ts'
 import type { EntryGenerator, PageLoad } from './$types'
 
 // Names that are not among the entries are answered by the server, with the page that says so.

@@ -1,7 +1,7 @@
 import { error } from '@sveltejs/kit'
-import { allCards } from '#lib/content/cards.ts'
-import { allItems, allQuestions, cardItem, fetchItems, itemNamed } from '#lib/materials/library.ts'
-import { fetchLateWords, fetchSortingWords } from '#lib/words/say.ts'
+import { allCards } from '#content/cards.ts'
+import { allItems, allQuestions, cardItem, fetchItems, itemNamed } from '#features/materials/library.ts'
+import { fetchLateWords, fetchSortingWords } from '#words/say.ts'
 import type { EntryGenerator, PageLoad } from './$types'
 
 // Names that are not among the entries are answered by the server, with the page that says so.

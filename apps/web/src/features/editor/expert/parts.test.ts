@@ -1,0 +1,25 @@
+import { definitions } from '@botgarten/blocks'
+import * as Blockly from 'blockly/core'
+import { beforeAll, expect, it } from 'vitest'
+import { wordsIn } from '#words/say.ts'
+import { defineBlocks } from '../shape.ts'
+import { learn } from './later.ts'
+
+beforeAll(() => {
+  learn()
+  defineBlocks(Object.values(definitions), { words: wordsIn('en'), locale: 'en' })
+})
+
+/** Rows of a new block in order: the names of their fields, or of their input. */
+function rowsOf(type: string): readonly string[] {
+  const workspace = new Blockly.Workspace()
+  const { inputList } = workspace.newBlock(type)
+  const rows = inputList.map(({ name, fieldRow }) => [...fieldRow.map((field) => field.name ?? ''), name])
+  workspace.dispose()
+  return rows.map((names) => names.filter(Boolean).join(' ')).filter(Boolean)
+}
+
+it('keeps a function’s parameters behind its name, also where a field of the block is built later', () => {
+  expect(rowsOf('robProcedures_defreturn')).toEqual(['NAME TYPE ST_ANCHOR', 'ST', 'STACK', 'RETURN'])
+  expect(rowsOf('robProcedures_defnoreturn')).toEqual(['NAME ST_ANCHOR', 'ST', 'STACK'])
+})

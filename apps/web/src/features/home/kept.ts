@@ -1,0 +1,50 @@
+import { resolve } from '$app/paths'
+import { allCards, pictureOf, placeOf } from '#content/cards.ts'
+import { nameOf, shownName } from '#content/names.ts'
+import type { Listed } from '#storage/projects.ts'
+import type { Playground } from '@botgarten/materials'
+import type { BedCard, Level, RecentProject } from './home.ts'
+
+/** The name of the card a project belongs to, in the language of now; null in the free lab. */
+export function cardName({ project }: Pick<Listed, 'project'>): string | null {
+  const place = placeOf(project)
+  return place === 'free' ? null : (nameOf(place) ?? place)
+}
+
+/** Where a project is opened; one under its card's own name is what the card's address opens. */
+export function addressOf({ id, project }: Pick<Listed, 'id' | 'project'>): string {
+  const card = placeOf(project)
+  return id === card
+    ? resolve('/lab/[card]', { card })
+    : resolve(`/lab/[card]?p=${encodeURIComponent(id)}`, { card })
+}
+
+/** What lies on this device, as tiles that lead back to it. */
+export const recentOf = (kept: readonly Listed[]): RecentProject[] =>
+  kept.map((one) => ({
+    href: addressOf(one),
+    name: shownName(one),
+    when: one.changed,
+    picture: pictureOf(placeOf(one.project)),
+  }))
+
+/** From how many of its start poses a card has been solved on this device. */
+function levelOf(card: string, kept: readonly Listed[]): Level {
+  const of = allCards.find(({ id }) => id === card)?.starts ?? 0
+  const solved = kept
+    .filter(({ project }) => placeOf(project) === card)
+    .flatMap(({ project }) => project.progress?.starts ?? [])
+  return { passed: new Set(solved).size, of }
+}
+
+/** The cards of one bed, and how far each has been solved on this device. */
+export const bedOf = (bed: Playground, kept: readonly Listed[]): BedCard[] =>
+  allCards
+    .filter((card) => card.bed === bed)
+    .map(({ id, code, group }) => ({
+      href: resolve('/lab/[card]', { card: id }),
+      number: /\d+$/.exec(code)?.[0] ?? '',
+      label: nameOf(id) ?? id,
+      group: group ?? null,
+      level: levelOf(id, kept),
+    }))

@@ -1,0 +1,67 @@
+import { emptyBrain, weightsOf } from '@botgarten/learning/neural-network'
+import { standpointOf } from './moment.ts'
+import { drawn, type Neuron } from '#features/network/neurons.ts'
+import type { Session } from '#lab/session.svelte.ts'
+import { Drives } from './drives.svelte.ts'
+import { Field } from './field.svelte.ts'
+import Over from './Over.svelte'
+import Panel from './Panel.svelte'
+import Under from './Under.svelte'
+
+export type Page = 'why' | 'function'
+
+const nothing: ReadonlySet<string> = new Set()
+
+/** What a child looks at inside the network: which page is open, and what belongs to it in the world. */
+export class Inside {
+  readonly Panel = Panel
+  readonly Over = Over
+  readonly Under = Under
+  readonly session: Session
+  readonly drives: Drives
+  readonly field: Field
+  page = $state<Page | null>(null)
+  /** The link that was touched last: ids of its two neurons. */
+  link = $state.raw<readonly [from: string, to: string] | null>(null)
+
+  constructor(session: Session) {
+    this.session = session
+    this.drives = new Drives(this)
+    this.field = new Field(this)
+  }
+
+  get view() {
+    return this.session.lab.view
+  }
+  /** The network that the playground shows. */
+  readonly net = $derived.by(() => this.session.outlines[0] ?? null)
+  readonly trace = $derived.by(() => (this.net && this.view.networks[this.net.id]) || null)
+  /** The one whose numbers are shown: while it runs, that of its last run. */
+  readonly brain = $derived.by(
+    () => this.trace?.brain ?? ((this.net && this.view.brains[this.net.id]) || emptyBrain),
+  )
+  readonly weights = $derived.by(() => weightsOf(this.brain, this.session.robot.brain))
+  /** It has not run so: the numbers are what would be. */
+  readonly would = $derived.by(() => this.trace?.ran === false)
+  readonly inputs: readonly Neuron[] = $derived.by(
+    () => this.net?.inputs.map((neuron) => drawn(neuron, this.session.config, nothing)) ?? [],
+  )
+  readonly outputs: readonly Neuron[] = $derived.by(
+    () => this.net?.outputs.map((neuron) => drawn(neuron, this.session.config, nothing)) ?? [],
+  )
+  /** What the inputs say. */
+  readonly values: readonly number[] = $derived.by(() =>
+    this.inputs.map(({ id }) => this.trace?.outputs[id] ?? 0),
+  )
+
+  get standing(): boolean {
+    return this.view.phase !== 'running'
+  }
+
+  standpoint = () => standpointOf(this.session.lab)
+
+  close(): void {
+    this.page = null
+    this.drives.show(null)
+  }
+}

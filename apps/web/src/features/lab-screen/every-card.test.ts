@@ -1,0 +1,171 @@
+import { globSync, readFileSync } from 'node:fs'
+import { join } from 'node:path'
+import { cardProject, type CardProgram } from '@botgarten/materials'
+import { readMap, withLearnedWay } from '@botgarten/materials/maps'
+import { paintFloor, readPng, type World } from '@botgarten/simulation'
+import { allCards, loadCard, type LoadedCard } from '#content/cards.ts'
+import { bringFor } from '#features/editor/packs.ts'
+import { Session } from '#lab/session.svelte.ts'
+import { afterAll, afterEach, beforeAll, describe, expect, test, vi } from 'vitest'
+import { bedOf } from '#features/home/kept.ts'
+import { againFrom, nextStep } from './card.ts'
+
+// Every card is walked to its end by the classes that the screen uses, merely because it is there.
+const content = join(import.meta.dirname, '../../../../../content')
+const read = (path: string) => readFileSync(join(content, path))
+const solutionOf = (id: string) =>
+  JSON.parse(
+    readFileSync(globSync(join(content, `cards/*/*-${id}/solution.json`))[0]!, 'utf8'),
+  ) as CardProgram
+const mapNamed = (id: string) => readMap(read(`maps/${id}/map.svg`).toString()).map
+
+function floorOf(world: World) {
+  if (!('asset' in world.floor)) return paintFloor(world)
+  return paintFloor(world, readPng(read(world.floor.asset.replace('content:', ''))))
+}
+
+/** Frames as a screen would draw them: the next one is asked for again and again. */
+const screen = { next: (_: number) => {}, now: 0 }
+const FRAME = 100
+/** More simulated seconds than any card needs. */
+const PATIENCE = 240
+
+beforeAll(() => {
+  vi.useFakeTimers({ toFake: ['setTimeout', 'clearTimeout'] })
+  vi.stubGlobal('requestAnimationFrame', (next: (now: number) => void) => {
+    screen.next = next
+    return 1
+  })
+  vi.stubGlobal('cancelAnimationFrame', () => (screen.next = () => {}))
+  // Here no device keeps anything, and the autosave says so.
+  vi.spyOn(console, 'warn').mockImplementation(() => {})
+})
+const open: Session[] = []
+afterEach(() => {
+  vi.clearAllTimers()
+  for (const { keeper } of open.splice(0)) keeper.close()
+})
+afterAll(() => {
+  vi.useRealTimers()
+  vi.unstubAllGlobals()
+  vi.restoreAllMocks()
+})
+
+/** The card as a child has it open, with this program and these knobs. A way that is to be learned has been learned. */
+async function opened(card: LoadedCard, program: CardProgram): Promise<Session> {
+  const fresh = cardProject(card.world, card.card, program, card.card.id)
+  const project = { ...fresh, ...withLearnedWay(fresh, mapNamed) }
+  const expert = await bringFor(project)
+  const session = new Session({
+    ...{ id: card.card.id, revision: 0, project, card, floor: floorOf(project.world), expert },
+    ...{ floorAddress: null, trouble: null, damaged: null, keeps: true },
+  })
+  session.learnFirst = () => false
+  session.lab.speed = 16
+  open.push(session)
+  return session
+}
+
+/** Presses Start and looks until all goals are green, or nothing more can come. */
+function runs({ lab }: Session, start: () => unknown): boolean {
+  const stopFrames = lab.run()
+  start()
+  screen.now = performance.now()
+  while (lab.view.phase === 'running' && lab.view.seconds < PATIENCE && !lab.facts.succeeded)
+    screen.next((screen.now += FRAME))
+  stopFrames()
+  return lab.facts.succeeded
+}
+
+describe.each(allCards.map(({ id }) => id))('the card %s', (id) => {
+  test('is solved from place to place: each is taken, counted and followed by what comes next', async () => {
+    const card = (await loadCard(id))!
+    const session = await opened(card, solutionOf(id))
+    const places = card.card.starts.map((_, place) => place)
+    for (const place of places) {
+      if (place > 0) session.chooseStart(place)
+      if (card.card.playground !== 'q-learning') expect(session.chosenStart).toBe(place)
+      expect(runs(session, () => session.start())).toBe(true)
+      expect(session.noteSuccess()).toBe(true)
+      expect(session.progress.starts).toEqual(places.slice(0, place + 1))
+      const next = nextStep(card, session.progress.starts)
+      if (place + 1 < places.length) expect(next).toEqual({ kind: 'start', index: place + 1 })
+      else if (card.card.next === null) expect(next).toEqual({ kind: 'none' })
+      else
+        expect(next).toMatchObject({
+          kind: 'card',
+          href: expect.stringContaining(`/lab/${card.card.next}`) as string,
+        })
+    }
+    const kept = [{ id, project: session.project, changed: 0, revision: 1 }]
+    const { bed } = allCards.find((one) => one.id === id)!
+    const onHome = bedOf(bed, kept).find(({ href }) => href.endsWith(`/lab/${id}`))
+    expect(onHome?.level).toEqual({ passed: places.length, of: places.length })
+  })
+})
+
+describe('what does not count', () => {
+  const forward = async (program?: CardProgram) => {
+    const card = (await loadCard('forward'))!
+    return opened(card, program ?? card.start)
+  }
+  const pose = ({ lab }: Session) => lab.view.robots[0]!.pose
+  /** Close enough to the goal that the program at hand reaches it. */
+  const near = { x: 150, y: 100, heading: 0 }
+
+  test('Start, pressed again and again with nothing changed, does the same again and again', async () => {
+    const session = await forward()
+    expect(runs(session, () => session.start())).toBe(false)
+    expect(session.lab.view.phase).toBe('ended')
+    const end = pose(session)
+    for (const _ of [2, 3, 4]) {
+      expect(runs(session, () => session.start())).toBe(false)
+      expect(session.beganElsewhere).toBe(false)
+      expect(pose(session)).toEqual(end)
+    }
+  })
+
+  test('a robot that was put somewhere stays there: it starts there, and counts nothing', async () => {
+    const session = await forward()
+    runs(session, () => session.start())
+    session.place('bo', near, 'start')
+    session.place('bo', near, 'end')
+    expect(session.chosenStart).toBe(-1)
+    expect(runs(session, () => session.start())).toBe(true)
+    expect(session.beganElsewhere).toBe(true)
+    expect(session.noteSuccess()).toBe(false)
+    expect(session.progress.starts).toEqual([])
+    expect(againFrom(session.opened.card!, session.chosenStart, [])).toEqual({ kind: 'again', index: 0 })
+    session.chooseStart(0)
+    expect(runs(session, () => session.start())).toBe(false)
+  })
+
+  test.each([
+    ['puts it somewhere', (session: Session) => session.place('bo', near, 'end')],
+    ['presses a key', (session: Session) => session.press('up', true)],
+    ['takes a step back', (session: Session) => session.undo.undo()],
+  ])('a hand that %s while it drives has helped', async (_, help) => {
+    const session = await forward(solutionOf('forward'))
+    session.place('bo', near, 'start')
+    session.place('bo', near, 'end')
+    session.chooseStart(0)
+    session.start()
+    expect(session.lab.view.robots[0]!.pose.x).toBe(40)
+    help(session)
+    runs(session, () => {})
+    expect(session.noteSuccess()).toBe(false)
+    expect(session.progress.starts).toEqual([])
+  })
+
+  test('other blocks while it drives are another run, from where Bo is', async () => {
+    const session = await forward(solutionOf('forward'))
+    session.start()
+    session.lab.step('tick')
+    session.lab.step('tick')
+    const { programs } = (await loadCard('forward'))!.start
+    session.editProgram(programs['main']!)
+    session.lab.resume()
+    runs(session, () => {})
+    expect(session.noteSuccess()).toBe(false)
+  })
+})

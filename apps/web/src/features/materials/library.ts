@@ -1,0 +1,69 @@
+import heads from 'content:materials/heads'
+import { allCards } from '#content/cards.ts'
+import { language, type Locale } from '#words/language.svelte.ts'
+import { say } from '#words/say.ts'
+import type { Item, ItemMarkdown, ItemText } from '@botgarten/materials/items'
+import type { Question, QuestionText } from '@botgarten/materials/questions'
+
+/** Words of all items by `kind/id`, and of all questions by id, in one language. */
+interface Texts {
+  readonly items: { readonly [item: string]: ItemText | undefined }
+  readonly questions: { readonly [id: string]: QuestionText | undefined }
+}
+
+const files = import.meta.glob<Texts>('../../../../../content/words/*.json', {
+  query: '?items',
+  import: 'default',
+})
+const texts = new Map<Locale, Texts>()
+
+/** Brings the words of the learning materials: before one of them is shown. */
+export async function fetchItems(locale: Locale = language.locale): Promise<void> {
+  language.needs(fetchItems)
+  if (!texts.has(locale)) texts.set(locale, await files[`../../../../../content/words/${locale}.json`]!())
+}
+
+/** All learning materials, in the order of their folders. */
+export const allItems = heads.items
+export const allQuestions: readonly Question[] = heads.questions
+
+export const itemNamed = (id: string) => allItems.find((item) => item.id === id)
+
+/** A card of the lab alone, as an item of two sides; undefined for what is no card. */
+export function cardItem(id: string): Item | undefined {
+  const card = allCards.find((one) => one.id === id)
+  const set = card && allItems.find((item) => item.kind === 'card' && item.way === ways[card.bed])
+  return set && { ...set, id }
+}
+
+const ways: { readonly [bed: string]: Item['way'] } = {
+  ...{ drive: 'all', network: 'supervised', 'q-learning': 'reinforcement', sorting: 'unsupervised' },
+}
+
+const bothSides = (id: string): ItemMarkdown => [
+  { type: 'embed', embed: { kind: 'card', id, side: 'front' } },
+  { type: 'embed', embed: { kind: 'page' } },
+  { type: 'embed', embed: { kind: 'card', id, side: 'back' } },
+]
+
+/** As the sets of cards are written: its name as a heading, then both sides. */
+function cardText(id: string): ItemText {
+  const title = say(`home.${id}`)
+  return { title, lead: [], sections: [{ title, body: bothSides(id), notes: [] }] }
+}
+
+/** An item's words in the language of now. @throws Error where they were not brought: a mistake in the page */
+export function textOf({ kind, id }: Pick<Item, 'kind' | 'id'>): ItemText {
+  const all = texts.get(language.locale)?.items
+  const text = all?.[`${kind}/${id}`]
+  if (all && !text && kind === 'card') return cardText(id)
+  if (!text) throw new Error(`The words of "${kind}/${id}" are not here.`)
+  return text
+}
+
+/** A question's words in the language of now. @throws Error where they were not brought: a mistake in the page */
+export function questionText(id: string): QuestionText {
+  const text = texts.get(language.locale)?.questions[id]
+  if (!text) throw new Error(`The words of the question "${id}" are not here.`)
+  return text
+}

@@ -1,0 +1,26 @@
+import { mostInLayer, mostNeurons } from '@botgarten/blocks'
+import { withActivation, type Activation } from '@botgarten/learning/neural-network'
+import type { NetworkOutline } from '@botgarten/programs'
+import { setLayerActivation, type Paper } from '#features/editor/layers.ts'
+import type { Session } from '#lab/session.svelte.ts'
+
+/** How many neurons a network may still get. */
+export const roomFor = ({ inputs, hidden, outputs }: NetworkOutline): number =>
+  hidden.reduce((left, { neurons }) => left - neurons, mostNeurons - inputs.length - outputs.length)
+
+export const canGrow = (net: NetworkOutline, neurons: number): boolean =>
+  neurons < mostInLayer && roomFor(net) > 0
+
+/** What becomes of a neuron's sum: of a hidden one its block says it, for its whole layer. */
+export function setActivation(
+  session: Session,
+  paper: Paper | null,
+  net: NetworkOutline,
+  neuron: string,
+  activation: Activation,
+): void {
+  const layer = net.hidden.find(({ id }) => neuron.startsWith(`${id}#`))
+  if (!layer) return session.weights.change(net.id, (brain) => withActivation(brain, neuron, activation))
+  if (activation === 'softmax') return
+  setLayerActivation(paper, layer.id, activation)
+}

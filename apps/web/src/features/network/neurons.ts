@@ -1,0 +1,35 @@
+import type { Track } from '#drawing/track.ts'
+import type { NeuronOutline } from '@botgarten/programs'
+import type { RobotConfig } from '@botgarten/simulation'
+import { say } from '#words/say.ts'
+import { colourOf, labelOf, placeOf } from './words.ts'
+
+/** A neuron as it is drawn. */
+export interface Neuron {
+  readonly id: string
+  readonly label: string
+  readonly place: string | null
+  /** Label and place in one, for the ear. */
+  readonly name: string
+  readonly colour: string
+  readonly missing: boolean
+  /** Its name is not written below it: its layer says what it is. */
+  readonly bare?: boolean
+}
+
+export function drawn(neuron: NeuronOutline, config: RobotConfig, problems: ReadonlySet<string>): Neuron {
+  const label = labelOf(neuron)
+  const key = placeOf(neuron, config)
+  const place = key === null ? null : say(key)
+  return {
+    id: neuron.id,
+    label,
+    place,
+    name: place === null ? label : say('network.name', { label, place }),
+    colour: colourOf(neuron),
+    missing: problems.has(neuron.id),
+  }
+}
+
+/** The links as they are drawn, by the ids of their ends. */
+export type Links = readonly { readonly from: string; readonly to: string; readonly track: Track }[]

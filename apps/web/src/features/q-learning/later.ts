@@ -1,0 +1,38 @@
+import type { Desk } from '#lab/desk.svelte.ts'
+import type { Session } from '#lab/session.svelte.ts'
+import { fetchLateWords } from '#words/say.ts'
+import type { Blocks } from './hands.ts'
+import { Learning } from './learning.svelte.ts'
+import QPlayground from './QPlayground.svelte'
+
+/** A session that learns, with what shows it. */
+export interface Learner {
+  readonly QPlayground: typeof QPlayground
+  readonly learning: Learning
+}
+
+/**
+ * Opens the playground of a session, with its words.
+ * @param show is given it once it is there, and null when it is closed
+ * @returns how to close it
+ */
+export function hold(
+  session: Session,
+  desk: Desk,
+  blocks: Blocks,
+  show: (learner: Learner | null) => void,
+): () => void {
+  let close = () => {}
+  let over = false
+  void fetchLateWords().then(() => {
+    if (over) return
+    const learning = new Learning(session, desk, blocks)
+    close = learning.open()
+    show({ QPlayground, learning })
+  })
+  return () => {
+    over = true
+    close()
+    show(null)
+  }
+}

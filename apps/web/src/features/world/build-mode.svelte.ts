@@ -1,0 +1,59 @@
+import { withWords } from '#words/say.ts'
+import type { Desk } from '#lab/desk.svelte.ts'
+import type { Session } from '#lab/session.svelte.ts'
+import { Eye } from './eye.svelte.ts'
+import { Hand } from './hand.svelte.ts'
+import type { Workshop } from './workshop.ts'
+
+/** The world's pane: where it looks, what is in the hand, and whether a child builds. */
+export class BuildMode {
+  readonly session: Session
+  readonly desk: Desk
+  readonly eye: Eye
+  readonly hand: Hand
+  #shop = $state.raw<Opened | null>(null)
+  #on = $state(false)
+
+  constructor(session: Session, desk: Desk) {
+    this.session = session
+    this.desk = desk
+    this.eye = new Eye(
+      () => this.shop?.world ?? session.lab.document.world,
+      () => session.robotId,
+    )
+    this.hand = new Hand((id, pose, phase) => (this.shop ?? session).place(id, pose, phase))
+  }
+
+  get on(): boolean {
+    return this.#on
+  }
+
+  /** Set while a child builds. */
+  get shop(): Workshop | null {
+    return this.#on ? this.#shop : null
+  }
+
+  async toggle(): Promise<void> {
+    this.#on = !this.#on
+    this.hand.selected = null
+    if (!this.#on) return
+    // Bo would drive out of sight, and the camera stands still.
+    this.session.lab.pause()
+    await this.#open()
+  }
+
+  /** A picture for the floor or a scene, dropped onto the world. */
+  async take(file: File): Promise<void> {
+    const shop = await this.#open()
+    await shop.take(file)
+  }
+
+  async #open(): Promise<Opened> {
+    if (this.#shop) return this.#shop
+    const { openWorkshop } = await withWords(import('#features/building/later.ts'), () => (this.#on = false))
+    this.#shop ??= await openWorkshop(this)
+    return this.#shop
+  }
+}
+
+type Opened = Workshop & { take(file: File): Promise<void> }

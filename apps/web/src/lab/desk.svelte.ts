@@ -1,0 +1,179 @@
+import { untrack } from 'svelte'
+import type { Facts, Finding } from '@botgarten/blocks'
+import type { StepKind } from '@botgarten/lab'
+import { told } from '#features/editor/told.ts'
+import { saveRaw } from '#storage/handout.ts'
+import { readSetting, writeSetting } from '#storage/settings.ts'
+import { isTyping, undoKey } from './keys.ts'
+import type { Session } from './session.svelte.ts'
+import { Loudspeaker } from './sound.svelte.ts'
+
+/** What is said at the foot of the world, as `session.<notice>`. */
+export type Notice = 'away' | 'bumped' | 'elsewhere' | 'floorMissing'
+
+/** What is said in a dialog: keys of words, so that it follows the language. */
+export interface Message {
+  readonly title: string
+  readonly text: string
+  readonly facts: Facts
+  /** Saves as a file what could not be read. */
+  readonly onsaveraw?: () => void
+}
+
+interface Settings {
+  readonly rays: boolean
+  readonly trail: boolean
+}
+
+/** What lies around a session on the screen: what is being said, what is switched on, how it sounds. */
+export class Desk {
+  readonly speaker = new Loudspeaker()
+  #session: Session
+  #shown = $state.raw<Finding | null>(null)
+  /** All goals are green, in a run that counts or in one that does not. */
+  #success = $state<'counts' | 'uncounted' | null>(null)
+  /** Has this run succeeded before? */
+  #succeeded = false
+  #settings = $state.raw(readSetting<Settings>('settings', { rays: true, trail: true }))
+  #sizes = $state.raw(readSetting<object>('sizes', {}))
+  notice = $state.raw<Notice | null>(null)
+  message = $state.raw<Message | null>(null)
+
+  constructor(session: Session) {
+    this.#session = session
+    const { trouble } = session.opened
+    if (trouble === 'floorMissing') this.notice = trouble
+    const { damaged } = session.opened
+    if (damaged)
+      this.message = {
+        ...{ title: `session.${trouble}`, text: `session.${trouble}Text`, facts: {} },
+        onsaveraw: () => saveRaw(damaged.name, damaged.raw),
+      }
+  }
+
+  get shown() {
+    return this.#shown
+  }
+  get success() {
+    return this.#success
+  }
+  get settings() {
+    return this.#settings
+  }
+  set settings(settings: Settings) {
+    this.#settings = settings
+    writeSetting('settings', settings)
+  }
+  get sizes() {
+    return this.#sizes
+  }
+  set sizes(sizes: object) {
+    this.#sizes = sizes
+    writeSetting('sizes', sizes)
+  }
+
+  /** Begins to let time pass and to listen to the page. Returns how to end it. */
+  open(): () => void {
+    const { lab, keeper, opened } = this.#session
+    const stopFrames = lab.run()
+    const stopWatching = $effect.root(() => {
+      const { phase, heard, problem, succeeded, touching } = $derived(lab.facts)
+      $effect(() => this.speaker.play(phase === 'running' ? heard : null))
+      $effect(() => {
+        const failure = problem
+        untrack(() => this.#failed(failure))
+      })
+      $effect(() => {
+        if (succeeded) untrack(() => this.#succeed())
+      })
+      $effect(() => {
+        // In the free lab pushing is no mistake.
+        if (opened.card !== null && phase === 'running' && touching) this.notice = 'bumped'
+      })
+    })
+    const away = () => this.#turnedAway()
+    const press = (event: KeyboardEvent) => this.#press(event)
+    document.addEventListener('visibilitychange', away)
+    window.addEventListener('keydown', press)
+    return () => {
+      document.removeEventListener('visibilitychange', away)
+      window.removeEventListener('keydown', press)
+      stopWatching()
+      stopFrames()
+      this.speaker.close()
+      keeper.close()
+    }
+  }
+
+  #press(event: KeyboardEvent): void {
+    if (event.key === 'Escape') this.#session.lab.stop()
+    const direction = undoKey(event)
+    if (direction === null || isTyping(event.target)) return
+    event.preventDefault()
+    this.go(direction)
+  }
+
+  /** Takes a step back or goes one forth. */
+  go(direction: 'undo' | 'redo'): void {
+    void told().then(() => {
+      this.#session.lab.goTo(Infinity)
+      this.#session.undo[direction]()
+    })
+  }
+
+  /** A hidden page pauses the run and says so on return (running.md 12). */
+  #turnedAway(): void {
+    if (!document.hidden) return
+    void this.#session.keeper.flush()
+    if (this.#session.lab.view.phase !== 'running') return
+    this.#session.lab.pause()
+    this.notice = 'away'
+  }
+
+  /** Once a run, however often the checks turn green in it. */
+  #succeed(): void {
+    if (this.#succeeded) return
+    this.#succeeded = true
+    this.#success = this.#session.noteSuccess() ? 'counts' : 'uncounted'
+  }
+
+  closeSuccess(): void {
+    this.#success = null
+  }
+
+  start(): void {
+    this.speaker.wake()
+    this.notice = null
+    this.#succeeded = false
+    this.#success = null
+    this.#shown = this.#session.start()
+    if (this.#session.lab.view.phase === 'running' && this.#session.beganElsewhere) this.notice = 'elsewhere'
+  }
+
+  /** Puts Bo on one of the card's start poses: what was said about the run before is over. */
+  chooseStart(index: number): void {
+    this.notice = null
+    this.#session.chooseStart(index)
+  }
+
+  step(kind: StepKind): void {
+    const { phase } = this.#session.lab.view
+    if (phase === 'ready' || phase === 'ended') this.start()
+    if (!this.#shown) this.#session.lab.step(kind)
+  }
+
+  /** A program that cannot go on is shown, whosever it is. */
+  #failed(problem: Finding | null): void {
+    const robot = this.#session.lab.view.robots.find((one) => one.problem === problem)
+    if (problem && robot) this.#session.choose(robot.id)
+    this.show(problem)
+  }
+
+  show(finding: Finding | null): void {
+    this.#shown = finding
+  }
+
+  say(title: string, text: string, facts: Facts = {}): void {
+    this.message = { title, text, facts }
+  }
+}

@@ -1,0 +1,109 @@
+import type { LoadedCard } from '#content/cards.ts'
+import { floorAddress, loadCard, loadFreeLab } from '#content/cards.ts'
+import { bringFor, bringLearning } from '#features/editor/packs.ts'
+import { keepsAnything } from '#storage/database.ts'
+import { freshId, load } from '#storage/projects.ts'
+import { cardProject } from '@botgarten/materials'
+import { parseProject, salvageProject, type Project } from '@botgarten/programs'
+import { pictureIn } from './floor/pictures.ts'
+import { paintFloor, type Floor, type World } from '@botgarten/simulation'
+
+/** A project that is about to be shown. */
+export interface Opened {
+  readonly id: string
+  /** 0 where nothing is kept yet. */
+  readonly revision: number
+  readonly project: Project
+  readonly card: LoadedCard | null
+  readonly floor: Floor
+  readonly floorAddress: string | null
+  /** Does its program hold more than the plain shelf? */
+  readonly expert: boolean
+  /** Message keys of what went wrong on the way; the lab stands all the same. */
+  readonly trouble: 'brokenHere' | 'partlyHere' | 'floorMissing' | null
+  /** What lies on the device and could not be read whole. */
+  readonly damaged: { readonly name: string; readonly raw: unknown } | null
+  /** Does this device keep anything at all? */
+  readonly keeps: boolean
+}
+
+/** What a route of the lab shows: a card, or `free`; null where no card has this name. */
+export async function openLab(name: string, projectId: string | null): Promise<Opened | null> {
+  const card = name === 'free' ? null : await loadCard(name)
+  if (name !== 'free' && !card) return null
+  const fresh = card ? cardProject(card.world, card.card, card.start, card.card.id) : await loadFreeLab()
+  const kept = await readKept(projectId ?? name, name, fresh)
+  const project = kept.project ?? fresh
+  const [floor, expert] = await Promise.all([
+    floorOf(project),
+    bringFor(project),
+    ...(name === 'free' ? [bringLearning()] : []),
+  ])
+  return {
+    id: kept.id,
+    revision: kept.revision,
+    project,
+    card,
+    floor: floor ?? paintFloor({ ...project.world, floor: { colour: '#FFFFFF' } }),
+    floorAddress: pictureOf(project),
+    expert,
+    trouble: kept.trouble ?? (floor ? null : 'floorMissing'),
+    damaged: kept.damaged,
+    keeps: kept.revision > 0 || (await keepsAnything()),
+  }
+}
+
+/**
+ * A kept project is read as carefully as a stranger's file. One that is damaged or too much stays where it is, and what of
+ * it can be opened becomes a project of its own.
+ */
+async function readKept(id: string, place: string, fresh: Project) {
+  const kept = await load(id)
+  if (!kept) return { id, revision: 0, project: null, trouble: null, damaged: null }
+  try {
+    const project = parseProject(kept.project)
+    return { id, revision: kept.revision, project, trouble: null, damaged: null }
+  } catch (cause) {
+    console.warn('A kept project cannot be read.', cause)
+    const project = salvageProject(kept.project, fresh)?.project ?? null
+    const name = project?.name || id
+    return {
+      ...{ id: freshId(place), revision: 0 },
+      project: project && { ...project, name },
+      trouble: project ? ('partlyHere' as const) : ('brokenHere' as const),
+      damaged: { name, raw: kept.project },
+    }
+  }
+}
+
+/** Address of the picture a world lies on; null where it lies on a colour. */
+export const floorPictureOf = (world: World, assets: Project['assets']): string | null =>
+  pictureOf({ world, assets })
+
+/** Of all pictures the one that lies on a floor: only that is kept. */
+export function ownPictureIn(floor: World['floor'], pictures: Project['assets']): Project['assets'] {
+  const own = 'asset' in floor ? pictures[floor.asset] : undefined
+  return 'asset' in floor && own ? { [floor.asset]: own } : {}
+}
+
+const assetOf = ({ world, assets }: Pick<Project, 'world' | 'assets'>) =>
+  'asset' in world.floor && Object.hasOwn(assets, world.floor.asset) ? assets[world.floor.asset] : undefined
+
+/** Address of the floor's picture, from the product or from the project itself. */
+function pictureOf(project: Pick<Project, 'world' | 'assets'>): string | null {
+  const asset = assetOf(project)
+  return asset ? `data:image/png;base64,${asset.base64}` : floorAddress(project.world)
+}
+
+async function floorOf(project: Project): Promise<Floor | null> {
+  const world: World = project.world
+  if (!('asset' in world.floor)) return paintFloor(world)
+  try {
+    const asset = assetOf(project)
+    const picture = await pictureIn(world, asset)
+    return picture && paintFloor(world, picture)
+  } catch (cause) {
+    console.warn('The picture of the floor cannot be read.', cause)
+    return null
+  }
+}

@@ -1,0 +1,151 @@
+import type { Facts } from '@botgarten/blocks'
+import { parseProject, ProjectError, salvageProject, type Project } from '@botgarten/programs'
+import { loadFreeLab, placeOf } from '#content/cards.ts'
+import { shownName } from '#content/names.ts'
+import * as m from '#words/generated/messages.js'
+import { nameOfCopy } from './copy-name.ts'
+import { troubleOf } from './database.ts'
+import { isOpenRoberta } from './endings.ts'
+import { handOut } from './handout.ts'
+import { addToBin, listBin } from './bin.ts'
+import { isHome, mostHomeBytes, packHome, readHome } from './home-file.ts'
+import { deviceDrawer, follow, mergeSettings, settingsIn, type HomeSettings } from './home-settings.ts'
+import { mergeBin, mergeHome } from './merge.ts'
+import { add, freshId, listWhole, save } from './projects.ts'
+
+/** Why a file was not taken up, as the words `problem.<problem>.title` and `.text` with their facts. */
+interface Refusal {
+  readonly problem: string
+  readonly facts: Facts
+}
+
+/** How many projects of a home file are new here, stand here as a copy, were here already, came into the bin, or are broken. */
+export interface Merged {
+  readonly added: number
+  readonly copies: number
+  readonly same: number
+  readonly binned: number
+  readonly broken: number
+  /** Have settings come along? Are there others here, which stay? Has something else been sorted here? */
+  readonly settings: { readonly taken: boolean; readonly kept: boolean; readonly sorted: boolean }
+}
+
+/** `lost`: it was too much, and only what could be opened is here. */
+interface OpenedProject {
+  readonly id: string
+  readonly project: Project
+  readonly lost?: boolean
+}
+
+/** A file of one project is a new project of this device; a home file lays its projects beside those that are here. */
+export type OpenedFile = OpenedProject | { readonly merged: Merged } | Refusal
+
+const MOST_BYTES = 5_000_000
+
+/** Takes a file up; what is here already stays as it is. */
+export async function openProjectFile(file: File): Promise<OpenedFile> {
+  if (file.size > mostHomeBytes) return { problem: 'homeTooBig', facts: {} }
+  try {
+    if (/\.xml$/i.test(file.name) && file.size > MOST_BYTES) return { problem: 'tooBig', facts: {} }
+    const text = await file.text()
+    if (isOpenRoberta(file.name, text)) return await takeOpenRoberta(text, file.name)
+    const home = homeIn(text)
+    if (home) return await takeHomeFile(home)
+    if (file.size > MOST_BYTES) return { problem: 'tooBig', facts: {} }
+    return await takeProject(text)
+  } catch (error) {
+    if (!(error instanceof ProjectError)) throw error
+    console.warn('The project file was refused.', error)
+    return { problem: error.reason, facts: error.facts }
+  }
+}
+
+/** Of a project that is too much what can be opened; the child still has the file. */
+async function takeProject(text: string): Promise<OpenedFile> {
+  try {
+    return await keepProject(parseProject(text))
+  } catch (error) {
+    if (!(error instanceof ProjectError) || error.limit === undefined || error.reason === 'tooBig')
+      throw error
+    const salvaged = salvageProject(JSON.parse(text), await loadFreeLab())
+    if (!salvaged) throw error
+    const opened = await keepProject(salvaged.project)
+    return 'id' in opened ? { ...opened, lost: true } : opened
+  }
+}
+
+async function takeOpenRoberta(text: string, name: string): Promise<OpenedFile> {
+  const { projectOfFile } = await import('#features/open-roberta/later.ts')
+  return keepProject(await projectOfFile(text, name))
+}
+
+/** What a home file holds; null for every other text. */
+function homeIn(text: string): unknown {
+  try {
+    const data: unknown = text.includes('"botgartenHome"') ? JSON.parse(text) : null
+    return isHome(data) ? data : null
+  } catch {
+    return null
+  }
+}
+
+async function takeHomeFile(data: unknown): Promise<OpenedFile> {
+  const { projects, bin, settings, broken } = readHome(data)
+  const here = await listWhole()
+  const unread = here.damaged.map(({ id }) => id)
+  const { added, copies, same } = mergeHome(here.projects, unread, projects, {
+    fresh: freshId,
+    copy: (project) => nameOfCopy(shownName({ project }), []),
+    place: placeOf,
+  })
+  const thrown = mergeBin((await listBin()).thrown, bin, Date.now())
+  const trouble = (await add(added)) ?? (await addToBin(thrown))
+  if (trouble) return { problem: 'notKept', facts: {} }
+  const come = takeSettings(settings)
+  if (!come) return { problem: 'notKept', facts: {} }
+  return { merged: { added: added.length, copies, same, binned: thrown.length, broken, settings: come } }
+}
+
+/** Takes over what is not set here yet; null where the device has no room for it. */
+function takeSettings(settings: HomeSettings): Merged['settings'] | null {
+  try {
+    const merged = mergeSettings(deviceDrawer, settings)
+    follow(merged, settings)
+    const kept = merged.kept.filter((name) => name !== 'sorting')
+    return {
+      taken: merged.taken.length > 0,
+      kept: kept.length > 0,
+      sorted: kept.length < merged.kept.length,
+    }
+  } catch (cause) {
+    troubleOf(cause)
+    return null
+  }
+}
+
+/** Puts a foreign project beside those that are here. */
+export async function keepProject(project: Project): Promise<OpenedFile> {
+  const id = freshId(placeOf(project))
+  const saved = await save(id, project, 0)
+  if (saved.kind === 'saved') return { id, project }
+  if (saved.kind === 'tooMuch') return { problem: 'tooMuch', facts: {} }
+  return { problem: 'notKept', facts: {} }
+}
+
+/** A file to take home. */
+export interface HomeFile {
+  readonly name: string
+  readonly save: () => void
+}
+
+/** Everything that lies on this device as files: one, or as many as it takes. None where there is nothing. */
+export async function homeFiles(day = new Date()): Promise<readonly HomeFile[]> {
+  const [{ projects }, { thrown }, settings] = [await listWhole(), await listBin(), settingsIn(deviceDrawer)]
+  if (projects.length + thrown.length === 0 && !settings.sorting) return []
+  const texts = packHome(projects, thrown, settings)
+  const name = `${m['projects.homeFile']()} ${day.toISOString().slice(0, 10)}`
+  return texts.map((text, at) => {
+    const own = texts.length === 1 ? name : `${name} ${at + 1}-${texts.length}`
+    return { name: own, save: () => handOut(own, text) }
+  })
+}

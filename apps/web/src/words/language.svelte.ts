@@ -1,0 +1,70 @@
+import { locales } from '../../project.inlang/settings.json'
+import type { Locale } from './generated/runtime.js'
+
+export type { Locale }
+
+const key = 'botgarten.language'
+const all = locales as readonly Locale[]
+const isLocale = (name: unknown): name is Locale => all.includes(name as Locale)
+
+/** What the browser asks for first, else English. */
+export function preferred(wishes: readonly string[]): Locale {
+  for (const wish of wishes) {
+    const language = wish.toLowerCase().split('-')[0]
+    if (isLocale(language)) return language
+  }
+  return 'en'
+}
+
+// A browser may refuse storage altogether: even reading the property throws then.
+function remembered(): Locale | null {
+  try {
+    const kept = localStorage.getItem(key)
+    return isLocale(kept) ? kept : null
+  } catch {
+    return null
+  }
+}
+
+function remember(locale: Locale): void {
+  try {
+    localStorage.setItem(key, locale)
+  } catch {
+    // The switch holds until the page is left.
+  }
+}
+
+/** Brings what a language needs before it can be spoken. */
+type Bringing = (locale: Locale) => Promise<unknown>
+
+/** The language of all words on the screen. Changing it words the page anew in place. */
+class Language {
+  #locale = $state<Locale>(remembered() ?? preferred(globalThis.navigator?.languages ?? []))
+  #wish: Locale | null = null
+  readonly #needs = new Set<Bringing>()
+  readonly all = all
+
+  get locale(): Locale {
+    return this.#locale
+  }
+
+  /** From now on a language is spoken once this has been brought for it. */
+  needs(bringing: Bringing): void {
+    this.#needs.add(bringing)
+  }
+
+  /** Speaks another language; where its words do not come, the page goes on in the one it has. */
+  async speak(locale: Locale): Promise<void> {
+    this.#wish = locale
+    try {
+      await Promise.all([...this.#needs].map((bring) => bring(locale)))
+    } catch (cause) {
+      return console.warn('The words of a language did not come.', cause)
+    }
+    if (this.#wish !== locale) return
+    this.#locale = locale
+    remember(locale)
+  }
+}
+
+export const language = new Language()
