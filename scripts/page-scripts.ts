@@ -26,7 +26,7 @@ const languageOf = (key: string) => /content\/words\/(?:\w+\/)?(\w+)\.json/.exec
 
 // Of what comes late a page never asks for another playground; what is seen inside a network belongs to the lab.
 const playgroundOf = (key: string) =>
-  /\?(sorting)$/.exec(key)?.[1] ?? /playgrounds\/(?!inside)([\w-]+)\/later\.ts$/.exec(key)?.[1]
+  /\?(sorting)$/.exec(key)?.[1] ?? /features\/(q-learning|sorting)\/later\.ts$/.exec(key)?.[1]
 
 export interface Counted {
   /** Also the parts that only a click asks for. */

@@ -1,5 +1,5 @@
 /** Deeper than any project, and not so deep that writing it runs out of stack. */
-const deepest = 2000
+const deepest = 500
 
 /** Whatever lies in a record, as text for a file. What text cannot hold is named. */
 export function rawText(value: unknown): string {

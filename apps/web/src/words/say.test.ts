@@ -1,5 +1,5 @@
 import { expect, test, vi } from 'vitest'
-import * as m from './generated/messages.js'
+import * as m from '#words/generated/messages.js'
 import { language } from './language.svelte.ts'
 import { isSaid, say, wordsIn } from './say.ts'
 
