@@ -1,16 +1,30 @@
 import type { Finding } from '@botgarten/blocks'
 import type { Document } from '@botgarten/lab'
 import { check, type Program } from '@botgarten/programs'
+import type { Change, LabEvent } from './change.ts'
 
 export const noProgram: Program = { stacks: [], config: { stacks: [] } }
+
+/** After these there may be something else to mend. */
+const looksAnew: readonly Change['kind'][] = ['program', 'config', 'robots']
 
 /** What there is to mend in the programs of all robots. */
 export class Findings {
   /** By the id of the robot. */
   #all = $state.raw<{ readonly [robot: string]: readonly Finding[] }>({})
+  readonly #document: () => Document
 
-  /** Looks everything through anew. */
-  look({ programs, world }: Document): void {
+  constructor(document: () => Document) {
+    this.#document = document
+    this.#look()
+  }
+
+  hear = (event: LabEvent): void => {
+    if (event.kind === 'changed' && looksAnew.includes(event.change.kind)) this.#look()
+  }
+
+  #look(): void {
+    const { programs, world } = this.#document()
     this.#all = Object.fromEntries(
       world.robots.map(({ id, program, config }) => [id, check(programs[program] ?? noProgram, config)]),
     )
@@ -21,7 +35,8 @@ export class Findings {
   }
 
   /** The first robot whose program has to be mended before it can run. */
-  stuck({ world }: Document): string | undefined {
-    return world.robots.find(({ id }) => this.of(id).some(({ stops }) => stops))?.id
+  get stuck(): string | undefined {
+    const { robots } = this.#document().world
+    return robots.find(({ id }) => this.of(id).some(({ stops }) => stops))?.id
   }
 }

@@ -1,4 +1,6 @@
+import type { Project } from '@botgarten/programs'
 import { Autosave, type SaveStatus } from '#storage/autosave.ts'
+import type { LabEvent } from './change.ts'
 
 /** The autosave of one project, as the screen sees it. */
 export class Keeper extends Autosave {
@@ -22,3 +24,12 @@ export class Keeper extends Autosave {
     return this.#seen.storage
   }
 }
+
+/** Listens to a session for its keeper. */
+export const savesTo =
+  (keeper: Autosave, project: () => Project) =>
+  (event: LabEvent): void => {
+    // A step of the blocks is told once more by the program that they then say.
+    if (event.kind === 'branched' || (event.kind === 'changed' && event.change.kind !== 'blocks'))
+      keeper.changed(project)
+  }

@@ -44,15 +44,14 @@ export class CardProgress {
     this.#startedFrom = null
   }
 
-  /** Notes from which start pose the card was solved. Returns whether that is new. */
-  solved(): boolean {
+  /** How far it is now that the card is solved; null where that is nothing new. */
+  get solved(): Progress | null {
     const from = this.#startedFrom
-    if (from === null || !this.counts || this.#now.starts.includes(from)) return false
-    this.#now = { ...this.#now, starts: [...this.#now.starts, from].sort() }
-    return true
+    if (from === null || !this.counts || this.#now.starts.includes(from)) return null
+    return { ...this.#now, starts: [...this.#now.starts, from].sort() }
   }
 
-  askHint(shown: number): void {
-    this.#now = { ...this.#now, hints: Math.max(shown, this.#now.hints) }
+  set(progress: Progress): void {
+    this.#now = progress
   }
 }

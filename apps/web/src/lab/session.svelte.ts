@@ -1,22 +1,25 @@
 import type { Finding } from '@botgarten/blocks'
-import type { Document, DriveKey } from '@botgarten/lab'
+import type { DriveKey } from '@botgarten/lab'
+import { emptyBrain } from '@botgarten/learning/neural-network'
 import { inScene, networksByUse, sceneOf } from '@botgarten/programs'
-import type { Learned, Program, Project, Scene } from '@botgarten/programs'
-import type { Floor, Pose, RobotConfig } from '@botgarten/simulation'
+import type { Learned, Project, Scene } from '@botgarten/programs'
+import type { Floor } from '@botgarten/simulation'
 import type { Inside } from '#features/inside/later.ts'
+import { backFrom, type Change, type LabEvent, type Part } from './change.ts'
+import { Extras } from './extras.svelte.ts'
 import { Findings, noProgram } from './findings.svelte.ts'
-import { Keeper } from './keeper.svelte.ts'
-import { floorPictureOf, ownPictureIn, type Opened } from './opening.ts'
-import { posesOf, type Poses } from './poses.ts'
+import { Keeper, savesTo } from './keeper.svelte.ts'
+import { floorPictureOf, type Opened } from './opening.ts'
 import { CardProgress } from './progress.svelte.ts'
 import { RunningLab } from './running.svelte.ts'
 import { UndoStack } from './undo.svelte.ts'
 import { HandOnWeights } from './weights.ts'
 
-type Phase = 'start' | 'move' | 'end'
+/** In a moment of the past these make another future (running.md 9). */
+const goesOn: readonly Change['kind'][] = ['place', 'weight', 'brain']
 
-/** One project in a child's hands: its lab, its undo stack and its keeper, and nothing that is drawn. */
-export class Session {
+/** One project in a child's hands: its running lab, and `apply`, through which every edit goes. Nothing here is drawn. */
+export class LabSession {
   readonly lab: RunningLab
   readonly undo: UndoStack
   readonly keeper: Keeper
@@ -30,47 +33,33 @@ export class Session {
   learnFirst: () => boolean = () => this.learns
   /** What is looked at inside the network; there from the first question on. */
   inside = $state.raw<Inside | null>(null)
-  /** Pictures of floors, those of steps that can be taken back too. */
-  #pictures = $state.raw<Project['assets']>({})
-  #name = $state('')
+  readonly #extras: Extras
   readonly #progress: CardProgress
-  #learned: NonNullable<Project['q']>
-  #shelf = $state.raw<Project['shelf']>()
-  readonly #findings = new Findings()
-  #before: { readonly pose?: Pose; readonly start?: Pose } = {}
+  readonly #findings: Findings
+  #listeners: readonly ((event: LabEvent) => void)[] = []
+  /** Takes the pull back that a hand is in the middle of. */
+  #pulled: Change | null = null
 
   constructor(opened: Opened) {
     this.opened = opened
     const { project, card } = opened
-    this.#name = project.name
-    this.#learned = project.q ?? {}
-    this.#shelf = project.shelf
+    this.#extras = new Extras(project)
     this.#progress = new CardProgress(card?.card, project.progress)
     this.lab = new RunningLab(project, opened.floor, card?.card.checks ?? [])
-    this.keeper = new Keeper(opened.id, opened.revision)
-    this.keeper.whenRenamed = (name) => (this.#name = name)
-    // What can be kept nowhere is not called saved, not even before the first change.
-    if (!opened.keeps) this.keeper.changed(() => this.project)
+    this.weights = new HandOnWeights(this)
+    this.#findings = new Findings(() => this.lab.document)
     this.undo = new UndoStack({
-      blocks: (direction, program) => this.#goBack(direction, program),
-      robots: (document, stood) => this.#crew(document, stood),
-      place: (id, pose, start) => {
-        this.#progress.helped()
-        this.#changed(() => this.lab.place(id, pose, start))
-      },
-      brain: (id, brain) => this.#changed(() => this.lab.setBrain(id, brain)),
-      future: () => this.#changed(() => this.lab.swap()),
+      apply: (change, part) => this.apply(change, part),
       hasFuture: () => this.lab.facts.other,
       now: () => this.lab.view.time.now,
-      config: (id, config) => this.#equip(id, config),
-      scene: (scene, stood) => this.#build(scene, stood),
     })
-    this.weights = new HandOnWeights({
-      ...{ lab: this.lab, undo: this.undo, set: () => this.robot.brain },
-      ...{ goOn: () => this.goOn(), changed: (change) => this.#changed(change) },
-    })
-    this.#pictures = project.assets
-    this.#look()
+    this.keeper = new Keeper(opened.id, opened.revision)
+    this.keeper.whenRenamed = (name) => (this.#extras.name = name)
+    // What can be kept nowhere is not called saved, not even before the first change.
+    if (!opened.keeps) this.keeper.changed(() => this.project)
+    this.listen(this.#findings.hear)
+    this.listen(this.undo.hear)
+    this.listen(savesTo(this.keeper, () => this.project))
   }
 
   /** The robot whose program and network are on the screen. */
@@ -95,27 +84,21 @@ export class Session {
   }
   /** The project as it stands now: what is kept and what a file holds. */
   get project(): Project {
-    const { programs, world, brains } = this.lab.document
-    const parts = {
-      programs,
-      world,
-      brains,
-      progress: this.progress,
-      assets: ownPictureIn(world.floor, this.#pictures),
-    }
-    const learned = Object.keys(this.#learned).length > 0 && { q: this.#learned }
-    const shelf = this.#shelf && { shelf: this.#shelf }
-    return { ...this.opened.project, name: this.#name, ...parts, ...learned, ...shelf }
+    return this.#extras.projectOf(this.lab.document, this.progress)
   }
+  get name() {
+    return this.#extras.name
+  }
+  get pictures() {
+    return this.#extras.pictures
+  }
+  /** Address of the floor's picture, null where it has none. */
+  floorUrl = $derived.by(() => floorPictureOf(this.lab.document.world, this.pictures))
 
   /** Is the shelf with every block shown? Where nobody has said so, a program that holds more comes with it. */
   get showsAll(): boolean {
-    return this.#shelf ? this.#shelf === 'all' : this.opened.expert
-  }
-
-  showAll(all: boolean): void {
-    this.#shelf = all ? 'all' : 'plain'
-    this.keeper.changed(() => this.project)
+    const { shelf } = this.#extras
+    return shelf ? shelf === 'all' : this.opened.expert
   }
 
   /** Does the program learn by trying? Its playground is shown then. */
@@ -123,87 +106,113 @@ export class Session {
 
   /** How far the chosen robot's learning by trying has come. */
   get learned(): Learned | undefined {
-    return this.#learned[this.robot.program]
+    return this.#extras.learnedBy(this.robot.program)
   }
 
-  keepLearned(learned: Learned): void {
-    this.#learned = { ...this.#learned, [this.robot.program]: learned }
-    this.keeper.changed(() => this.project)
+  /** Is told of every change after it has happened. Returns how to listen no more. */
+  listen(listener: (event: LabEvent) => void): () => unknown {
+    this.#listeners = [...this.#listeners, listener]
+    return () => (this.#listeners = this.#listeners.filter((one) => one !== listener))
   }
 
-  get pictures() {
-    return this.#pictures
+  #tell(event: LabEvent): void {
+    for (const listener of this.#listeners) listener(event)
   }
 
-  /** Address of the floor's picture, null where it has none. */
-  floorUrl = $derived.by(() => floorPictureOf(this.lab.document.world, this.#pictures))
-
-  get name() {
-    return this.#name
+  /** Changes the project, and tells all who listen. Returns whether anything has changed. */
+  apply(change: Change, part: Part = 'whole'): boolean {
+    if (part !== 'silent' && goesOn.includes(change.kind)) this.goOn()
+    // Who comes or goes does so now.
+    if (change.kind === 'robots') this.lab.goTo(Infinity)
+    const before = backFrom(change, this.lab)
+    const done = this.#carryOut(change)
+    if (!done) return false
+    if (part === 'start') this.#pulled = before
+    const back = { whole: before, joined: before, start: null, move: null, end: this.#pulled, silent: null }[
+      part
+    ]
+    if (part === 'end') this.#pulled = null
+    const same = back !== null && 'after' in back && 'after' in done && back.after === done.after
+    this.#tell({ kind: 'changed', change: done, back: same ? null : back, joined: part === 'joined' })
+    if (halts.includes(change.kind) && this.#findings.stuck !== undefined) this.lab.stop()
+    return true
   }
 
-  /** From here on this is a project of its own. */
-  continueAsCopy(id: string, name: string): Promise<void> {
-    this.#name = name
-    return this.keeper.continueAs(id, () => this.project)
+  /** Returns the change as it came out; null where it did not happen. */
+  #carryOut(change: Change): Change | null {
+    const { lab } = this
+    const { document } = lab
+    switch (change.kind) {
+      case 'program':
+        lab.edit({ ...document.programs, [change.program]: change.after })
+        // Other blocks are another run, from where Bo stands now.
+        if (lab.view.tick === 0) this.#progress.begin(lab.view.robots[0]?.pose)
+        return change
+      case 'blocks': {
+        // They are taken back where they are seen.
+        const own = document.world.robots.find(({ program }) => program === change.program)
+        if (own && this.robot.program !== change.program) this.choose(own.id)
+        return this.moveBlocks(change.direction, change.program) ? change : null
+      }
+      case 'place':
+        this.#progress.helped()
+        return { ...change, after: lab.place(change.id, change.after, change.start), start: undefined }
+      case 'weight': {
+        const { network, from, to, after, set } = change
+        lab.setWeight(network, from, to, after, set)
+        return { kind: 'brain', id: network, after: lab.document.brains[network] ?? emptyBrain }
+      }
+      case 'brain':
+        lab.setBrain(change.id, change.after)
+        return change
+      case 'config': {
+        const robot = document.world.robots.find(({ id }) => id === change.id)
+        if (!robot || JSON.stringify(robot.config) === JSON.stringify(change.after)) return null
+        const robots = document.world.robots.map((one) =>
+          one === robot ? { ...one, config: change.after } : one,
+        )
+        lab.rebuild({ ...document, world: { ...document.world, robots } })
+        return change
+      }
+      case 'scene': {
+        const { after, pictures, stood } = change
+        this.#extras.addPictures(pictures)
+        this.#progress.helped()
+        const world = inScene(document.world, after)
+        lab.rebuild({ ...document, world }, this.paint(after) ?? undefined, stood)
+        return { kind: 'scene', after: sceneOf(lab.document.world) }
+      }
+      case 'robots': {
+        const { robots } = change.after.world
+        this.#progress.helped()
+        lab.rebuild({ ...change.after, world: { ...document.world, robots } }, undefined, change.stood)
+        return { kind: 'robots', after: lab.document }
+      }
+      case 'future':
+        lab.swap()
+        return change
+      case 'progress':
+        this.#progress.set(change.after)
+        return change
+      case 'learned':
+      case 'shelf':
+        this.#extras.take(change)
+        return change
+    }
   }
 
-  #changed<Result>(change: () => Result): Result {
-    const result = change()
-    this.keeper.changed(() => this.project)
-    return result
-  }
-
-  #look(): void {
-    this.#findings.look(this.lab.document)
-  }
-
-  /** The first robot whose program has to be mended before it can run. */
-  get #stuck(): string | undefined {
-    return this.#findings.stuck(this.lab.document)
-  }
-
-  choose(robot: string): void {
-    this.lab.choose(robot)
-  }
-
-  /** Blocks are taken back where they are seen. */
-  #goBack(direction: 'undo' | 'redo', program: string): boolean {
-    const own = this.lab.document.world.robots.find((robot) => robot.program === program)
-    if (own && this.robot.program !== program) this.choose(own.id)
-    return this.moveBlocks(direction, program)
-  }
-
-  #crew(document: Document, stood?: Poses): void {
-    const { world } = this.lab.document
-    const next = { ...document, world: { ...world, robots: document.world.robots } }
-    this.#progress.helped()
-    this.#changed(() => this.lab.rebuild(next, undefined, stood))
-    this.#look()
-  }
-
-  /** Robots came or went, with what is theirs. */
-  changeCrew(after: Document): void {
-    this.lab.goTo(Infinity)
-    const [before, stood] = [this.lab.document, posesOf(this.lab.view)]
-    this.#crew(after)
-    this.undo.note({ kind: 'robots', before, after: this.lab.document, stood })
-  }
-
-  editProgram(program: Program, id: string = this.robot.program): void {
-    this.#changed(() => this.lab.edit({ ...this.lab.document.programs, [id]: program }))
-    // Other blocks are another run, from where Bo stands now.
-    if (this.lab.view.tick === 0) this.#progress.begin(this.lab.view.robots[0]?.pose)
-    this.#look()
-    if (this.#stuck !== undefined) this.lab.stop()
+  /** Blockly has taken a step of its own: it can be taken back there. */
+  noteBlocks(program: string): void {
+    const blocks = (direction: 'undo' | 'redo') => ({ kind: 'blocks', program, direction }) as const
+    this.#tell({ kind: 'changed', change: blocks('redo'), back: blocks('undo'), joined: false })
   }
 
   /** A hand changes something in a moment of the past: that is the present from here on (running.md 9). */
   goOn(): void {
     const { tick, time } = this.lab.view
     if (!time.past) return
-    this.#changed(() => this.lab.branch())
-    this.undo.branch(tick)
+    this.lab.branch()
+    this.#tell({ kind: 'branched', tick })
   }
 
   resume(): void {
@@ -211,56 +220,19 @@ export class Session {
     this.lab.resume()
   }
 
-  place(id: string, pose: Pose, phase: Phase): void {
-    this.goOn()
-    if (phase === 'start')
-      this.#before = { pose: posesOf(this.lab.view)[id], start: posesOf(this.lab.document.world)[id] }
-    this.#progress.helped()
-    const after = this.#changed(() => this.lab.place(id, pose))
-    const { pose: before, start } = this.#before
-    if (phase === 'end' && before) this.undo.note({ kind: 'place', id, before, after, start })
+  /** From here on this is a project of its own. */
+  continueAsCopy(id: string, name: string): Promise<void> {
+    this.#extras.name = name
+    return this.keeper.continueAs(id, () => this.project)
+  }
+
+  choose(robot: string): void {
+    this.lab.choose(robot)
   }
 
   press(key: DriveKey, down: boolean): void {
     if (down) this.#progress.helped()
     this.lab.press(key, down)
-  }
-
-  #equip(id: string, config: RobotConfig): void {
-    const { document } = this.lab
-    const robots = document.world.robots.map((robot) => (robot.id === id ? { ...robot, config } : robot))
-    this.#changed(() => this.lab.rebuild({ ...document, world: { ...document.world, robots } }))
-    this.#look()
-    if (this.#stuck !== undefined) this.lab.stop()
-  }
-
-  /** Another configuration for a robot, in effect at once. `joined`: one step with what was done before it. */
-  equip(id: string, config: RobotConfig, joined = false): void {
-    const before = this.lab.document.world.robots.find((robot) => robot.id === id)?.config
-    if (!before || JSON.stringify(before) === JSON.stringify(config)) return
-    this.#equip(id, config)
-    this.undo.note({ kind: 'config', id, before, after: config, joined })
-  }
-
-  #build(scene: Scene, stood?: Poses): void {
-    const { document } = this.lab
-    this.#progress.helped()
-    this.#changed(() =>
-      this.lab.rebuild(
-        { ...document, world: inScene(document.world, scene) },
-        this.paint(scene) ?? undefined,
-        stood,
-      ),
-    )
-  }
-
-  /** A child has built: another scene takes the place of this one. `pictures`: new ones that lie in it. */
-  build(scene: Scene, pictures: Project['assets'] = {}): void {
-    const before = sceneOf(this.lab.document.world)
-    const stood = posesOf(this.lab.view)
-    this.#pictures = { ...this.#pictures, ...pictures }
-    this.#build(scene)
-    this.undo.note({ kind: 'scene', before, after: sceneOf(this.lab.document.world), stood })
   }
 
   /** Puts the robot on one of the card's start poses. */
@@ -269,9 +241,7 @@ export class Session {
     const robot = this.lab.view.robots[0]
     if (!pose || !robot) return
     this.lab.reset()
-    this.#before = {}
-    this.place(robot.id, pose, 'start')
-    this.place(robot.id, pose, 'end')
+    this.apply({ kind: 'place', id: robot.id, after: pose })
   }
 
   /** Index of the start pose the robot is set on, −1 for another place. */
@@ -281,7 +251,7 @@ export class Session {
 
   /** Begins a run. Returns the finding that keeps it from running, if there is one. */
   start(): Finding | null {
-    const stuck = this.#stuck
+    const { stuck } = this.#findings
     if (stuck !== undefined) {
       this.choose(stuck)
       return this.findings.find(({ stops }) => stops) ?? null
@@ -289,7 +259,7 @@ export class Session {
     if (this.learnFirst()) return null
     this.lab.start()
     this.#progress.begin(this.lab.view.robots[0]?.pose)
-    this.undo.begin()
+    this.#tell({ kind: 'begun' })
     return null
   }
 
@@ -300,15 +270,19 @@ export class Session {
 
   /** All checks are green: notes from which start pose. Returns whether that counts. */
   noteSuccess(): boolean {
-    if (this.#progress.solved()) this.keeper.changed(() => this.project)
+    const { solved } = this.#progress
+    if (solved) this.apply({ kind: 'progress', after: solved })
     return this.#progress.counts
   }
 
   askHint(shown: number): void {
-    this.#progress.askHint(shown)
-    this.keeper.changed(() => this.project)
+    const { hints } = this.progress
+    this.apply({ kind: 'progress', after: { ...this.progress, hints: Math.max(shown, hints) } })
   }
 }
+
+/** After these a program that has to be mended first runs no longer. */
+const halts: readonly Change['kind'][] = ['program', 'config']
 
 /** The block that says on which map. */
 const learningMap = '"ai_q_learning_states_and_actions_map"'

@@ -1,15 +1,15 @@
-import type { Session } from './session.svelte.ts'
+import type { LabSession } from './session.svelte.ts'
 
 /** Speeds to choose from, in simulated seconds a real second. Infinity: as fast as it can. */
 export const speeds = [0.25, 0.5, 1, 2, 4, 8, 16, Infinity] as const
 
 /** The bar of time below the world: whether it is open, which moment is shown, how fast time passes. */
 export class TimeMachine {
-  #session: Session
+  #session: LabSession
   /** Does the child want to see the bar? */
   #wanted = $state(false)
 
-  constructor(session: Session) {
+  constructor(session: LabSession) {
     this.#session = session
   }
 

@@ -1,39 +1,49 @@
 import { emptyBrain, withWeight } from '@botgarten/learning/neural-network'
 import { expect, test } from 'vitest'
-import { UndoStack, type Step } from './undo.svelte.ts'
+import type { Change } from './change.ts'
+import { UndoStack } from './undo.svelte.ts'
 
-/** A stack over hands that only write down what they are asked for. */
+interface Done {
+  readonly change: Change
+  readonly back: Change
+}
+
+/** A stack that listens to a session which only writes down what is asked of it. */
 function stack() {
   const asked: string[] = []
   const world = { tick: 0, hasFuture: false }
   const undo = new UndoStack({
-    blocks: (direction, program) => asked.push(`blocks ${direction} ${program}`) > 0,
-    robots: () => asked.push('robots'),
-    place: (id, { x }) => asked.push(`place ${id} ${x}`),
-    brain: (id, { weights }) => asked.push(`brain ${id} ${weights['a']?.['b'] ?? 0}`),
-    config: (id) => asked.push(`config ${id}`),
-    scene: () => asked.push('scene'),
-    future: () => asked.push('future'),
+    apply: (change) => asked.push(inWords(change)) > 0,
     hasFuture: () => world.hasFuture,
     now: () => world.tick,
   })
-  const at = (tick: number, step: Step) => {
+  const at = (tick: number, { change, back }: Done, joined = false) => {
     world.tick = tick
-    undo.note(step)
+    undo.hear({ kind: 'changed', change, back, joined })
   }
   const branch = (tick: number) => {
     world.hasFuture = true
-    undo.branch(tick)
+    undo.hear({ kind: 'branched', tick })
   }
   return { undo, asked, world, at, branch }
 }
 
-const pose = (x: number) => ({ x, y: 0, heading: 0 })
-const moved = (id: string): Step => ({ kind: 'place', id, before: pose(1), after: pose(2) })
-const turned = (weight: number): Step => ({
-  ...{ kind: 'brain', id: 'net', before: emptyBrain },
-  after: withWeight(emptyBrain, 'a', 'b', weight),
+function inWords(change: Change): string {
+  if (change.kind === 'place') return `place ${change.id} ${change.after.x}`
+  if (change.kind === 'brain') return `brain ${change.id} ${change.after.weights['a']?.['b'] ?? 0}`
+  return change.kind
+}
+
+const place = (id: string, x: number): Change => ({ kind: 'place', id, after: { x, y: 0, heading: 0 } })
+const moved = (id: string): Done => ({ change: place(id, 2), back: place(id, 1) })
+const turned = (weight: number): Done => ({
+  change: { kind: 'brain', id: 'net', after: withWeight(emptyBrain, 'a', 'b', weight) },
+  back: { kind: 'brain', id: 'net', after: emptyBrain },
 })
+const edited: Done = {
+  change: { kind: 'blocks', program: 'main', direction: 'redo' },
+  back: { kind: 'blocks', program: 'main', direction: 'undo' },
+}
 
 test('steps go back and come again in order', () => {
   const { undo, asked, at } = stack()
@@ -83,6 +93,28 @@ test('rule 9: a run that begins, or a block that is edited, ends the other futur
   world.hasFuture = false
   expect(undo.canRedo).toBe(false)
   branch(200)
-  at(250, { kind: 'blocks', program: 'main' })
+  at(250, edited)
   expect(undo.canRedo).toBe(false)
+})
+
+test('a step that is joined goes back and comes again with the one before it', () => {
+  const { undo, asked, at } = stack()
+  at(0, moved('box'))
+  at(0, edited)
+  at(0, turned(0.5), true)
+  undo.undo()
+  expect(asked).toEqual(['brain net 0', 'blocks'])
+  undo.redo()
+  expect(asked).toEqual(['brain net 0', 'blocks', 'blocks', 'brain net 0.5'])
+  expect(undo.count).toBe(3)
+})
+
+test('what is no step of a hand is not taken back', () => {
+  const { undo, at, asked } = stack()
+  undo.hear({ kind: 'changed', change: moved('box').change, back: null, joined: false })
+  expect(undo.canUndo).toBe(false)
+  at(0, turned(0.5))
+  undo.hear({ kind: 'begun' })
+  undo.undo()
+  expect(asked).toEqual(['brain net 0'])
 })

@@ -5,73 +5,53 @@ import {
   withoutWeights,
   type Brain,
 } from '@botgarten/learning/neural-network'
-import type { RunningLab } from './running.svelte.ts'
-import type { UndoStack } from './undo.svelte.ts'
-
-type Phase = 'start' | 'move' | 'end'
-
-/** What the weights belong to, and what has to happen round every change. */
-interface Owner {
-  readonly lab: RunningLab
-  readonly undo: UndoStack
-  /** Name of the set that the chosen robot drives with. */
-  readonly set: () => string
-  /** A moment of the past is the present from here on (running.md 9). */
-  readonly goOn: () => void
-  readonly changed: (change: () => void) => void
-}
+import type { Part } from './change.ts'
+import type { LabSession } from './session.svelte.ts'
 
 /** The weights of the chosen robot's networks in a child's hands. */
 export class HandOnWeights {
-  readonly #owner: Owner
-  #before: Brain | null = null
+  readonly #session: Pick<LabSession, 'apply' | 'goOn' | 'lab' | 'robot'>
 
-  constructor(owner: Owner) {
-    this.#owner = owner
+  constructor(session: Pick<LabSession, 'apply' | 'goOn' | 'lab' | 'robot'>) {
+    this.#session = session
   }
 
-  #brain = (id: string): Brain => this.#owner.lab.document.brains[id] ?? emptyBrain
+  #brain = (id: string): Brain => this.#session.lab.document.brains[id] ?? emptyBrain
+  /** Name of the set that the chosen robot drives with. */
+  get #set() {
+    return this.#session.robot.brain
+  }
 
   /** Those that are shown: of the moment, in the set that the robot drives with. */
   shown(network: string) {
-    const brain = this.#owner.lab.facts.brains[network]
-    return brain ? weightsOf(brain, this.#owner.set()) : {}
+    const brain = this.#session.lab.facts.brains[network]
+    return brain ? weightsOf(brain, this.#set) : {}
   }
 
   /** Those of the present, whatever moment is shown. */
   now(network: string) {
-    return weightsOf(this.#brain(network), this.#owner.set())
+    return weightsOf(this.#brain(network), this.#set)
   }
 
-  turn(network: string, from: string, to: string, weight: number, phase: Phase): void {
-    const { lab, undo, set, goOn, changed } = this.#owner
-    goOn()
-    if (phase === 'start') this.#before = this.#brain(network)
-    changed(() => lab.setWeight(network, from, to, weight, set()))
-    const [before, after] = [this.#before, this.#brain(network)]
-    if (phase === 'end' && before && before !== after)
-      undo.note({ kind: 'brain', id: network, before, after })
+  turn(network: string, from: string, to: string, after: number, part: Part): void {
+    this.#session.apply({ kind: 'weight', network, from, to, after, set: this.#set }, part)
   }
 
   reset(network: string): void {
-    this.change(network, (brain) => withoutWeights(brain, this.#owner.set()))
+    this.change(network, (brain) => withoutWeights(brain, this.#set))
   }
 
   /** Another brain in a network's place, as one step; the same one changes nothing. */
   change(network: string, change: (brain: Brain) => Brain): void {
-    const { lab, undo, goOn, changed } = this.#owner
-    goOn()
+    this.#session.goOn()
     const before = this.#brain(network)
     const after = change(before)
-    if (after === before) return
-    changed(() => lab.setBrain(network, after))
-    undo.note({ kind: 'brain', id: network, before, after })
+    if (after !== before) this.#session.apply({ kind: 'brain', id: network, after })
   }
 
   /** Duplicated neurons take the weights of their originals along. */
   copied(pairs: readonly { readonly from: string; readonly to: string }[]): void {
-    const { lab, changed } = this.#owner
-    for (const [id, brain] of Object.entries(lab.document.brains))
-      changed(() => lab.setBrain(id, copyWeights(brain, pairs)))
+    for (const [id, brain] of Object.entries(this.#session.lab.document.brains))
+      this.#session.apply({ kind: 'brain', id, after: copyWeights(brain, pairs) }, 'silent')
   }
 }

@@ -88,7 +88,7 @@ export class Builder implements Workshop {
   }
 
   apply(scene: Scene, pictures?: Project['assets']): void {
-    this.mode.session.build(scene, pictures)
+    this.mode.session.apply({ kind: 'scene', after: scene, ...(pictures && { pictures }) })
   }
 
   /** Shows an item as the hand has it, and keeps it at the end of the move. */
@@ -113,7 +113,8 @@ export class Builder implements Workshop {
 
   place(id: string, pose: Pose, phase: Phase): void {
     const item = itemOf(this.#document, id)
-    if (!item || item.kind === 'obstacles') return this.mode.session.place(id, pose, phase)
+    if (!item || item.kind === 'obstacles')
+      return void this.mode.session.apply({ kind: 'place', id, after: pose }, phase)
     if (phase === 'start') this.#held = item
     this.show(put(this.#held ?? item, pose), phase)
   }

@@ -9,10 +9,10 @@ export async function takeFile(builder: Builder, file: File): Promise<void> {
 }
 
 async function takePicture(builder: Builder, file: File): Promise<void> {
-  const { session, desk } = builder.mode
+  const { session, ui } = builder.mode
   const taken = await floorPictureFrom(file, session.project)
   if ('problem' in taken) {
-    desk.say(`problem.${taken.problem}.title`, `problem.${taken.problem}.text`, taken.facts)
+    ui.say(`problem.${taken.problem}.title`, `problem.${taken.problem}.text`, taken.facts)
     return
   }
   builder.floors.keep(taken.asset, taken.picture)
@@ -20,17 +20,17 @@ async function takePicture(builder: Builder, file: File): Promise<void> {
 }
 
 async function takeScene(builder: Builder, file: File): Promise<void> {
-  const { session, desk } = builder.mode
+  const { session, ui } = builder.mode
   try {
     if (file.size > 5_000_000) throw new ProjectError('tooBig', 'A scene has at most 5 MB.')
     const { assets, ...scene } = parseScene(await file.text())
     const readable = await builder.floors.load(scene, assets)
-    if (!readable) return desk.say('problem.pictureBroken.title', 'problem.pictureBroken.text')
+    if (!readable) return ui.say('problem.pictureBroken.title', 'problem.pictureBroken.text')
     builder.commit(inScene(session.lab.document.world, scene), assets)
     builder.mode.eye.fitAll()
   } catch (error) {
     if (!(error instanceof ProjectError)) throw error
     console.warn('The scene was refused.', error)
-    desk.say(`problem.${error.reason}.title`, `problem.${error.reason}.text`, error.facts)
+    ui.say(`problem.${error.reason}.title`, `problem.${error.reason}.text`, error.facts)
   }
 }

@@ -1,17 +1,17 @@
-import type { Session } from '#lab/session.svelte.ts'
+import type { LabSession } from '#lab/session.svelte.ts'
 import { most } from '@botgarten/programs'
 import type { NewRobot } from './looks.ts'
 
 /** The robots of a world, for the row of chips: who is there, whose program and network are shown. */
 export class Crew {
-  #session: Session
+  #session: LabSession
   /** Does the child choose what a new robot is to be? */
   asking = $state(false)
   /** Ids, joined: equal from frame to frame. */
   #ids = $derived.by(() => this.#session.lab.document.world.robots.map(({ id }) => id).join(' '))
   ids = $derived.by(() => this.#ids.split(' '))
 
-  constructor(session: Session) {
+  constructor(session: LabSession) {
     this.#session = session
   }
 
@@ -37,7 +37,7 @@ export class Crew {
     const { withRobot } = await import('./later.ts')
     if (this.full) return
     const { id, document } = withRobot(this.#session.lab.document, this.chosen, kind)
-    this.#session.changeCrew(document)
+    this.#session.apply({ kind: 'robots', after: document })
     this.choose(id)
   }
 
@@ -55,7 +55,7 @@ export class Crew {
     const weights = await weightsFor(beside)
     if (!this.beside) return
     const { id, document } = withBeside(this.#session.lab.document, { ...beside, weights }, name)
-    this.#session.changeCrew(document)
+    this.#session.apply({ kind: 'robots', after: document })
     this.choose(id)
   }
 
@@ -63,6 +63,7 @@ export class Crew {
   async remove(): Promise<void> {
     const { withoutRobot } = await import('./later.ts')
     if (this.chosen === this.ids[0]) return
-    this.#session.changeCrew(withoutRobot(this.#session.lab.document, this.chosen))
+    const after = withoutRobot(this.#session.lab.document, this.chosen)
+    this.#session.apply({ kind: 'robots', after })
   }
 }

@@ -1,6 +1,6 @@
 import { untrack } from 'svelte'
 import { calm } from '#drawing/calm.ts'
-import type { Session } from '#lab/session.svelte.ts'
+import type { LabSession } from '#lab/session.svelte.ts'
 import { m } from '#words/generated/messages.js'
 import { language } from '#words/language.svelte.ts'
 import type { Variable } from '@botgarten/lab'
@@ -8,12 +8,12 @@ import { noValues, valuesAtBlocks, type ValueWords } from './values.ts'
 
 /** A child that looks closely: where the run stops, and what the program remembers. */
 export class Debugger {
-  readonly #session: Session
+  readonly #session: LabSession
   #stops = $state.raw<readonly string[]>([])
   #variables = $state.raw<readonly Variable[]>([])
   #open = $state(true)
 
-  constructor(session: Session) {
+  constructor(session: LabSession) {
     this.#session = session
   }
 

@@ -1,7 +1,7 @@
 import { emptyBrain, weightsOf } from '@botgarten/learning/neural-network'
 import { standpointOf } from './moment.ts'
 import { drawn, type Neuron } from '#features/network/neurons.ts'
-import type { Session } from '#lab/session.svelte.ts'
+import type { LabSession } from '#lab/session.svelte.ts'
 import { Drives } from './drives.svelte.ts'
 import { Field } from './field.svelte.ts'
 import Over from './Over.svelte'
@@ -17,14 +17,14 @@ export class Inside {
   readonly Panel = Panel
   readonly Over = Over
   readonly Under = Under
-  readonly session: Session
+  readonly session: LabSession
   readonly drives: Drives
   readonly field: Field
   page = $state<Page | null>(null)
   /** The link that was touched last: ids of its two neurons. */
   link = $state.raw<readonly [from: string, to: string] | null>(null)
 
-  constructor(session: Session) {
+  constructor(session: LabSession) {
     this.session = session
     this.drives = new Drives(this)
     this.field = new Field(this)

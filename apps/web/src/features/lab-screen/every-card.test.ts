@@ -5,7 +5,7 @@ import { readMap, withLearnedWay } from '@botgarten/materials/maps'
 import { paintFloor, readPng, type World } from '@botgarten/simulation'
 import { allCards, loadCard, type LoadedCard } from '#content/cards.ts'
 import { bringFor } from '#features/editor/packs.ts'
-import { Session } from '#lab/session.svelte.ts'
+import { LabSession } from '#lab/session.svelte.ts'
 import { afterAll, afterEach, beforeAll, describe, expect, test, vi } from 'vitest'
 import { bedOf } from '#features/home/kept.ts'
 import { againFrom, nextStep } from './card.ts'
@@ -40,7 +40,7 @@ beforeAll(() => {
   // Here no device keeps anything, and the autosave says so.
   vi.spyOn(console, 'warn').mockImplementation(() => {})
 })
-const open: Session[] = []
+const open: LabSession[] = []
 afterEach(() => {
   vi.clearAllTimers()
   for (const { keeper } of open.splice(0)) keeper.close()
@@ -52,11 +52,11 @@ afterAll(() => {
 })
 
 /** The card as a child has it open, with this program and these knobs. A way that is to be learned has been learned. */
-async function opened(card: LoadedCard, program: CardProgram): Promise<Session> {
+async function opened(card: LoadedCard, program: CardProgram): Promise<LabSession> {
   const fresh = cardProject(card.world, card.card, program, card.card.id)
   const project = { ...fresh, ...withLearnedWay(fresh, mapNamed) }
   const expert = await bringFor(project)
-  const session = new Session({
+  const session = new LabSession({
     ...{ id: card.card.id, revision: 0, project, card, floor: floorOf(project.world), expert },
     ...{ floorAddress: null, trouble: null, damaged: null, keeps: true },
   })
@@ -67,7 +67,7 @@ async function opened(card: LoadedCard, program: CardProgram): Promise<Session> 
 }
 
 /** Presses Start and looks until all goals are green, or nothing more can come. */
-function runs({ lab }: Session, start: () => unknown): boolean {
+function runs({ lab }: LabSession, start: () => unknown): boolean {
   const stopFrames = lab.run()
   start()
   screen.now = performance.now()
@@ -109,7 +109,7 @@ describe('what does not count', () => {
     const card = (await loadCard('forward'))!
     return opened(card, program ?? card.start)
   }
-  const pose = ({ lab }: Session) => lab.view.robots[0]!.pose
+  const pose = ({ lab }: LabSession) => lab.view.robots[0]!.pose
   /** Close enough to the goal that the program at hand reaches it. */
   const near = { x: 150, y: 100, heading: 0 }
 
@@ -128,8 +128,7 @@ describe('what does not count', () => {
   test('a robot that was put somewhere stays there: it starts there, and counts nothing', async () => {
     const session = await forward()
     runs(session, () => session.start())
-    session.place('bo', near, 'start')
-    session.place('bo', near, 'end')
+    session.apply({ kind: 'place', id: 'bo', after: near })
     expect(session.chosenStart).toBe(-1)
     expect(runs(session, () => session.start())).toBe(true)
     expect(session.beganElsewhere).toBe(true)
@@ -141,13 +140,12 @@ describe('what does not count', () => {
   })
 
   test.each([
-    ['puts it somewhere', (session: Session) => session.place('bo', near, 'end')],
-    ['presses a key', (session: Session) => session.press('up', true)],
-    ['takes a step back', (session: Session) => session.undo.undo()],
+    ['puts it somewhere', (session: LabSession) => session.apply({ kind: 'place', id: 'bo', after: near })],
+    ['presses a key', (session: LabSession) => session.press('up', true)],
+    ['takes a step back', (session: LabSession) => session.undo.undo()],
   ])('a hand that %s while it drives has helped', async (_, help) => {
     const session = await forward(solutionOf('forward'))
-    session.place('bo', near, 'start')
-    session.place('bo', near, 'end')
+    session.apply({ kind: 'place', id: 'bo', after: near })
     session.chooseStart(0)
     session.start()
     expect(session.lab.view.robots[0]!.pose.x).toBe(40)
@@ -163,7 +161,7 @@ describe('what does not count', () => {
     session.lab.step('tick')
     session.lab.step('tick')
     const { programs } = (await loadCard('forward'))!.start
-    session.editProgram(programs['main']!)
+    session.apply({ kind: 'program', program: 'main', after: programs['main']! })
     session.lab.resume()
     runs(session, () => {})
     expect(session.noteSuccess()).toBe(false)

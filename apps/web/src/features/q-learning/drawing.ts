@@ -1,16 +1,16 @@
 import { drawWay } from '@botgarten/materials/maps'
 import type { Scene } from '@botgarten/programs'
-import type { Session } from '#lab/session.svelte.ts'
+import type { LabSession } from '#lab/session.svelte.ts'
 import { Floors } from '#features/building/floors.ts'
 import { nextFrame } from './clock.ts'
 import type { Stage } from './stage.ts'
 
 /** The way as the floor of the robot's world. */
 export class WayOnFloor {
-  readonly #session: Session
+  readonly #session: LabSession
   readonly #floors = new Floors()
 
-  constructor(session: Session) {
+  constructor(session: LabSession) {
     this.#session = session
   }
 
@@ -37,7 +37,7 @@ export class WayOnFloor {
     await nextFrame()
     if (!wanted()) return
     session.paint = () => floor
-    session.build(scene)
+    session.apply({ kind: 'scene', after: scene })
     session.paint = this.#floors.paint
     await nextFrame()
   }

@@ -1,5 +1,5 @@
-import type { Desk } from '#lab/desk.svelte.ts'
-import type { Session } from '#lab/session.svelte.ts'
+import type { LabUi } from '#lab/ui.svelte.ts'
+import type { LabSession } from '#lab/session.svelte.ts'
 import { fetchLateWords } from '#words/say.ts'
 import type { Blocks } from './hands.ts'
 import { Learning } from './learning.svelte.ts'
@@ -17,8 +17,8 @@ export interface Learner {
  * @returns how to close it
  */
 export function hold(
-  session: Session,
-  desk: Desk,
+  session: LabSession,
+  ui: LabUi,
   blocks: Blocks,
   show: (learner: Learner | null) => void,
 ): () => void {
@@ -26,7 +26,7 @@ export function hold(
   let over = false
   void fetchLateWords().then(() => {
     if (over) return
-    const learning = new Learning(session, desk, blocks)
+    const learning = new Learning(session, ui, blocks)
     close = learning.open()
     show({ QPlayground, learning })
   })

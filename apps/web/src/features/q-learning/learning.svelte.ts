@@ -2,8 +2,8 @@ import { untrack } from 'svelte'
 import type { Course } from '@botgarten/learning/q-learning'
 import { isShortest, learningKey, sectionsOf } from '@botgarten/materials/maps'
 import { learningIn, type Learned } from '@botgarten/programs'
-import type { Desk } from '#lab/desk.svelte.ts'
-import type { Session } from '#lab/session.svelte.ts'
+import type { LabUi } from '#lab/ui.svelte.ts'
+import type { LabSession } from '#lab/session.svelte.ts'
 import { pauseWhenAway } from './away.ts'
 import { budgetFor, Clock } from './clock.ts'
 import { WayOnFloor } from './drawing.ts'
@@ -24,11 +24,11 @@ const KEEP_EVERY = 2000
 
 /** One playground: a course of learning, its map, and the verbs of a child's hand. */
 export class Learning {
-  readonly session: Session
+  readonly session: LabSession
   readonly hands: Hands
   readonly records: Records
   readonly screen = new Screen()
-  readonly #desk: Desk
+  readonly #ui: LabUi
   readonly #floor: WayOnFloor
   readonly #clock = new Clock((passed, now) => this.#turn(passed, now))
   outline = $derived.by(() => learningIn(this.session.program))
@@ -47,9 +47,9 @@ export class Learning {
   /** One step: the move that is on is the last. */
   #single = false
 
-  constructor(session: Session, desk: Desk, blocks: Blocks) {
+  constructor(session: LabSession, ui: LabUi, blocks: Blocks) {
     this.session = session
-    this.#desk = desk
+    this.#ui = ui
     this.#floor = new WayOnFloor(session)
     this.hands = new Hands(() => this.outline, blocks)
     const kept = session.learned
@@ -263,7 +263,7 @@ export class Learning {
     const stands = () =>
       course === this.#course && this.#state !== 'playing' && this.session.lab.view.phase !== 'running'
     await this.#floor.lay(stage, stations, stands)
-    if (stands() && outline.blocks.drive !== undefined) this.#desk.start()
+    if (stands() && outline.blocks.drive !== undefined) this.#ui.start()
   }
 
   /** Start was pressed: what a program wants learned comes first. Returns whether there is something to learn. */
@@ -287,7 +287,9 @@ export class Learning {
   #keep(): void {
     const moves = this.#course?.made ?? 0
     const of = { seed: this.#seed, key: this.#key, noted: this.#noted }
-    this.session.keepLearned({ ...of, moves, runs: this.records.runs })
+    const { program } = this.session.robot
+    const after = { ...of, moves, runs: this.records.runs }
+    this.session.apply({ kind: 'learned', program, after })
   }
 
   forgetRuns(): void {

@@ -1,7 +1,7 @@
 import type { Finding } from '@botgarten/blocks'
 import { placeFor, withSensor, type SensorKind, type SensorPort } from '@botgarten/simulation'
 import { told } from '#features/editor/told.ts'
-import type { Session } from '#lab/session.svelte.ts'
+import type { LabSession } from '#lab/session.svelte.ts'
 
 type Fix = NonNullable<Finding['fixes']>[number]
 
@@ -12,7 +12,7 @@ interface Blocks {
 }
 
 /** Carries out a way out of a finding: sets the field and plugs the sensor in, as one step. */
-export function mend(session: Session, blocks: Blocks, block: string, fix: Fix): void {
+export function mend(session: LabSession, blocks: Blocks, block: string, fix: Fix): void {
   const { field, value, plug } = fix
   const before = session.undo.count
   blocks.setFields(block, { [field]: value })
@@ -21,7 +21,7 @@ export function mend(session: Session, blocks: Blocks, block: string, fix: Fix):
 
 /** Adds a neuron; where nothing sits at the port it looks to, its sensor is plugged in there in the same step. */
 export async function addNeuron(
-  session: Session,
+  session: LabSession,
   blocks: Blocks,
   network: string,
   layer: 'input' | 'output',
@@ -37,7 +37,7 @@ export async function addNeuron(
 const patience = 20
 
 /** The sensor that has to be plugged in where a new neuron looks for one; undefined where one is there. */
-async function missing(session: Session, block: string): Promise<Plug | undefined> {
+async function missing(session: LabSession, block: string): Promise<Plug | undefined> {
   for (let tries = 0; tries < patience; tries++) {
     await told()
     const finding = session.findings.find((found) => found.block === block)
@@ -53,8 +53,9 @@ interface Plug {
 }
 
 /** `before`: how many steps could be taken back before; one more is what this goes together with. */
-function plugIn(session: Session, { port, kind }: Plug, before: number): void {
+function plugIn(session: LabSession, { port, kind }: Plug, before: number): void {
   const { config } = session
   const changed = withSensor(config, port, placeFor(kind, config))
-  session.equip(session.robotId, changed, session.undo.count > before)
+  const part = session.undo.count > before ? 'joined' : 'whole'
+  session.apply({ kind: 'config', id: session.robotId, after: changed }, part)
 }

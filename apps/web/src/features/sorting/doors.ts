@@ -1,6 +1,6 @@
 import { goto } from '$app/navigation'
 import { resolve } from '$app/paths'
-import type { Session } from '#lab/session.svelte.ts'
+import type { LabSession } from '#lab/session.svelte.ts'
 import { writtenReadings } from './kept.ts'
 
 /** A way from the lab into the sorting playground. */
@@ -11,7 +11,10 @@ export interface SortingDoor {
 }
 
 /** Into the playground of this project, and first to what its robot has collected, if it has. */
-export function doorsOf(session: Session, readings: readonly (readonly number[])[]): readonly SortingDoor[] {
+export function doorsOf(
+  session: LabSession,
+  readings: readonly (readonly number[])[],
+): readonly SortingDoor[] {
   const playground = {
     word: 'sorting',
     go: () => void open(session, session.project.sorting),
@@ -22,7 +25,7 @@ export function doorsOf(session: Session, readings: readonly (readonly number[])
 }
 
 /** Keeps the project first: the playground opens what is kept. */
-async function open(session: Session, sorting: Session['project']['sorting']): Promise<void> {
+async function open(session: LabSession, sorting: LabSession['project']['sorting']): Promise<void> {
   const { keeper, project } = session
   keeper.changed(() => (sorting ? { ...project, sorting } : project))
   await keeper.flush()

@@ -1,27 +1,29 @@
+import type { Phase } from '#drawing/nudge.ts'
+import type { Pose } from '@botgarten/simulation'
 import { withWords } from '#words/say.ts'
-import type { Desk } from '#lab/desk.svelte.ts'
-import type { Session } from '#lab/session.svelte.ts'
+import type { LabUi } from '#lab/ui.svelte.ts'
+import type { LabSession } from '#lab/session.svelte.ts'
 import { Eye } from './eye.svelte.ts'
 import { Hand } from './hand.svelte.ts'
 import type { Workshop } from './workshop.ts'
 
 /** The world's pane: where it looks, what is in the hand, and whether a child builds. */
 export class BuildMode {
-  readonly session: Session
-  readonly desk: Desk
+  readonly session: LabSession
+  readonly ui: LabUi
   readonly eye: Eye
   readonly hand: Hand
   #shop = $state.raw<Opened | null>(null)
   #on = $state(false)
 
-  constructor(session: Session, desk: Desk) {
+  constructor(session: LabSession, ui: LabUi) {
     this.session = session
-    this.desk = desk
+    this.ui = ui
     this.eye = new Eye(
       () => this.shop?.world ?? session.lab.document.world,
       () => session.robotId,
     )
-    this.hand = new Hand((id, pose, phase) => (this.shop ?? session).place(id, pose, phase))
+    this.hand = new Hand((id, pose, phase) => this.place(id, pose, phase))
   }
 
   get on(): boolean {
@@ -31,6 +33,12 @@ export class BuildMode {
   /** Set while a child builds. */
   get shop(): Workshop | null {
     return this.#on ? this.#shop : null
+  }
+
+  /** Who builds moves what is drawn; else a robot or a thing is put somewhere. */
+  place(id: string, pose: Pose, phase: Phase): void {
+    if (this.shop) this.shop.place(id, pose, phase)
+    else this.session.apply({ kind: 'place', id, after: pose }, phase)
   }
 
   async toggle(): Promise<void> {

@@ -3,8 +3,8 @@ import { goto, replaceState } from '$app/navigation'
 import { resolve } from '$app/paths'
 import { placeOf } from '#content/cards.ts'
 import type { SortingDoor } from '#features/sorting/later.ts'
-import type { Desk } from '#lab/desk.svelte.ts'
-import type { Session } from '#lab/session.svelte.ts'
+import type { LabUi } from '#lab/ui.svelte.ts'
+import type { LabSession } from '#lab/session.svelte.ts'
 import { freshId } from '#storage/projects.ts'
 import { nameOfCopy } from '#storage/copy-name.ts'
 
@@ -13,12 +13,12 @@ const show = (card: string, id: string, state: App.PageState = {}) =>
   goto(addressOf(card, id), { invalidateAll: true, state })
 
 /** Opens a project file in place of this project, which stays on the device. */
-export async function openFile(file: File, desk: Desk): Promise<void> {
+export async function openFile(file: File, ui: LabUi): Promise<void> {
   const { openProjectFile } = await import('#storage/later.ts')
   const outcome = await openProjectFile(file)
   if ('problem' in outcome) {
     const { problem, facts } = outcome
-    desk.say(`problem.${problem}.title`, `problem.${problem}.text`, facts)
+    ui.say(`problem.${problem}.title`, `problem.${problem}.text`, facts)
   } else if ('merged' in outcome) await goto(resolve('/projects'), { state: { merged: outcome.merged } })
   else await show(placeOf(outcome.project), outcome.id, { lost: outcome.lost ?? false, fromFile: true })
 }
@@ -27,21 +27,21 @@ export async function openFile(file: File, desk: Desk): Promise<void> {
  * Hands the program of the robot on the screen out as a file for Open Roberta; or what to ask first, where Open Roberta
  * does not know all of it.
  */
-export async function saveForOpenRoberta(session: Session, name: string) {
+export async function saveForOpenRoberta(session: LabSession, name: string) {
   const { saveOpenRobertaFile, SaveDialog } = await import('#features/open-roberta/later.ts')
   const outgoing = saveOpenRobertaFile({ ...session.project, name }, session.robotId)
   return outgoing && { SaveDialog, outgoing }
 }
 
 /** What may end the robot's program here and not in Open Roberta, where the program comes from there. */
-export async function foreignDifferences(session: Session): Promise<readonly Difference[]> {
+export async function foreignDifferences(session: LabSession): Promise<readonly Difference[]> {
   if (!session.program.raw) return []
   const { differencesOf } = await import('#features/open-roberta/later.ts')
   return differencesOf(session.program, session.config)
 }
 
 /** Another tab has saved this project: what stands here becomes one of its own, and goes on undisturbed. */
-export function keepCopy(session: Session, title: string): void {
+export function keepCopy(session: LabSession, title: string): void {
   const place = placeOf(session.project)
   const id = freshId(place)
   void session.continueAsCopy(id, nameOfCopy(title, []))
@@ -49,7 +49,7 @@ export function keepCopy(session: Session, title: string): void {
 }
 
 /** Another tab has thrown this project away: what stands here goes on as one of its own. */
-export function keepGone(session: Session): void {
+export function keepGone(session: LabSession): void {
   const place = placeOf(session.project)
   const id = freshId(place)
   void session.continueAsCopy(id, session.name)
@@ -57,15 +57,15 @@ export function keepGone(session: Session): void {
 }
 
 /** Another tab has saved this project: that is shown. What stands here is put aside first. */
-export async function loadNewer(session: Session, desk: Desk, title: string): Promise<void> {
+export async function loadNewer(session: LabSession, ui: LabUi, title: string): Promise<void> {
   const place = placeOf(session.project)
   const safe = await session.keeper.putAside(freshId(place), nameOfCopy(title, []))
   if (safe) await show(place, session.keeper.id)
-  else desk.say('problem.notKept.title', 'problem.notKept.text')
+  else ui.say('problem.notKept.title', 'problem.notKept.text')
 }
 
 /** Ways into the sorting playground, for a project that sorts or a robot that has collected something. */
-export async function sortingDoors(session: Session): Promise<readonly SortingDoor[]> {
+export async function sortingDoors(session: LabSession): Promise<readonly SortingDoor[]> {
   const { robots } = session.lab.document.world
   const thread = session.lab.moment.threads[robots.findIndex(({ id }) => id === session.robotId)]
   const readings = thread?.sorting.readings ?? []

@@ -2,7 +2,7 @@ import { mostInLayer, mostNeurons } from '@botgarten/blocks'
 import { withActivation, type Activation } from '@botgarten/learning/neural-network'
 import type { NetworkOutline } from '@botgarten/programs'
 import { setLayerActivation, type Paper } from '#features/editor/layers.ts'
-import type { Session } from '#lab/session.svelte.ts'
+import type { LabSession } from '#lab/session.svelte.ts'
 
 /** How many neurons a network may still get. */
 export const roomFor = ({ inputs, hidden, outputs }: NetworkOutline): number =>
@@ -13,7 +13,7 @@ export const canGrow = (net: NetworkOutline, neurons: number): boolean =>
 
 /** What becomes of a neuron's sum: of a hidden one its block says it, for its whole layer. */
 export function setActivation(
-  session: Session,
+  session: LabSession,
   paper: Paper | null,
   net: NetworkOutline,
   neuron: string,

@@ -1,42 +1,42 @@
 import { emptyBrain, weightsOf, withWeights, type Brain } from '@botgarten/learning/neural-network'
 import { networks, type NetworkOutline } from '@botgarten/programs'
 import { BrainError, brainFile, fitBrain, parseBrainFile, shelfName } from '@botgarten/programs/brain-file'
-import type { Session } from '#lab/session.svelte.ts'
+import type { LabSession } from '#lab/session.svelte.ts'
 import { handOut } from '#storage/handout.ts'
 import { say } from '#words/say.ts'
 
-const brainOf = (session: Session, id: string): Brain => session.lab.document.brains[id] ?? emptyBrain
-const robotsOf = (session: Session) => session.lab.document.world.robots
+const brainOf = (session: LabSession, id: string): Brain => session.lab.document.brains[id] ?? emptyBrain
+const robotsOf = (session: LabSession) => session.lab.document.world.robots
 
 /** What lies on a network's shelf: its named weights, those left out that a robot drives with. */
-export function onShelf(session: Session, { id }: NetworkOutline): string[] {
+export function onShelf(session: LabSession, { id }: NetworkOutline): string[] {
   const driven = robotsOf(session).map(({ brain }) => brain)
   return Object.keys(brainOf(session, id).sets).filter((name) => !driven.includes(name))
 }
 
-const taken = (session: Session, id: string) => [
+const taken = (session: LabSession, id: string) => [
   ...Object.keys(brainOf(session, id).sets),
   ...robotsOf(session).map((robot) => robot.id),
 ]
 
 /** Puts the weights on the knobs on the shelf, under a name that is free. */
-export function put(session: Session, { id }: NetworkOutline, wanted: string): void {
+export function put(session: LabSession, { id }: NetworkOutline, wanted: string): void {
   const name = shelfName(wanted, taken(session, id), say('net.brain'))
   session.weights.change(id, (brain) => withWeights(brain, weightsOf(brain, session.robot.brain), name))
 }
 
 /** Puts weights from the shelf on the knobs. */
-export const take = (session: Session, { id }: NetworkOutline, name: string): void =>
+export const take = (session: LabSession, { id }: NetworkOutline, name: string): void =>
   session.weights.change(id, (brain) => withWeights(brain, weightsOf(brain, name), session.robot.brain))
 
-export function remove(session: Session, { id }: NetworkOutline, name: string): void {
+export function remove(session: LabSession, { id }: NetworkOutline, name: string): void {
   session.weights.change(id, (brain) => {
     const { [name]: _, ...sets } = brain.sets
     return { ...brain, sets }
   })
 }
 
-export function rename(session: Session, { id }: NetworkOutline, name: string, wanted: string): void {
+export function rename(session: LabSession, { id }: NetworkOutline, name: string, wanted: string): void {
   const others = taken(session, id).filter((other) => other !== name)
   const next = shelfName(wanted, others, name)
   if (next === name) return
@@ -46,20 +46,20 @@ export function rename(session: Session, { id }: NetworkOutline, name: string, w
   })
 }
 
-const fileOf = (session: Session, net: NetworkOutline, name: string) => {
+const fileOf = (session: LabSession, net: NetworkOutline, name: string) => {
   const brain = brainOf(session, net.id)
   return brainFile(name, brain, net, weightsOf(brain, name))
 }
 
 /** Hands a brain out as a file. @throws {BrainError} where it could not be opened again */
-export function save(session: Session, net: NetworkOutline, name: string): void {
+export function save(session: LabSession, net: NetworkOutline, name: string): void {
   const text = JSON.stringify(fileOf(session, net, name))
   parseBrainFile(text)
   handOut(name, text, 'brain.json')
 }
 
 /** Lays a brain from a file on the shelf. Returns its name there. @throws {BrainError} */
-export function bring(session: Session, net: NetworkOutline, text: string): string {
+export function bring(session: LabSession, net: NetworkOutline, text: string): string {
   const file = parseBrainFile(text)
   const name = shelfName(file.name, taken(session, net.id), say('net.brain'))
   session.weights.change(net.id, (before) => {
@@ -70,11 +70,11 @@ export function bring(session: Session, net: NetworkOutline, text: string): stri
 }
 
 /** Robots that a brain can be given to: all others in the world, by their place in the crew. */
-export const others = (session: Session): readonly { readonly id: string; readonly index: number }[] =>
+export const others = (session: LabSession): readonly { readonly id: string; readonly index: number }[] =>
   robotsOf(session).flatMap(({ id }, index) => (id === session.robotId ? [] : [{ id, index }]))
 
 /** Another robot drives with these weights from now on. @throws {BrainError} where its network is another one */
-export function give(session: Session, net: NetworkOutline, name: string, robot: string): void {
+export function give(session: LabSession, net: NetworkOutline, name: string, robot: string): void {
   const to = robotsOf(session).find(({ id }) => id === robot)
   const program = to && session.lab.document.programs[to.program]
   const nets = program ? networks(program) : []

@@ -5,7 +5,7 @@ import { told } from '#features/editor/told.ts'
 import { saveRaw } from '#storage/handout.ts'
 import { readSetting, writeSetting } from '#storage/settings.ts'
 import { isTyping, undoKey } from './keys.ts'
-import type { Session } from './session.svelte.ts'
+import type { LabSession } from './session.svelte.ts'
 import { Loudspeaker } from './sound.svelte.ts'
 
 /** What is said at the foot of the world, as `session.<notice>`. */
@@ -26,9 +26,9 @@ interface Settings {
 }
 
 /** What lies around a session on the screen: what is being said, what is switched on, how it sounds. */
-export class Desk {
+export class LabUi {
   readonly speaker = new Loudspeaker()
-  #session: Session
+  #session: LabSession
   #shown = $state.raw<Finding | null>(null)
   /** All goals are green, in a run that counts or in one that does not. */
   #success = $state<'counts' | 'uncounted' | null>(null)
@@ -39,7 +39,7 @@ export class Desk {
   notice = $state.raw<Notice | null>(null)
   message = $state.raw<Message | null>(null)
 
-  constructor(session: Session) {
+  constructor(session: LabSession) {
     this.#session = session
     const { trouble } = session.opened
     if (trouble === 'floorMissing') this.notice = trouble
