@@ -112,7 +112,7 @@ const chunks = [
   { name: cardOf, priority: 2 },
   {
     name: 'common',
-    test: /(src[\\/](content|app|parts(?![\\/](page|card)[\\/](?!face))|words)|node_modules[\\/]svelte)[\\/]|PrintIcon|storage[\\/](bin|channel|copy-name|database|endings|handout|projects|refusal|settings)\.ts/,
+    test: /(src[\\/](content|app[\\/]offline|parts(?![\\/]page[\\/])|words)|node_modules[\\/]svelte)[\\/]|storage[\\/](bin|channel|copy-name|database|endings|handout|projects|refusal|settings)\.ts/,
     minShareCount: 2,
     priority: 1,
   },
@@ -132,10 +132,10 @@ const chunks = [
     minShareCount: 2,
     priority: 1,
   },
-  { name: 'drawing', test: /src[\\/](drawing|features[\\/](world|building|time))[\\/]/, minShareCount: 2 },
+  { name: 'drawing', test: /src[\\/](drawing|features[\\/]world)[\\/]/, minShareCount: 2 },
   {
     name: 'engine',
-    test: /[\\/](packages[\\/](?!blocks|learning|numbers|materials[\\/](things|maps|items|questions)|simulation[\\/](floor[\\/]png|body[\\/]plugged))|node_modules[\\/]planck[\\/]|src[\\/](?!routes|service-worker|storage|lab[\\/]floor|parts[\\/](ErrorScreen|(page|card)[\\/](?!face))|features[\\/](about|home|lab-screen|materials|print|projects|q-learning|share|sorting|tour|network[\\/]deep|editor[\\/](learning|expert|layers|pictures))))/,
+    test: /[\\/](packages[\\/](?!blocks|learning|numbers|materials[\\/](things|maps|items|questions)|simulation[\\/](floor[\\/]png|body[\\/]plugged))|node_modules[\\/]planck[\\/]|src[\\/](?!routes|service-worker|storage|lab[\\/]floor|app[\\/]lab-screen|figures[\\/]card|parts[\\/](ErrorScreen|page[\\/])|features[\\/](about|home|materials|projects|q-learning|share|sorting|tour|network[\\/]deep|editor[\\/](learning|expert|layers|pictures))))/,
     minShareCount: 2,
   },
 ]

@@ -5,7 +5,7 @@ import { languagesOf } from '../words.ts'
 
 const built = new URL('../../apps/web/.svelte-kit/output/client/.vite/manifest.json', import.meta.url)
 const manifest = JSON.parse(readFileSync(built, 'utf8')) as { readonly [source: string]: { file: string } }
-const part = `**/${manifest['src/features/lab-screen/parts/later.ts']!.file}`
+const part = `**/${manifest['src/app/lab-screen/later.ts']!.file}`
 
 for (const language of languagesOf(import.meta.filename))
   test.describe(`a part of the lab that does not come, in ${language}`, () => {

@@ -1,7 +1,7 @@
 import { drawWay } from '@botgarten/materials/maps'
 import type { Scene } from '@botgarten/programs'
 import type { LabSession } from '#lab/session.svelte.ts'
-import { Floors } from '#features/building/floors.ts'
+import { Floors } from '#features/world/building/floors.ts'
 import { nextFrame } from './clock.ts'
 import type { Stage } from './stage.ts'
 

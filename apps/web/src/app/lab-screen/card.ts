@@ -1,0 +1,36 @@
+import { resolve } from '$app/paths'
+import type { LoadedCard } from '#content/cards.ts'
+import { textOf } from '#figures/card/face.ts'
+import { m } from '#words/generated/messages.js'
+import { say } from '#words/say.ts'
+import type { NextStep, Task } from './frame.ts'
+
+/** What is to be done, and which checks are green. */
+export function taskOf(card: LoadedCard | null, green: readonly string[]): Task {
+  if (!card) return { title: m['session.freeCall'](), sentence: m['session.freeSentence'](), goals: [] }
+  const { goal, checks } = textOf(card)
+  const goals = card.card.checks.map(({ id }) => ({
+    id,
+    label: checks[id] ?? id,
+    passed: green.includes(id),
+  }))
+  return { title: goal.call, sentence: goal.sentence, goals }
+}
+
+/** All goals are green in a run that does not count: from which start pose it is tried again. */
+export function againFrom({ card }: LoadedCard, chosen: number, passedStarts: readonly number[]): NextStep {
+  // Bo learns its way, and drives it from the way's start.
+  if (card.playground === 'q-learning') return { kind: 'again', index: null }
+  const open = card.starts.findIndex((_, start) => !passedStarts.includes(start))
+  return { kind: 'again', index: chosen >= 0 ? chosen : Math.max(0, open) }
+}
+
+/** After a card has been solved from a start pose: another pose first, then the next card. */
+export function nextStep(card: LoadedCard, passedStarts: readonly number[]): NextStep {
+  const index = card.card.starts.findIndex((_, start) => !passedStarts.includes(start))
+  if (index >= 0) return { kind: 'start', index }
+  const { next } = card.card
+  return next
+    ? { kind: 'card', href: resolve('/lab/[card]', { card: next }), name: say(`home.${next}`) }
+    : { kind: 'none' }
+}

@@ -1,9 +1,0 @@
-import { m } from '#words/generated/messages.js'
-import { thingName } from '#features/world/words.ts'
-import type { Item } from './edits.ts'
-
-/** What a child calls it. */
-export function nameOf(item: Item): string {
-  if (item.kind === 'obstacles') return thingName(item.thing)
-  return item.kind === 'areas' ? m['build.area']() : m['build.line']()
-}

@@ -1,0 +1,9 @@
+import { m } from '#words/generated/messages.js'
+import { thingName } from '../words.ts'
+import type { Item } from './edits.ts'
+
+/** What a child calls it. */
+export function nameOf(item: Item): string {
+  if (item.kind === 'obstacles') return thingName(item.thing)
+  return item.kind === 'areas' ? m['build.area']() : m['build.line']()
+}
