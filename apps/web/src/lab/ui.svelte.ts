@@ -5,6 +5,7 @@ import { told } from '#features/editor/told.ts'
 import { saveRaw } from '#storage/handout.ts'
 import { readSetting, writeSetting } from '#storage/settings.ts'
 import { isTyping, undoKey } from './keys.ts'
+import type { PaneName, PaneSizes } from './panes.ts'
 import type { LabSession } from './session.svelte.ts'
 import { Loudspeaker } from './sound.svelte.ts'
 
@@ -25,7 +26,7 @@ interface Settings {
   readonly trail: boolean
 }
 
-/** What lies around a session on the screen: what is being said, what is switched on, how it sounds. */
+/** What is open, chosen and said on the screen round a session, what is switched on, how it sounds. */
 export class LabUi {
   readonly speaker = new Loudspeaker()
   #session: LabSession
@@ -35,7 +36,12 @@ export class LabUi {
   /** Has this run succeeded before? */
   #succeeded = false
   #settings = $state.raw(readSetting<Settings>('settings', { rays: true, trail: true }))
-  #sizes = $state.raw(readSetting<object>('sizes', {}))
+  #sizes = $state.raw(readSetting<PaneSizes>('sizes', {}))
+  /** Which pane is on the screen where there is room for one, and which one fills it. */
+  page = $state<PaneName>('world')
+  filled = $state<PaneName | null>(null)
+  cardOpen = $state(false)
+  hintOpen = $state(false)
   notice = $state.raw<Notice | null>(null)
   message = $state.raw<Message | null>(null)
 
@@ -67,7 +73,7 @@ export class LabUi {
   get sizes() {
     return this.#sizes
   }
-  set sizes(sizes: object) {
+  set sizes(sizes: PaneSizes) {
     this.#sizes = sizes
     writeSetting('sizes', sizes)
   }

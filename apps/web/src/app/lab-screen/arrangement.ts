@@ -1,4 +1,4 @@
-import type { PaneName, PaneSizes } from './frame.ts'
+import type { PaneName, PaneSizes } from '#lab/panes.ts'
 
 /** columns: three side by side · stacked: program left, world over network · rows: world and network over program · pages: one at a time. */
 export type Arrangement = 'columns' | 'stacked' | 'rows' | 'pages'

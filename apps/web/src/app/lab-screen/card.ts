@@ -3,7 +3,28 @@ import type { LoadedCard } from '#content/cards.ts'
 import { textOf } from '#figures/card/face.ts'
 import { m } from '#words/generated/messages.js'
 import { say } from '#words/say.ts'
-import type { NextStep, Task } from './frame.ts'
+
+export interface Goal {
+  readonly id: string
+  /** A word or two: "comes near". */
+  readonly label: string
+  readonly passed: boolean
+}
+
+interface Task {
+  readonly title: string
+  /** The goal in one sentence. */
+  readonly sentence: string
+  /** Empty in the free lab: the strip is one line then. */
+  readonly goals: readonly Goal[]
+}
+
+/** What comes after all goals. `start`: index of a pose not yet passed · `again`: that did not count, it is tried from this pose. */
+export type NextStep =
+  | { readonly kind: 'start'; readonly index: number }
+  | { readonly kind: 'again'; readonly index: number | null }
+  | { readonly kind: 'card'; readonly href: string; readonly name: string }
+  | { readonly kind: 'none' }
 
 /** What is to be done, and which checks are green. */
 export function taskOf(card: LoadedCard | null, green: readonly string[]): Task {

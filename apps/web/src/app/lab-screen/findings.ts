@@ -1,7 +1,13 @@
 import { say } from '#words/say.ts'
 import type { Finding } from '@botgarten/blocks'
 import type { Difference } from '@botgarten/programs/open-roberta'
-import type { FindingWords } from './frame.ts'
+
+/** Something to mend, in a child's words. The first fix is the main button. */
+export interface FindingWords {
+  readonly title: string
+  readonly text?: string
+  readonly fixes: readonly { readonly label: string; readonly mend: () => void }[]
+}
 
 type Fix = NonNullable<Finding['fixes']>[number]
 
@@ -33,3 +39,7 @@ export const wordsOfDifferences = (
 
 /** Is it a mistake that can be mended with one tap? Those are said at once; what is merely unfinished waits for Start. */
 export const saidAtOnce = ({ stops, fixes }: Finding): boolean => stops && (fixes?.length ?? 0) > 0
+
+/** Blocks that have to be mended first. */
+export const stoppingBlocks = (findings: readonly Finding[]): ReadonlySet<string> =>
+  new Set(findings.filter(({ stops }) => stops).map(({ block }) => block))

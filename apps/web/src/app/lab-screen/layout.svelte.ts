@@ -1,0 +1,98 @@
+import { tick } from 'svelte'
+import type { PaneName } from '#lab/panes.ts'
+import { focusOn } from '#parts/page/focus.ts'
+import { arrangementOf, nextPane, scrollsAsPage } from './arrangement.ts'
+import type { LabScreenState } from './screen.svelte.ts'
+
+/** How the lab lies in the window: which panes are seen, and where their bars are. */
+export class Layout {
+  readonly #screen: LabScreenState
+  width = $state(1366)
+  height = $state(768)
+  /** The world fills the lab by itself, because it is being built. */
+  #made = false
+
+  constructor(screen: LabScreenState) {
+    this.#screen = screen
+  }
+
+  get #ui() {
+    return this.#screen.ui
+  }
+
+  readonly arrangement = $derived.by(() => arrangementOf({ width: this.width, height: this.height }))
+  /** One pane at a time, as on a phone. */
+  readonly pages = $derived(this.arrangement === 'pages')
+  readonly scrolls = $derived.by(() => scrollsAsPage({ width: this.width, height: this.height }))
+  readonly panes = $derived.by<readonly PaneName[]>(() =>
+    this.#screen.hasNetworkPane ? ['program', 'world', 'network'] : ['program', 'world'],
+  )
+  /** The heads of the panes hold the control bars. */
+  readonly slim = $derived.by(
+    () => this.arrangement === 'stacked' && !this.#ui.filled && this.#screen.hasNetworkPane,
+  )
+  readonly bars = $derived(!this.pages && !this.slim)
+  readonly stripSize = $derived.by(() => {
+    if (this.pages && this.width < 640) return 'phone'
+    return this.height < 700 || this.#screen.task.goals.length === 0 ? 'line' : 'whole'
+  })
+  /** What Piep says stands above the panes where the program is not there to lie over. */
+  readonly above = $derived.by(
+    () => this.pages || (this.#ui.filled !== null && this.#ui.filled !== 'program'),
+  )
+  /** On a phone a small world stands above the network. */
+  readonly compactWorld = $derived.by(
+    () => this.pages && this.#ui.page === 'network' && !this.#screen.session.learns,
+  )
+
+  seen(pane: PaneName): boolean {
+    if (this.pages) return pane === this.#ui.page || (pane === 'world' && this.compactWorld)
+    return this.#ui.filled === null || this.#ui.filled === pane
+  }
+
+  /** What a pane's frame is told. */
+  paneOf(name: PaneName) {
+    return {
+      name,
+      page: this.pages,
+      visible: this.seen(name),
+      filled: this.#ui.filled === name,
+      onfill: () => (this.#ui.filled = this.#ui.filled === name ? null : name),
+    }
+  }
+
+  /** Who builds needs room. */
+  makeRoom(building: boolean): void {
+    if (building && this.slim) [this.#made, this.#ui.filled] = [true, 'world']
+    else if (!building && this.#made) [this.#made, this.#ui.filled] = [false, null]
+  }
+
+  turnTo = (pane: PaneName): void => {
+    this.#ui.page = pane
+    this.#ui.filled = null
+  }
+
+  /** Shows a pane, where only one is seen. */
+  show(pane: PaneName): Promise<void> {
+    this.#ui.page = pane
+    if (this.#ui.filled) this.#ui.filled = pane
+    return tick()
+  }
+
+  async goTo(pane: PaneName): Promise<void> {
+    await this.show(pane)
+    const section = sectionOf(pane)
+    if (section) focusOn(section)
+  }
+
+  /** F6 goes round the panes, as it does in other programs. */
+  keyDown = (event: KeyboardEvent): void => {
+    if (event.key !== 'F6' || event.ctrlKey || event.altKey || event.metaKey) return
+    if (document.querySelector('dialog[open]')) return
+    event.preventDefault()
+    const here = this.panes.find((pane) => sectionOf(pane)?.contains(document.activeElement)) ?? null
+    void this.goTo(nextPane(this.panes, here, event.shiftKey))
+  }
+}
+
+const sectionOf = (pane: PaneName) => document.querySelector<HTMLElement>(`.panes > section.${pane}`)

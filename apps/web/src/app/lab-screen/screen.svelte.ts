@@ -1,0 +1,190 @@
+import { createContext } from 'svelte'
+import type { Difference } from '@botgarten/programs/open-roberta'
+import { textOf } from '#figures/card/face.ts'
+import { Crew } from '#features/crew/robots.svelte.ts'
+import type { Held } from '#features/editor/network-drop.ts'
+import type { Learner } from '#features/q-learning/later.ts'
+import { addNeuron, mend } from '#features/robot/plug.ts'
+import { RobotTools } from '#features/robot/tools.svelte.ts'
+import { Guide } from '#features/tour/guide.svelte.ts'
+import { sightOf } from '#features/tour/tour.ts'
+import { BuildMode } from '#features/world/build-mode.svelte.ts'
+import { Glow } from '#lab/glow.svelte.ts'
+import type { Opened } from '#lab/opening.ts'
+import { LabSession } from '#lab/session.svelte.ts'
+import { TimeMachine } from '#lab/time.svelte.ts'
+import { LabUi } from '#lab/ui.svelte.ts'
+import { saveProjectFile } from '#storage/handout.ts'
+import { m } from '#words/generated/messages.js'
+import { withWords } from '#words/say.ts'
+import { againFrom, nextStep, taskOf } from './card.ts'
+import type { saveForOpenRoberta } from './doors/later.ts'
+import { saidAtOnce, stoppingBlocks, wordsOf, wordsOfDifferences } from './findings.ts'
+import { Layout } from './layout.svelte.ts'
+import type { Blocks } from './blocks.ts'
+
+/** Everything that the parts of the lab's screen share: they take it from the context, and no property relays it. */
+export class LabScreenState {
+  readonly session: LabSession
+  readonly ui: LabUi
+  readonly build: BuildMode
+  readonly time: TimeMachine
+  readonly crew: Crew
+  readonly glow: Glow
+  readonly tools = new RobotTools()
+  readonly guide = new Guide()
+  readonly layout = new Layout(this)
+  /** What the blocks can be asked to do, once they are there. */
+  blocks = $state.raw<Blocks>()
+  /** The network that a hand holds. */
+  held = $state<Held>(null)
+  /** The playground for learning by trying, once a program learns so. */
+  learner = $state.raw<Learner | null>(null)
+  /** What may end the program here and not in Open Roberta; said once, when the file was opened. */
+  differences = $state.raw<readonly Difference[]>([])
+  /** What to ask before the program goes to Open Roberta. */
+  saving = $state.raw<Awaited<ReturnType<typeof saveForOpenRoberta>>>(null)
+
+  constructor(opened: Opened) {
+    this.session = new LabSession(opened)
+    this.ui = new LabUi(this.session)
+    this.build = new BuildMode(this.session, this.ui)
+    this.time = new TimeMachine(this.session)
+    this.crew = new Crew(this.session)
+    this.glow = new Glow(
+      () => this.neurons,
+      () => this.session.robotId,
+    )
+    this.session.moveBlocks = (direction, program) => this.blocks?.moveBlocks(direction, program) ?? false
+  }
+
+  get card() {
+    return this.session.opened.card
+  }
+
+  /** Name of the card or the project. What nobody has named is called like its card, in the language of now. */
+  readonly title = $derived.by(() => {
+    const { name } = this.session
+    if (name !== (this.card?.card.id ?? 'free') && name !== 'free') return name
+    return this.card ? textOf(this.card).title : m['session.free']()
+  })
+
+  /** The network on the screen. */
+  readonly net = $derived.by(() => this.session.outlines[0] ?? null)
+  readonly neurons = $derived.by(() => (this.net ? [...this.net.inputs, ...this.net.outputs] : []))
+  /** Numbers of its last run; null for what does not run. */
+  readonly trace = $derived.by(() =>
+    this.net?.idle === null ? (this.session.lab.view.networks[this.net.id] ?? null) : null,
+  )
+  readonly weights = $derived.by(() => (this.net ? this.session.weights.shown(this.net.id) : {}))
+  /** Is there a network that runs, to reset and step? */
+  readonly hasNetwork = $derived.by(() => this.net?.idle === null)
+  /** The network that is shown does not run: Start is not what comes next. */
+  readonly loose = $derived.by(() => this.net !== null && this.net.idle !== null && this.held === null)
+  /** A card without a network has no pane for one. */
+  readonly hasNetworkPane = $derived.by(
+    () =>
+      this.net !== null ||
+      this.session.learns ||
+      !['drive', 'sorting'].includes(this.card?.card.playground ?? ''),
+  )
+  /** What the tour would show; null: there is none. */
+  readonly sight = $derived.by(() => sightOf(this.net, this.session.config))
+
+  readonly #facts = $derived.by(() => this.session.lab.facts)
+  get phase() {
+    return this.#facts.phase
+  }
+  get running() {
+    return this.phase === 'running'
+  }
+  get paused() {
+    return this.phase === 'paused'
+  }
+
+  /** What is to be done, and which goals are reached. */
+  readonly task = $derived.by(() => taskOf(this.card, this.#facts.green.split(' ')))
+  /** All hints of the card, and how many the child has asked for; null where there are none. */
+  readonly hints = $derived.by(() =>
+    this.card ? { list: textOf(this.card).hints, shown: this.session.progress.hints } : null,
+  )
+  /** All goals are reached: what comes next. */
+  readonly success = $derived.by(() => {
+    const { card, ui, session } = this
+    if (!card || !ui.success) return null
+    const { starts } = session.progress
+    return ui.success === 'counts' ? nextStep(card, starts) : againFrom(card, session.chosenStart, starts)
+  })
+
+  /** What is to be mended now, one thing at a time. */
+  readonly finding = $derived.by(() => this.ui.shown ?? this.session.findings.find(saidAtOnce) ?? null)
+  /** Did the last run come to this and end there? Then the next one may start. */
+  readonly #ended = $derived.by(() => {
+    const { problem } = this.#facts
+    return this.finding?.block === problem?.block && this.finding?.problem === problem?.problem
+  })
+  /** A block has to be mended first: Start is off. */
+  readonly blocked = $derived.by(() => (this.finding?.stops ?? false) && !this.#ended)
+  /** Blocks that have to be mended first. */
+  readonly toMend = $derived.by(() => stoppingBlocks(this.session.findings))
+  /** The finding in a child's words, or what was found in a file that was opened. */
+  readonly said = $derived.by(() => {
+    const { finding } = this
+    if (finding)
+      return wordsOf(
+        finding,
+        (fix) => this.blocks && mend(this.session, this.blocks, finding.block, fix),
+        () => this.putIn(finding.block),
+      )
+    return this.differences.length > 0
+      ? wordsOfDifferences(this.differences, (block) => this.blocks?.reveal(block, true))
+      : null
+  })
+  closeFinding(): void {
+    if (this.finding) this.ui.show(null)
+    else this.differences = []
+  }
+
+  /** What is said at the foot of the world: `help` leads to the program, `info` can be put away. */
+  readonly notice = $derived.by(() => {
+    const { notice } = this.ui
+    if (this.finding?.stops)
+      return {
+        kind: 'help',
+        text: this.#ended ? m['session.stoppedAt']() : m['session.needsHelp'](),
+      } as const
+    return notice && ({ kind: 'info', text: m[`session.${notice}`]() } as const)
+  })
+
+  /** Brings a block into sight. */
+  reveal(block: string, focus = false): void {
+    this.blocks?.reveal(block, focus)
+  }
+
+  /** Puts what hangs loose where it is reached. */
+  putIn(block: string): void {
+    this.blocks?.putIn(block)
+    this.ui.show(null)
+  }
+
+  addNeuron(layer: 'input' | 'output'): void {
+    if (this.net && this.blocks) void addNeuron(this.session, this.blocks, this.net.id, layer)
+  }
+
+  resetWeights(): void {
+    if (this.net) this.session.weights.reset(this.net.id)
+  }
+
+  /** What is seen inside the network comes with the first question. */
+  inside = () => withWords(import('#features/inside/later.ts'))
+
+  /** Ways out of this project and into another one. */
+  doors = () => withWords(import('./doors/later.ts'))
+  openFile = async (file: File): Promise<void> => (await this.doors()).openFile(file, this.ui)
+  saveFile = (): void => saveProjectFile({ ...this.session.project, name: this.title })
+  async saveForOpenRoberta(): Promise<void> {
+    this.saving = await (await this.doors()).saveForOpenRoberta(this.session, this.title)
+  }
+}
+
+export const [takeScreen, giveScreen] = createContext<LabScreenState>()
