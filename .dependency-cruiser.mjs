@@ -1,5 +1,5 @@
-// The arrows of the house: numbers ← learning, simulation ← blocks ← programs ← lab ← materials ← apps.
-const rooms = ['numbers', 'learning', 'simulation', 'blocks', 'programs', 'lab', 'materials']
+// The arrows of the house: numbers ← learning, simulation ← blocks ← programs ← lab, maps ← materials ← apps.
+const rooms = ['numbers', 'learning', 'simulation', 'blocks', 'programs', 'lab', 'maps', 'materials']
 const mayKnow = {
   numbers: [],
   learning: ['numbers'],
@@ -7,7 +7,8 @@ const mayKnow = {
   blocks: ['learning', 'simulation', 'numbers'],
   programs: ['blocks', 'learning', 'simulation', 'numbers'],
   lab: ['programs', 'blocks', 'learning', 'simulation', 'numbers'],
-  materials: ['lab', 'programs', 'blocks', 'learning', 'simulation', 'numbers'],
+  maps: ['programs', 'blocks', 'learning', 'simulation', 'numbers'],
+  materials: ['lab', 'maps', 'programs', 'blocks', 'learning', 'simulation', 'numbers'],
 }
 const path = (room) => `^packages/${room}/`
 

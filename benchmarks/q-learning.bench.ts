@@ -11,7 +11,7 @@ import {
   type QWorld,
   type Settings,
 } from '@botgarten/learning/q-learning'
-import { readMap } from '@botgarten/materials/maps'
+import { readMap } from '@botgarten/maps'
 import { median, type Table } from './bench.ts'
 
 const here = join(import.meta.dirname, 'q-learning')

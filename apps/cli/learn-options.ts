@@ -1,5 +1,5 @@
 import type { Decay, Settings, Task } from '@botgarten/learning/q-learning'
-import type { MapFile } from '@botgarten/materials/maps'
+import type { MapFile } from '@botgarten/maps'
 import { CallError } from './errors.ts'
 import { numberIn, oneOf, wholeNumberIn } from './options.ts'
 

@@ -3,7 +3,7 @@ import { mkdtempSync, readFileSync, writeFileSync } from 'node:fs'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import { Ajv2020 } from 'ajv/dist/2020.js'
-import { courseOf, readMap } from '@botgarten/materials/maps'
+import { courseOf, readMap } from '@botgarten/maps'
 import { describe, expect, it } from 'vitest'
 import worlds from '../../packages/learning/q-learning/reference/worlds.json' with { type: 'json' }
 

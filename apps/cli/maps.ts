@@ -1,6 +1,6 @@
 import { existsSync, readdirSync } from 'node:fs'
 import { join } from 'node:path'
-import { readMap, type MapFile, type MapProblem } from '@botgarten/materials/maps'
+import { readMap, type MapFile, type MapProblem } from '@botgarten/maps'
 import { CallError, FileError } from './errors.ts'
 import { readText } from './files.ts'
 import { say } from './words.ts'

@@ -1,7 +1,7 @@
 import { existsSync } from 'node:fs'
 import { createLab, type Check, type Document, type Lab } from '@botgarten/lab'
 import { cardDocument } from '@botgarten/materials'
-import { withLearnedWay } from '@botgarten/materials/maps'
+import { withLearnedWay } from '@botgarten/maps'
 import { check } from '@botgarten/programs'
 import { TICKS_PER_SECOND } from '@botgarten/simulation'
 import { findCard, floorOf, programOf, worldOf, wrongAnswers, type FoundCard } from './content.ts'

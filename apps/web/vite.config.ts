@@ -135,7 +135,7 @@ const chunks = [
   { name: 'drawing', test: /src[\\/](drawing|features[\\/]world)[\\/]/, minShareCount: 2 },
   {
     name: 'engine',
-    test: /[\\/](packages[\\/](?!blocks|learning|numbers|materials[\\/](things|maps|items|questions)|simulation[\\/](floor[\\/]png|body[\\/]plugged))|node_modules[\\/]planck[\\/]|src[\\/](?!routes|service-worker|storage|lab[\\/]floor|app[\\/]lab-screen|figures[\\/]card|parts[\\/](ErrorScreen|page[\\/])|features[\\/](about|home|materials|projects|q-learning|share|sorting|tour|network[\\/]deep|editor[\\/](learning|expert|layers|pictures))))/,
+    test: /[\\/](packages[\\/](?!blocks|learning|numbers|maps|materials[\\/](things|maps|items|questions)|simulation[\\/](floor[\\/]png|body[\\/]plugged))|node_modules[\\/]planck[\\/]|src[\\/](?!routes|service-worker|storage|lab[\\/]floor|app[\\/]lab-screen|figures[\\/]card|parts[\\/](ErrorScreen|page[\\/])|features[\\/](about|home|materials|projects|q-learning|share|sorting|tour|network[\\/]deep|editor[\\/](learning|expert|layers|pictures))))/,
     minShareCount: 2,
   },
 ]

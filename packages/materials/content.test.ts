@@ -5,7 +5,7 @@ import { learning } from '@botgarten/blocks/learning'
 import { createLab, type CheckResult } from '@botgarten/lab'
 import { check, parseProject } from '@botgarten/programs'
 import { paintFloor, readPng, TICKS_PER_SECOND, type World } from '@botgarten/simulation'
-import { readMap, withLearnedWay } from './maps/index.ts'
+import { readMap, withLearnedWay } from '@botgarten/maps'
 import { describe, expect, it } from 'vitest'
 import { cardDocument, cardProject, readCard, readCardText, type CardProgram } from './index.ts'
 

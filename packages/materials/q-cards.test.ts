@@ -2,7 +2,7 @@ import { globSync, readFileSync } from 'node:fs'
 import { basename, dirname, join } from 'node:path'
 import { learningIn } from '@botgarten/programs'
 import { describe, expect, test } from 'vitest'
-import { courseOf, readMap } from './maps/index.ts'
+import { courseOf, readMap } from '@botgarten/maps'
 import type { CardProgram } from './types.ts'
 
 const content = join(import.meta.dirname, '../../content')

@@ -1,7 +1,7 @@
 import type { Document } from '@botgarten/lab'
 import type { Floor } from '@botgarten/simulation'
 import type { ItemMarkdown } from '../items/types.ts'
-import type { MapFile } from '../maps/types.ts'
+import type { MapFile } from '@botgarten/maps'
 import type { ThingSet } from '../things/types.ts'
 
 /** `question.json` of a folder `content/materials/questions/<nn-id>/`: what will Bo do? */

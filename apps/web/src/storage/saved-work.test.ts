@@ -3,7 +3,7 @@ import { globSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import { promisify } from 'node:util'
-import { courseOf, learningKey, readMap } from '@botgarten/materials/maps'
+import { courseOf, learningKey, readMap } from '@botgarten/maps'
 import { learningIn, parseProject, parseScene, writeProject, type Project } from '@botgarten/programs'
 import { parseBrainFile } from '@botgarten/programs/brain-file'
 import { afterAll, describe, expect, test } from 'vitest'

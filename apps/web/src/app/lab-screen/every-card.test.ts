@@ -1,7 +1,7 @@
 import { globSync, readFileSync } from 'node:fs'
 import { join } from 'node:path'
 import { cardProject, type CardProgram } from '@botgarten/materials'
-import { readMap, withLearnedWay } from '@botgarten/materials/maps'
+import { readMap, withLearnedWay } from '@botgarten/maps'
 import { paintFloor, readPng, type World } from '@botgarten/simulation'
 import { allCards, loadCard, type LoadedCard } from '#content/cards.ts'
 import { bringFor } from '#features/editor/packs.ts'

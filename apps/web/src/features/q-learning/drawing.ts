@@ -1,4 +1,4 @@
-import { drawWay } from '@botgarten/materials/maps'
+import { drawWay } from '@botgarten/maps'
 import type { Scene } from '@botgarten/programs'
 import type { LabSession } from '#lab/session.svelte.ts'
 import { Floors } from '#features/world/building/floors.ts'

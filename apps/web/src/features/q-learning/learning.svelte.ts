@@ -1,6 +1,6 @@
 import { untrack } from 'svelte'
 import type { Course } from '@botgarten/learning/q-learning'
-import { isShortest, learningKey, sectionsOf } from '@botgarten/materials/maps'
+import { isShortest, learningKey, sectionsOf } from '@botgarten/maps'
 import { learningIn, type Learned } from '@botgarten/programs'
 import type { LabUi } from '#lab/ui.svelte.ts'
 import type { LabSession } from '#lab/session.svelte.ts'

@@ -1,4 +1,4 @@
-import type { MapFile } from '@botgarten/materials/maps'
+import type { MapFile } from '@botgarten/maps'
 import { fade } from './covers.ts'
 import { prepareStation } from './stations.ts'
 import { make, set } from './svg.ts'

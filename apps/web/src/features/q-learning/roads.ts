@@ -1,4 +1,4 @@
-import { pointsAlong, segmentsOf, type MapFile, type Point } from '@botgarten/materials/maps'
+import { pointsAlong, segmentsOf, type MapFile, type Point } from '@botgarten/maps'
 
 /** A road of the drawing between two stations, both directions in one: from the lower number to the higher. */
 export interface Road {

@@ -1,5 +1,5 @@
 import type { Course } from '@botgarten/learning/q-learning'
-import { sectionsOf } from '@botgarten/materials/maps'
+import { sectionsOf } from '@botgarten/maps'
 import { ownText, type LearnedRun, type LearningOutline, type Pay } from '@botgarten/programs'
 
 /** A run as a row of the table of experiments. */

@@ -1,5 +1,5 @@
 import type { Course } from '@botgarten/learning/q-learning'
-import { courseOf, readMap, type MapFile } from '@botgarten/materials/maps'
+import { courseOf, readMap, type MapFile } from '@botgarten/maps'
 import type { LearningOutline } from '@botgarten/programs'
 import { takeApart, type Picture } from './picture.ts'
 import { roadsOf, type Road } from './roads.ts'

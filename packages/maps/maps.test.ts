@@ -6,7 +6,7 @@ import { describe, expect, test } from 'vitest'
 import type { LearningOutline } from '@botgarten/programs'
 import { courseOf, isShortest, readMap, segmentsOf, type MapFile, type Point } from './index.ts'
 
-const folder = new URL('../../../content/maps/', import.meta.url)
+const folder = new URL('../../content/maps/', import.meta.url)
 const ids = readdirSync(folder)
 const textOf = (id: string) => readFileSync(new URL(`${id}/map.svg`, folder), 'utf8')
 

@@ -7,7 +7,7 @@ import { describe, expect, test } from 'vitest'
 import { drawWay, readMap, wayThrough, withLearnedWay, type MapFile } from './index.ts'
 
 const mapNamed = (id: string): MapFile =>
-  readMap(readFileSync(new URL(`../../../content/maps/${id}/map.svg`, import.meta.url), 'utf8')).map!
+  readMap(readFileSync(new URL(`../../content/maps/${id}/map.svg`, import.meta.url), 'utf8')).map!
 
 const start: Template = { type: 'robControls_start', mutation: { attrs: { declare: 'false' } } }
 addBlocks(blocks, learningToolbox)
@@ -88,7 +88,7 @@ describe('the line follower from the toolbox', () => {
     const document = withLearnedWay(documentOf(...learning), mapNamed)
     const { stations, cmPerUnit, size } = mapNamed('railway')
     const goal = { x: stations[1]!.x * cmPerUnit, y: (size.height - stations[1]!.y) * cmPerUnit }
-    const end = run(document as never, 90)
+    const end = run(document, 90)
     expect(Math.hypot(end.x - goal.x, end.y - goal.y)).toBeLessThan(4)
   })
 

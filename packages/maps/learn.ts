@@ -6,8 +6,7 @@ import {
   shortestWay,
   type QMap,
 } from '@botgarten/learning/q-learning'
-import { inScene, learningIn, type LearningOutline } from '@botgarten/programs'
-import type { Document } from '@botgarten/lab'
+import { inScene, learningIn, type LearningOutline, type Project } from '@botgarten/programs'
 import { drawWay } from './drawn.ts'
 import type { MapFile } from './types.ts'
 
@@ -59,7 +58,7 @@ export function sectionsOf({ learner: { world } }: Course): number | null {
  * What a program that learns finds when it drives: everything is learned, the way lies on the floor and the robot
  * stands on its start. The same document where the program learns nothing, or has not learned a way.
  */
-export function withLearnedWay(
+export function withLearnedWay<Document extends Pick<Project, 'programs' | 'world'>>(
   document: Document,
   mapNamed: (id: string) => MapFile | null,
   seed = 1,
