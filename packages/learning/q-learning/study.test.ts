@@ -35,7 +35,7 @@ describe('the study rules', () => {
     const name = row.map as Name
     const world = layOutWorld(task(name))
     const hits = study.after.map(() => 0)
-    const runs = isLong ? row.runs : row.runs / 10
+    const runs = isLong ? row.runs : row.runs / 100
     for (let index = 0; index < runs; index++) {
       const learner = createLearner(
         world,
