@@ -1,53 +1,7 @@
 #!/usr/bin/env node
-import { addBlocks } from '@botgarten/blocks'
-import { expert } from '@botgarten/blocks/later'
-import { learning } from '@botgarten/blocks/learning'
-import { findCommand } from './commands.ts'
-import { CallError, FileError } from './errors.ts'
-import { helpOf, listOf } from './help.ts'
-import { languageIn, languageNamed } from './options.ts'
-import { say, speak } from './words.ts'
+import { call } from './call.ts'
 
-// No screen waits for a smaller first part here.
-addBlocks(expert)
-addBlocks(learning)
-
-async function answerTo(args: readonly string[]): Promise<string> {
-  const { lang, rest: words } = languageIn(args)
-  const language = lang === undefined ? undefined : languageNamed(lang)
-  if (language) speak(language)
-  const { found, path, rest } = findCommand(words)
-  const asksForHelp = rest.includes('--help') || rest.includes('-h')
-  if (typeof found === 'function') {
-    const command = await found()
-    return asksForHelp ? helpOf(path, command) : command.carryOut(rest, language)
-  }
-  if (asksForHelp) return listOf(path, found)
-  const [name] = rest
-  const names = Object.keys(found).join(', ')
-  throw name === undefined
-    ? new CallError('call.which', { names })
-    : new CallError('call.unknownCommand', { name, names })
-}
-
-/** Where a call is at fault it is said where more stands. */
-function sentenceOf(error: CallError | FileError, args: readonly string[]): string {
-  const sentence = error.message.replaceAll('\n', ' ')
-  if (error instanceof FileError) return sentence
-  const { path } = findCommand(languageIn(args).rest)
-  return say('call.help', { sentence, command: ['botgarten', ...path, '--help'].join(' ') })
-}
-
-/** Carries one call out. Exit 0: it ran · 1: a file is at fault · 2: the call is at fault. */
-async function main(args: readonly string[]): Promise<number> {
-  try {
-    process.stdout.write((await answerTo(args)) + '\n')
-    return 0
-  } catch (error) {
-    if (!(error instanceof CallError || error instanceof FileError)) throw error
-    process.stderr.write(`botgarten: ${sentenceOf(error, args)}\n`)
-    return error instanceof CallError ? 2 : 1
-  }
-}
-
-process.exitCode = await main(process.argv.slice(2))
+const { status, stdout, stderr } = await call(process.argv.slice(2))
+process.stderr.write(stderr)
+process.stdout.write(stdout)
+process.exitCode = status

@@ -13,6 +13,7 @@ import type { Command } from './commands.ts'
 import { CallError, FileError } from './errors.ts'
 import { readBytes } from './files.ts'
 import { seedOf } from './learn-options.ts'
+import { note } from './notes.ts'
 import { oneOf, options, refuseMore, wholeNumberIn } from './options.ts'
 import { say } from './words.ts'
 
@@ -47,7 +48,7 @@ function findGroups(args: string[]): string {
   const points = pointsOf(table.rows)
   const found = find(points, wholeNumberIn('k', values.k, 1, 1, points.count), distance, values)
   const { centres, labels, inertia, iterations } = found
-  process.stderr.write(`botgarten: read ${readingOf(table)}.\n`)
+  note(`read ${readingOf(table)}.`)
   const { columns, rows, reading, encoding } = table
   const read = { columns: columns.length, rows: rows.length, ...reading, encoding }
   if (values.json) return JSON.stringify({ centres, labels, inertia, iterations, read })

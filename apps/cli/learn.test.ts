@@ -1,4 +1,3 @@
-import { spawnSync } from 'node:child_process'
 import { mkdtempSync, readFileSync, writeFileSync } from 'node:fs'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
@@ -6,17 +5,11 @@ import { Ajv2020 } from 'ajv/dist/2020.js'
 import { courseOf, readMap } from '@botgarten/maps'
 import { describe, expect, it } from 'vitest'
 import worlds from '../../packages/learning/q-learning/reference/worlds.json' with { type: 'json' }
+import { botgarten } from './testing.ts'
 
 const folder = mkdtempSync(join(tmpdir(), 'botgarten-'))
-const program = join(import.meta.dirname, 'botgarten.ts')
 
-function learn(...args: string[]) {
-  const { status, stdout, stderr } = spawnSync(process.execPath, [program, 'learn', ...args], {
-    env: { ...process.env, LC_ALL: 'en_GB.UTF-8' },
-    encoding: 'utf8',
-  })
-  return { status, stdout, stderr, json: () => JSON.parse(stdout) as { [key: string]: unknown } }
-}
+const learn = (...args: string[]) => botgarten('learn', ...args)
 
 function expectToFit(value: unknown, name: string) {
   const schema = JSON.parse(readFileSync(join(import.meta.dirname, 'schemas', name), 'utf8')) as object
@@ -28,7 +21,7 @@ function expectToFit(value: unknown, name: string) {
 const railway = ['--map', 'railway', '--start', '3', '--goal', '1', '--closed', '3-2,2-3']
 
 describe('botgarten learn q', () => {
-  it('finds the shortest way of each card task, as one line of JSON that fits its schema', () => {
+  it('finds the shortest way of each card task, as one line of JSON that fits its schema', async () => {
     const tasks: [string[], number[]][] = [
       [railway, [3, 5, 0, 1]],
       [
@@ -41,7 +34,7 @@ describe('botgarten learn q', () => {
       ],
     ]
     for (const [task, way] of tasks) {
-      const { status, stdout, json } = learn('q', ...task, '--episodes', '500', '--json')
+      const { status, stdout, json } = await learn('q', ...task, '--episodes', '500', '--json')
       expect(status).toBe(0)
       expect(stdout.trim()).not.toContain('\n')
       expectToFit(json(), 'learn-q.json')
@@ -49,35 +42,45 @@ describe('botgarten learn q', () => {
     }
   })
 
-  it('says why there is no way, and ends by time or episodes, whichever is done first', () => {
-    const short = learn('q', ...railway, '--nu', '0', '--time', '2', '--json').json()
+  it('says why there is no way, and ends by time or episodes, whichever is done first', async () => {
+    const short = (await learn('q', ...railway, '--nu', '0', '--time', '2', '--json')).json()
     expect(short).toMatchObject({ bestWay: null, reason: 'neverReached', moves: 2, firstShortestMove: null })
-    const study = learn('q', ...railway, '--rules', 'study', '--episodes', '30', '--time', '50', '--json')
+    const study = await learn(
+      'q',
+      ...railway,
+      '--rules',
+      'study',
+      '--episodes',
+      '30',
+      '--time',
+      '50',
+      '--json',
+    )
     expect(study.json()).toMatchObject({ moves: 30, episodes: 30 })
-    expect(learn('q', ...railway, '--nu', '0', '--time', '2').stdout).toMatch(
+    expect((await learn('q', ...railway, '--nu', '0', '--time', '2')).stdout).toMatch(
       /^After 2 moves .* no way yet \(neverReached\)/,
     )
   })
 
-  it('says where all is still alike after one try, beside the way that the first of equal roads would give', () => {
+  it('says where all is still alike after one try, beside the way that the first of equal roads would give', async () => {
     const open = ['--map', 'railway', '--start', '3', '--goal', '1']
-    const once = learn('q', ...open, '--episodes', '1', '--json')
+    const once = await learn('q', ...open, '--episodes', '1', '--json')
     expectToFit(once.json(), 'learn-q.json')
     expect(once.json()).toMatchObject({
       ...{ bestWay: [3, 2, 1], reason: 'found' },
       ...{ learned: false, notLearned: { reason: 'alike', station: 3 } },
     })
-    expect(learn('q', ...open, '--episodes', '1').stdout).toMatch(
+    expect((await learn('q', ...open, '--episodes', '1')).stdout).toMatch(
       /no way learned yet \(alike\): at 3 all roads are still alike; the first of equal roads would give 3 → 2 → 1$/m,
     )
-    const often = learn('q', ...open, '--episodes', '100', '--json').json()
+    const often = (await learn('q', ...open, '--episodes', '100', '--json')).json()
     expect(often).toMatchObject({ bestWay: [3, 2, 1], learned: true, notLearned: null })
   })
 
-  it('judges a policy by what it expects where moves are by chance: the slippery lake', () => {
+  it('judges a policy by what it expects where moves are by chance: the slippery lake', async () => {
     const settings = ['--alpha', '1', '--alpha-decay', 'visits', '--rho', '1', '--nu', '.5', '--gamma', '.95']
     const call = ['--map', 'lake', ...settings, '--time', '300000']
-    const report = learn('q', ...call, '--json').json()
+    const report = (await learn('q', ...call, '--json')).json()
     expectToFit(report, 'learn-q.json')
     expect(report).toMatchObject({ learned: true, plan: { policy: { 9: 'down', 13: 'right', 14: 'down' } } })
     const plan = report['plan'] as { expectedReturn: number; bestReturn: number }
@@ -85,13 +88,15 @@ describe('botgarten learn q', () => {
     const best = Math.max(...worlds.lake4.q[0]!)
     expect(Math.abs(plan.bestReturn - best)).toBeLessThan(1e-9)
     expect(plan.expectedReturn).toBeGreaterThan(0.95 * best)
-    expect(learn('q', ...call).stdout).toMatch(
+    expect((await learn('q', ...call)).stdout).toMatch(
       /moves are by chance.*the policy expects 0\.1\d+ \(at best 0\.1805\)/,
     )
   })
 
-  it('names what it learned with, the decay by its formula', () => {
-    const report = learn('q', ...railway, '--alpha-decay', 'visits', '--rho-decay', '.9', '--json').json()
+  it('names what it learned with, the decay by its formula', async () => {
+    const report = (
+      await learn('q', ...railway, '--alpha-decay', 'visits', '--rho-decay', '.9', '--json')
+    ).json()
     expectToFit(report, 'learn-q.json')
     expect(report['settings']).toEqual({
       ...{ rules: 'standard', algorithm: 'q', alpha: 0.5, gamma: 0.8, nu: 0.1, rho: 0.5 },
@@ -100,7 +105,7 @@ describe('botgarten learn q', () => {
     })
   })
 
-  it('learns what the lab learns from the same seed: ten tries on the Railway, move by move', () => {
+  it('learns what the lab learns from the same seed: ten tries on the Railway, move by move', async () => {
     const { map } = readMap(
       readFileSync(join(import.meta.dirname, '../../content/maps/railway/map.svg'), 'utf8'),
     )
@@ -110,8 +115,8 @@ describe('botgarten learn q', () => {
     for (const seed of [1, 2, 7]) {
       const course = courseOf({ ...outline, episodes: 10, moves: 10_000 }, map!, seed)
       course.advance(10_000)
-      const { moves, q, learned } = learn(
-        ...['q', ...railway, '--episodes', '10', '--seed', String(seed), '--json'],
+      const { moves, q, learned } = (
+        await learn(...['q', ...railway, '--episodes', '10', '--seed', String(seed), '--json'])
       ).json() as { moves: number; q: { [road: string]: number }; learned: boolean }
       expect(moves).toBe(course.made)
       expect(Object.values(q)).toEqual([...course.learner.q])
@@ -119,29 +124,29 @@ describe('botgarten learn q', () => {
     }
   })
 
-  it('is the same for the same seed and another for another one', () => {
-    const [one, again, other] = ['7', '7', '8'].map(
-      (seed) => learn('q', ...railway, '--time', '40', '--seed', seed, '--json').stdout,
-    )
-    expect(again).toBe(one)
-    expect(other).not.toBe(one)
+  it('is the same for the same seed and another for another one', async () => {
+    const said = async (seed: string) =>
+      (await learn('q', ...railway, '--time', '40', '--seed', seed, '--json')).stdout
+    const one = await said('7')
+    expect(await said('7')).toBe(one)
+    expect(await said('8')).not.toBe(one)
   })
 
-  it('reads a map from a file, and names what is wrong with it', () => {
+  it('reads a map from a file, and names what is wrong with it', async () => {
     const text = readFileSync(join(import.meta.dirname, '../../content/maps/railway/map.svg'), 'utf8')
     const whole = join(folder, 'whole.svg')
     writeFileSync(whole, text)
-    expect(learn('q', '--map', whole, ...railway.slice(2)).status).toBe(0)
+    expect((await learn('q', '--map', whole, ...railway.slice(2))).status).toBe(0)
     const broken = join(folder, 'broken.svg')
     writeFileSync(broken, text.replace('id="path-3-5"', 'id="path-3-9"'))
-    const { status, stderr } = learn('q', '--map', broken, ...railway.slice(2))
+    const { status, stderr } = await learn('q', '--map', broken, ...railway.slice(2))
     expect(status).toBe(1)
     expect(stderr).toBe(
       `botgarten: "${broken}" is not a map: path-3-9 leads to a station 9 that is not there.\n`,
     )
   })
 
-  it('reads what a drawing program saves, and names what it leaves out', () => {
+  it('reads what a drawing program saves, and names what it leaves out', async () => {
     const drawing = join(folder, 'drawing.svg')
     const circles =
       '<circle id="node-0" cx="9" cy="9" r="5"/><ellipse id="node-1" cx="99" cy="9" rx="9" ry="5"/>'
@@ -150,7 +155,16 @@ describe('botgarten learn q', () => {
       drawing,
       `<svg viewBox="0 0 120 20"><g transform="rotate(9) scale(2)">${circles}${roads}</g></svg>`,
     )
-    const { status, stdout, stderr } = learn('q', '--map', drawing, '--start', '0', '--goal', '1', '--json')
+    const { status, stdout, stderr } = await learn(
+      'q',
+      '--map',
+      drawing,
+      '--start',
+      '0',
+      '--goal',
+      '1',
+      '--json',
+    )
     expect(status).toBe(0)
     expect(JSON.parse(stdout)).toMatchObject({ bestWay: [0, 1] })
     expect(stderr).toBe(
@@ -170,8 +184,8 @@ describe('botgarten learn q', () => {
     [['q', ...railway, '--rho-decay', 'visits'], '--rho-decay takes a number from 0 to 1'],
     [['q-sweep', ...railway, '--shard', '3/2'], '--shard takes a part'],
     [['q-sweep', ...railway, '--rho', '.5,2'], '--rho takes numbers from 0 to 1'],
-  ])('refuses %j', (args, words) => {
-    const { status, stderr } = learn(...args)
+  ])('refuses %j', async (args, words) => {
+    const { status, stderr } = await learn(...args)
     expect(status).toBe(2)
     expect(stderr).toContain(words)
   })
@@ -181,27 +195,28 @@ describe('botgarten learn q-sweep', () => {
   const grid = [...railway, ...['--rules', 'study', '--time', '60', '--runs', '8']]
   const lists = ['--alpha', '.1,.5,.9', '--gamma', '.2,.8', '--rho', '.5,.9']
 
-  it('gives the same table whatever the number of threads, a row a setting', () => {
-    const [one, three] = ['1', '3'].map((threads) =>
-      learn('q-sweep', ...grid, ...lists, '--threads', threads),
-    )
-    expect(three!.stdout).toBe(one!.stdout)
-    expect(one!.stdout.trim().split('\n')).toHaveLength(1 + 3 * 2 * 2)
+  it('gives the same table whatever the number of threads, a row a setting', async () => {
+    const said = async (threads: string) =>
+      (await learn('q-sweep', ...grid, ...lists, '--threads', threads)).stdout
+    const one = await said('1')
+    expect(await said('3')).toBe(one)
+    expect(one.trim().split('\n')).toHaveLength(1 + 3 * 2 * 2)
   })
 
-  it('gives parts that joined are the whole', () => {
+  it('gives parts that joined are the whole', async () => {
     const whole = join(folder, 'whole.csv')
-    expect(learn('q-sweep', ...grid, ...lists, '--csv', whole).status).toBe(0)
-    const parts = [1, 2, 3, 4, 5].map((part) => {
+    expect((await learn('q-sweep', ...grid, ...lists, '--csv', whole)).status).toBe(0)
+    let parts = ''
+    for (const part of [1, 2, 3, 4, 5]) {
       const path = join(folder, `part${part}.csv`)
-      learn('q-sweep', ...grid, ...lists, '--shard', `${part}/5`, '--csv', path)
-      return readFileSync(path, 'utf8')
-    })
-    expect(parts.join('')).toBe(readFileSync(whole, 'utf8'))
+      await learn('q-sweep', ...grid, ...lists, '--shard', `${part}/5`, '--csv', path)
+      parts += readFileSync(path, 'utf8')
+    }
+    expect(parts).toBe(readFileSync(whole, 'utf8'))
   })
 
-  it('counts learned ways beside shown ones, and judges policies where moves are by chance', () => {
-    const once = learn(
+  it('counts learned ways beside shown ones, and judges policies where moves are by chance', async () => {
+    const once = await learn(
       'q-sweep',
       ...railway.slice(0, 6),
       '--episodes',
@@ -228,7 +243,7 @@ describe('botgarten learn q-sweep', () => {
       '--runs',
       '3',
     ]
-    const [judged] = learn(...lake, '--json').json() as unknown as {
+    const [judged] = (await learn(...lake, '--json')).json() as unknown as {
       meanReturn: number
       bestReturn: number
     }[]
@@ -236,37 +251,36 @@ describe('botgarten learn q-sweep', () => {
     expect(Math.abs(judged!.bestReturn - Math.max(...worlds.lake4.q[0]!))).toBeLessThan(1e-9)
     expect(judged!.meanReturn).toBeGreaterThan(0)
     expect(judged!.meanReturn).toBeLessThanOrEqual(judged!.bestReturn)
-    const [head, cells] = learn(...lake)
-      .stdout.trim()
-      .split('\n')
+    const [head, cells] = (await learn(...lake)).stdout.trim().split('\n')
     expect(head).toMatch(/,meanFirst,learnedAtEnd,meanReturn,bestReturn$/)
     expect(cells!.split(',')).toHaveLength(head!.split(',').length)
   })
 
-  it('keeps every row when another setting is added', () => {
-    const rows = (alpha: string) =>
-      learn('q-sweep', ...grid, '--alpha', alpha, '--json').json() as unknown as object[]
-    const both = rows('.1,.5')
+  it('keeps every row when another setting is added', async () => {
+    const rows = async (alpha: string) =>
+      (await learn('q-sweep', ...grid, '--alpha', alpha, '--json')).json() as unknown as object[]
+    const both = await rows('.1,.5')
     expectToFit(both, 'learn-q-sweep.json')
-    expect(both[1]).toEqual(rows('.5')[0])
+    expect(both[1]).toEqual((await rows('.5'))[0])
   })
 })
 
 describe('botgarten learn q-thesis', () => {
-  it('is the grid of the thesis: 225 settings on each of three maps', () => {
-    const { stdout } = learn('q-thesis', '--runs', '1')
+  it('is the grid of the thesis: 225 settings on each of three maps', async () => {
+    const { stdout } = await learn('q-thesis', '--runs', '1')
     const rows = stdout.trim().split('\n')
     expect(rows[0]).toMatch(/^map,alpha,gamma,nu,rho,/)
     for (const map of ['railway', 'forest', 'city'])
       expect(rows.filter((row) => row.startsWith(`${map},`))).toHaveLength(225)
   })
 
-  it('gives JSON that fits its schema', () => {
-    expectToFit(learn('q-thesis', '--runs', '2', '--json').json(), 'learn-q-sweep.json')
+  it('gives JSON that fits its schema', async () => {
+    expectToFit((await learn('q-thesis', '--runs', '2', '--json')).json(), 'learn-q-sweep.json')
   })
 
-  it('gives parts that joined are the whole', () => {
-    const parts = ['1/2', '2/2'].map((shard) => learn('q-thesis', '--runs', '1', '--shard', shard).stdout)
-    expect(parts.join('')).toBe(learn('q-thesis', '--runs', '1', '--threads', '1').stdout)
+  it('gives parts that joined are the whole', async () => {
+    const said = async (...args: string[]) => (await learn('q-thesis', '--runs', '1', ...args)).stdout
+    const parts = [await said('--shard', '1/2'), await said('--shard', '2/2')]
+    expect(parts.join('')).toBe(await said('--threads', '1'))
   })
 })

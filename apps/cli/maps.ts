@@ -3,6 +3,7 @@ import { join } from 'node:path'
 import { readMap, type MapFile, type MapProblem } from '@botgarten/maps'
 import { CallError, FileError } from './errors.ts'
 import { readText } from './files.ts'
+import { note } from './notes.ts'
 import { say } from './words.ts'
 
 const folder = join(import.meta.dirname, '../../content/maps')
@@ -25,7 +26,7 @@ export function findMap(what: string): MapFile {
       path: what,
       why: [...problems.map(sentenceFor), named].filter(Boolean).join('; '),
     })
-  if (named !== '') process.stderr.write(`botgarten: ${say('file.mapWith', { path: what, why: named })}\n`)
+  if (named !== '') note(say('file.mapWith', { path: what, why: named }))
   return map
 }
 

@@ -15,9 +15,10 @@ export type Key = KeysOf<typeof cli>
 export type Facts = { readonly [name: string]: string | number }
 
 /** The language of the machine, as far as there are words in it. */
-const machines = (): Language => (/^de\b/.test(Intl.DateTimeFormat().resolvedOptions().locale) ? 'de' : 'en')
+export const languageOfMachine = (): Language =>
+  /^de\b/.test(Intl.DateTimeFormat().resolvedOptions().locale) ? 'de' : 'en'
 
-let spoken = machines()
+let spoken = languageOfMachine()
 
 /** Every sentence of this call is said in it. */
 export function speak(language: Language): void {
