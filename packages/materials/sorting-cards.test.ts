@@ -3,6 +3,7 @@ import { basename, dirname, join } from 'node:path'
 import { addBlocks } from '@botgarten/blocks'
 import { learning } from '@botgarten/blocks/learning'
 import { createLab } from '@botgarten/lab'
+import { sample } from '@botgarten/numbers/testing'
 import { paintFloor, TICKS_PER_SECOND, type World } from '@botgarten/simulation'
 import { describe, expect, it } from 'vitest'
 import { cardDocument, readCard, type CardProgram } from './index.ts'
@@ -10,7 +11,7 @@ import { cardDocument, readCard, type CardProgram } from './index.ts'
 addBlocks(learning)
 const content = join(import.meta.dirname, '../../content')
 const read = (...path: string[]): unknown => JSON.parse(readFileSync(join(...path), 'utf8'))
-const seeds = [1, 2, 3, 4, 5, 6, 7, 8, 9, 10]
+const seeds = sample([1, 2, 3, 4, 5, 6, 7, 8, 9, 10], 1)
 
 // The sensor of these worlds is noisy: another seed is another run.
 describe.each(globSync(join(content, 'cards/sorting/*/card.json')).map(dirname))('%s', (folder) => {

@@ -1,4 +1,5 @@
 import { stream } from '@botgarten/numbers'
+import { isLong, sample } from '@botgarten/numbers/testing'
 import fc from 'fast-check'
 import { describe, expect, test } from 'vitest'
 import {
@@ -33,8 +34,8 @@ const farthest = (a: ArrayLike<number>, b: readonly number[]) =>
   b.reduce((most, value, index) => Math.max(most, Math.abs(value - a[index]!)), 0)
 
 describe('Q with α = 10/(9 + n) and full exploration', () => {
-  test('equals value iteration on 200 random graphs, and its greedy way is a shortest one', () => {
-    for (const task of fc.sample(randomTask, { numRuns: 200, seed: 2026 })) {
+  test('equals value iteration on random graphs, and its greedy way is a shortest one', () => {
+    for (const task of fc.sample(randomTask, { numRuns: isLong ? 200 : 20, seed: 2026 })) {
       const learner = learn(task, exact, 60_000)
       expect(farthest(learner.q, optimal(learner.world, exact.gamma))).toBeLessThan(1e-9)
       const shortest = breadthFirst(layOutWorld(task))
@@ -117,7 +118,7 @@ function oddsOf(outcomes: readonly Outcome[]): Map<string, number> {
   return all
 }
 
-test.each([{ seed: 1 }, { seed: 2 }, { seed: 3 }])(
+test.each(sample([{ seed: 1 }, { seed: 2 }, { seed: 3 }], 1))(
   'sampled Q on the slippery lake comes within a fiftieth of the largest value, seed $seed',
   ({ seed }) => {
     const { map, start, goal } = lake4()
