@@ -1,6 +1,6 @@
 import { launchBrowser } from '../e2e/browser.ts'
 import { outcomesIn } from '../e2e/runs/in-browser.ts'
-import { outcomes } from '../e2e/runs/runs.ts'
+import { names, outcomes } from '../e2e/runs/runs.ts'
 import type { Table } from './bench.ts'
 
 const said = (equal: boolean) => (equal ? 'equal' : '**not equal**')
@@ -8,9 +8,9 @@ const said = (equal: boolean) => (equal ? 'equal' : '**not equal**')
 /** Hashes of twenty programs, pushing included, in Node and in Chromium. */
 export default async function equality(): Promise<Table> {
   const browser = await launchBrowser()
-  const there = await outcomesIn(await browser.newPage())
+  const there = await outcomesIn(await browser.newPage(), names)
   await browser.close()
-  const rows = outcomes().map(({ name, hash, restored, pushed }, index) => [
+  const rows = outcomes(names).map(({ name, hash, restored, pushed }, index) => [
     ...[name, pushed ? 'yes' : 'no', `\`${hash}\``],
     ...[said(there[index]?.hash === hash), said(restored === hash && there[index]?.restored === hash)],
   ])

@@ -15,7 +15,10 @@ export async function bundle(file: URL, name: string): Promise<string> {
 }
 
 /** The outcomes of the same code in a browser. */
-export async function outcomesIn(page: Page): Promise<Outcome[]> {
+export async function outcomesIn(page: Page, some: readonly string[]): Promise<Outcome[]> {
   await page.addScriptTag({ content: await bundle(new URL('runs.ts', import.meta.url), 'runs') })
-  return page.evaluate(() => (globalThis as unknown as { runs: { outcomes(): Outcome[] } }).runs.outcomes())
+  return page.evaluate(
+    (names) => (globalThis as unknown as { runs: typeof import('./runs.ts') }).runs.outcomes(names),
+    some,
+  )
 }

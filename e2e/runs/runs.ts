@@ -43,4 +43,8 @@ export function carryOut({ name, document, seed }: Run): Outcome {
   return { name, hash, restored: lab.hash(), pushed, problem: problem?.problem ?? null }
 }
 
-export const outcomes = () => runs.map(carryOut)
+export const names = runs.map(({ name }) => name)
+
+/** Outcomes of the runs of these names. */
+export const outcomes = (some: readonly string[]) =>
+  runs.filter(({ name }) => some.includes(name)).map(carryOut)

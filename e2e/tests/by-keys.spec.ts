@@ -1,11 +1,11 @@
 import type { Child } from '../child.ts'
 import { expect, test } from '../house.ts'
-import { languages } from '../words.ts'
+import { languagesOf } from '../words.ts'
 
 const pane = (child: Child, name: 'program' | 'world' | 'network') =>
   child.page.getByRole('region', { name: child.word(`lab.${name}`), exact: true })
 
-for (const language of languages)
+for (const language of languagesOf(import.meta.filename))
   test.describe(`with keys, in ${language}`, () => {
     test.use({ language })
 

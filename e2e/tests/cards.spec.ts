@@ -1,3 +1,4 @@
+import { sample } from '@botgarten/numbers/testing'
 import { axeFindings } from '../axe.ts'
 import { setsKnob } from '../child-cards.ts'
 import { BlockHands } from '../child-blocks.ts'
@@ -24,8 +25,8 @@ async function hurries(child: Child) {
 
 /** All cards of the network that came after Chameleon, Friendship and Fear. */
 const newer = [
-  ['incognito', 'caution', 'loud-distance', 'interest', 'rally'],
-  ['crossed-wires', 'lost-links', 'all-the-same', 'if-then', 'either-or'],
+  sample(['incognito', 'rally', 'caution', 'loud-distance', 'interest'], 2),
+  sample(['crossed-wires', 'if-then', 'lost-links', 'all-the-same', 'either-or'], 2),
 ]
 
 for (const language of languagesOf(import.meta.filename)) {

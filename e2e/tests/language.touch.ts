@@ -3,9 +3,9 @@ import { RobotHands } from '../child-robot.ts'
 import { TimeHands } from '../child-time.ts'
 import { expect, test } from '../house.ts'
 import { besides, friends } from '../projects-language.ts'
-import { languages } from '../words.ts'
+import { languagesOf } from '../words.ts'
 
-for (const language of languages) {
+for (const language of languagesOf(import.meta.filename)) {
   test.describe(`blocks and what they mean, by a finger, in ${language}`, () => {
     test.use({ language })
 

@@ -2,11 +2,11 @@ import { LooseHands } from '../child-loose.ts'
 import { leftEye, leftWheel } from '../child.ts'
 import { expect, test } from '../house.ts'
 import { freeProgram, looseNet } from '../projects.ts'
-import { languages } from '../words.ts'
+import { languagesOf } from '../words.ts'
 
 const loop = freeProgram('Loop', (make) => [make.forever()])
 
-for (const language of languages) {
+for (const language of languagesOf(import.meta.filename)) {
   test.describe(`a network that nothing starts, in ${language}`, () => {
     test.use({ language })
 

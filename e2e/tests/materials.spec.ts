@@ -1,4 +1,5 @@
 import { globSync, readFileSync } from 'node:fs'
+import { sample } from '@botgarten/numbers/testing'
 import { axeFindings } from '../axe.ts'
 import { expect, test } from '../house.ts'
 import { languagesOf } from '../words.ts'
@@ -28,9 +29,10 @@ for (const language of languagesOf(import.meta.filename)) {
     test.use({ language })
 
     for (const kind of kinds)
-      test(`each item of the kind ${kind} is drawn whole, and axe finds nothing on it`, async ({ page }) => {
+      test(`items of the kind ${kind} are drawn whole, and axe finds nothing on them`, async ({ page }) => {
         const wrong: string[] = []
-        for (const { id } of items.filter((item) => item.kind === kind)) {
+        const ofKind = items.filter((item) => item.kind === kind)
+        for (const { id } of sample(ofKind, 2)) {
           await page.goto(`/materials/${kind}/${id}`)
           await expect(page.locator(ready)).toBeVisible()
           await expect(page.getByRole('heading', { level: 1 })).toHaveCount(1)
