@@ -1,7 +1,8 @@
-// The arrows of the house: numbers ← learning, simulation ← blocks ← programs ← lab, maps ← materials ← apps.
-const rooms = ['numbers', 'learning', 'simulation', 'blocks', 'programs', 'lab', 'maps', 'materials']
+// The arrows of the house: numbers ← learning, simulation ← blocks ← programs ← lab, maps ← materials ← apps; messages ← apps.
+const rooms = ['numbers', 'learning', 'simulation', 'blocks', 'programs', 'lab', 'maps', 'materials', 'messages']
 const mayKnow = {
   numbers: [],
+  messages: [],
   learning: ['numbers'],
   simulation: ['numbers'],
   blocks: ['learning', 'simulation', 'numbers'],

@@ -1,24 +1,21 @@
 import { expect, type Locator } from '@playwright/test'
-import { readFileSync } from 'node:fs'
+import { tableOf } from '@botgarten/messages/folder'
 import type { Block } from '@botgarten/blocks'
 import type { Project } from '@botgarten/programs'
 import type { Child } from './child.ts'
 import type { Spot } from './hand.ts'
-
-const read = <Words>(folder: string) =>
-  Object.fromEntries(
-    ['en', 'de'].map((language) => {
-      const file = new URL(`../content/words/${folder}/${language}.json`, import.meta.url)
-      return [language, JSON.parse(readFileSync(file, 'utf8')) as Words]
-    }),
-  )
-
-/** Blockly's own words, as the menus say them, and those of the whole block language. */
-const blockly = read<Record<string, string>>('blockly')
-const expert = read<{ category: Record<string, string> }>('expert')
+import { languages } from './words.ts'
 
 type Item = 'COPY_SHORTCUT' | 'PASTE_SHORTCUT' | 'DUPLICATE_BLOCK' | 'ADD_COMMENT' | 'REMOVE_COMMENT'
 type Switch = 'COLLAPSE_BLOCK' | 'EXPAND_BLOCK' | 'DISABLE_BLOCK' | 'ENABLE_BLOCK'
+
+/** Blockly's own words, as the menus say them. */
+const blockly = new Map(
+  languages.map((language) => [
+    language,
+    tableOf('blockly', language) as { readonly [key in Item | Switch]: string },
+  ]),
+)
 
 /** Hands for the whole block language: the shelf, the search and the menus. */
 export class BlockHands {
@@ -42,7 +39,7 @@ export class BlockHands {
     return this.#page.getByRole('listbox', { name: this.#child.word('shelf.list') }).getByRole('option')
   }
   row(category: string): Locator {
-    const name = expert[this.#child.language]!.category[category] ?? this.#child.word(`category.${category}`)
+    const name = this.#child.word(`category.${category}`)
     return this.#page.getByRole('treeitem', { name, exact: true })
   }
 
@@ -65,7 +62,7 @@ export class BlockHands {
 
   /** What Blockly calls an item of its menus, in the child's language. */
   item(name: Item | Switch): Locator {
-    const words = blockly[this.#child.language]![name]!
+    const words = blockly.get(this.#child.language)![name]
     return this.#page.getByRole('menuitem', { name: words })
   }
 
@@ -91,7 +88,7 @@ export class BlockHands {
     // A page that is busy has not given the focus back yet, and opens its menu later.
     await expect(this.#page.locator('.blocklyPath.blocklyActiveFocus')).toHaveCount(1)
     await this.#page.keyboard.press('Control+Enter')
-    const words = blockly[this.#child.language]![name]!
+    const words = blockly.get(this.#child.language)![name]
     await expect(this.#page.getByRole('menu')).toBeFocused()
     await expect(this.item(name)).toBeVisible()
     const items = await this.#page.getByRole('menuitem').allTextContents()

@@ -1,17 +1,11 @@
-import { readFileSync } from 'node:fs'
 import { expect, type Locator } from '@playwright/test'
 import { BlockHands } from './child-blocks.ts'
 import type { Child } from './child.ts'
 import { finger } from './hand.ts'
-import type { Language } from './words.ts'
-
-type Words = { readonly block: { readonly [type: string]: { readonly help: string } } }
-const wordsOf = (path: string) =>
-  JSON.parse(readFileSync(new URL(`../content/words/${path}.json`, import.meta.url), 'utf8')) as Words
+import { say, type Language } from './words.ts'
 
 /** The sentence that says what a block does. */
-const helpOf = (type: string, language: Language): string =>
-  (wordsOf(language).block[type] ?? wordsOf(`expert/${language}`).block[type])!.help
+const helpOf = (type: string, language: Language): string => say(language, `block.${type}.help`)
 
 /** Hands that ask what a block does. */
 export class AskingHands {

@@ -1,8 +1,11 @@
 import { globSync, readFileSync } from 'node:fs'
 import { basename } from 'node:path'
+import { fill, type Facts } from '@botgarten/messages'
+import { languagesIn, wordsOf } from '@botgarten/messages/folder'
 
-export const languages = ['en', 'de'] as const
-export type Language = (typeof languages)[number]
+export type Language = 'en' | 'de'
+/** As the folder `content/words` has them, the one that others fall back to first. */
+export const languages = languagesIn().toSorted((one) => (one === 'en' ? -1 : 1)) as readonly Language[]
 
 /**
  * The languages in which the tests of a file run: one of them, the same at every run and spread evenly over the
@@ -15,25 +18,13 @@ export function languagesOf(file: string): readonly Language[] {
   return [languages[sum % languages.length]!]
 }
 
-type Facts = { readonly [name: string]: string | number }
-type Tree = string | { readonly [key: string]: Tree }
-
-const read = (file: string) =>
-  JSON.parse(readFileSync(new URL(`../content/words/${file}.json`, import.meta.url), 'utf8')) as Tree
-/** Those of every page, and those of the whole block language. */
-const words = { en: [read('en'), read('expert/en')], de: [read('de'), read('expert/de')] }
-
-function find(tree: Tree, key: string): string | undefined {
-  let found: Tree | undefined = tree
-  for (const part of key.split('.')) found = typeof found === 'object' ? found[part] : undefined
-  return typeof found === 'string' ? found : undefined
-}
+const words = new Map(languages.map((language) => [language, wordsOf(language)]))
 
 /** What the screen says for a message key (`lab.start`) in a language. Throws where nobody wrote it. */
 export function say(language: Language, key: string, facts: Facts = {}): string {
-  const found = words[language].map((tree) => find(tree, key)).find((said) => said !== undefined)
+  const found = words.get(language)?.[key]
   if (found === undefined) throw new Error(`No word for ${key} in ${language}`)
-  return found.replace(/\{(\w+)\}/g, (gap, name: string) => String(facts[name] ?? gap))
+  return fill(found, facts, language)
 }
 
 /** What a card's check is called in a language. Throws where nobody wrote it. */

@@ -49,7 +49,9 @@ test('the largest comes first', () => {
 })
 
 test('of the tables of words only those of the language that is spoken count', () => {
-  const tables = ['en', 'de', 'blockly/en', 'blockly/de'].map((name) => `../content/words/${name}.json?table`)
+  const tables = ['en/app', 'de/app', 'en/blockly', 'de/blockly', 'de/tour'].map(
+    (name) => `content:words/${name}`,
+  )
   const words = Object.fromEntries(tables.map((name) => [name, chunk(name)]))
   const files = scriptsOf(
     '_app/immutable/page.js',
@@ -57,7 +59,7 @@ test('of the tables of words only those of the language that is spoken count', (
     (file) => file.length,
     { language: 'de' },
   )
-  expect(files.map(({ name }) => name).sort()).toEqual([tables[3], tables[1], 'page'])
+  expect(files.map(({ name }) => name).sort()).toEqual([tables[1], tables[3], 'page'])
 })
 
 test('what another playground asks for late does not count', () => {

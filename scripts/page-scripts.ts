@@ -16,17 +16,20 @@ export interface Script {
 
 // SvelteKit's app entry names every page of the product; a page loads its own, and says so in its HTML.
 const isTableOfPages = (name: string | undefined) => name === 'entry/app'
-// A part of the page that only a click asks for hangs on a file of this name, and has its words in such a table.
-const isForLater = (key: string) => /(\/later\.ts|\?(late|expert|sorting))$/.test(key)
+// A part of the page that only a click asks for hangs on a file of this name, and has files of words of its own; pages
+// begin with these.
+const atOnce = ['app', 'blockly']
+const isForLater = (key: string) =>
+  /\/later\.ts$/.test(key) || !atOnce.includes(wordsOf(key)?.['file'] ?? 'app')
 // Chunks of cards and worlds: the page loads the one that it shows.
 const isContent = (name: string | undefined) => name?.startsWith('content-') ?? false
 
-// Tables of words: the page loads those of the language that it speaks.
-const languageOf = (key: string) => /content\/words\/(?:\w+\/)?(\w+)\.json/.exec(key)?.[1]
+// Files of words: the page loads those of the language that it speaks.
+const wordsOf = (key: string) => /content:words\/(?<language>\w+)\/(?<file>[\w-]+)$/.exec(key)?.groups
+const languageOf = (key: string) => wordsOf(key)?.['language']
 
 // Of what comes late a page never asks for another playground; what is seen inside a network belongs to the lab.
-const playgroundOf = (key: string) =>
-  /\?(sorting)$/.exec(key)?.[1] ?? /features\/(q-learning|sorting)\/later\.ts$/.exec(key)?.[1]
+const playgroundOf = (key: string) => /features\/(q-learning|sorting)\/later\.ts$/.exec(key)?.[1]
 
 export interface Counted {
   /** Also the parts that only a click asks for. */

@@ -1,23 +1,8 @@
-import { readFileSync } from 'node:fs'
 import { afterAll, describe, expect, it } from 'vitest'
 import type { ProjectReason } from '@botgarten/programs'
 import { commands, type Commands } from './commands.ts'
 import { helpOf, listOf } from './help.ts'
 import { languages, sayProblem, speak } from './words.ts'
-
-type Tree = { readonly [name: string]: string | Tree }
-
-const wordsIn = (language: string) =>
-  flat(
-    JSON.parse(
-      readFileSync(new URL(`../../content/words/cli/${language}.json`, import.meta.url), 'utf8'),
-    ) as Tree,
-  )
-
-const flat = (tree: Tree, before = ''): readonly (readonly [string, string])[] =>
-  Object.entries(tree).flatMap(([name, word]) =>
-    typeof word === 'string' ? [[before + name, word] as const] : flat(word, `${before}${name}.`),
-  )
 
 /** Every command and group of commands with the words that lead there. */
 const all = (some: Commands, path: readonly string[] = []): [string[], Commands[string]][] => [
@@ -41,14 +26,6 @@ const reasons: { readonly [reason in ProjectReason]: true } = {
 }
 
 afterAll(() => speak('en'))
-
-it('every language says the same with the same facts', () => {
-  const facts = (word: string) => [...word.matchAll(/\{(\w+)\}/g)].map(([, name]) => name).sort()
-  const [de, en] = ['de', 'en'].map((language) =>
-    wordsIn(language).map(([key, word]) => [key, facts(word)] as const),
-  )
-  expect(Object.fromEntries(de!)).toEqual(Object.fromEntries(en!))
-})
 
 describe.each(languages)('in %s', (language) => {
   it.each(all(commands).map(([path, found]) => [path.join(' '), path, found] as const))(

@@ -1,22 +1,27 @@
-import { readFileSync } from 'node:fs'
-import { join } from 'node:path'
-import type cli from '../../content/words/cli/en.json'
+import { fill, type Facts, type Message, type Table } from '@botgarten/messages'
+import { languagesIn, tableOf, wordsOf } from '@botgarten/messages/folder'
+import type cli from '../../content/words/en/cli.json'
 
-export const languages = ['de', 'en'] as const
-export type Language = (typeof languages)[number]
+export type { Facts }
 
-type Tree = { readonly [name: string]: string | Tree }
+/** A language is a folder of `content/words`. */
+export const languages = languagesIn()
+export type Language = string
+
 type KeysOf<Words> = {
-  [Name in keyof Words & string]: Words[Name] extends string ? Name : `${Name}.${KeysOf<Words[Name]>}`
+  [Name in keyof Words & string]: Words[Name] extends string | readonly unknown[]
+    ? Name
+    : `${Name}.${KeysOf<Words[Name]>}`
 }[keyof Words & string]
 
 /** A sentence of the command line: `call.needsMap`. */
 export type Key = KeysOf<typeof cli>
-export type Facts = { readonly [name: string]: string | number }
 
 /** The language of the machine, as far as there are words in it. */
-export const languageOfMachine = (): Language =>
-  /^de\b/.test(Intl.DateTimeFormat().resolvedOptions().locale) ? 'de' : 'en'
+export function languageOfMachine(): Language {
+  const language = new Intl.Locale(Intl.DateTimeFormat().resolvedOptions().locale).language
+  return languages.includes(language) ? language : 'en'
+}
 
 let spoken = languageOfMachine()
 
@@ -26,41 +31,33 @@ export function speak(language: Language): void {
 }
 
 /** Says a sentence of the command line in the language of this call. */
-export const say = (key: Key, facts: Facts = {}): string => fill(find('cli', key) ?? key, facts)
+export const say = (key: Key, facts: Facts = {}): string => filled(own()[key] ?? key, facts)
 
 /** The command line's own word, where it has one. */
-export const ownWord = (key: string): string | undefined => find('cli', key)
+export function ownWord(key: string): string | undefined {
+  const word = own()[key]
+  return word === undefined ? undefined : filled(word, {})
+}
 
 /** Says what is wrong with a program or a file as the lab does; the name alone where the lab has no words for it. */
 export function sayProblem(problem: string, facts: Facts = {}): string {
-  const own = find('cli', `project.${problem}`)
-  if (own !== undefined) return fill(own, facts)
-  const parts = ['title', 'text'].map(
-    (part) => find('', `problem.${problem}.${part}`) ?? find('expert', `problem.${problem}.${part}`),
-  )
-  return parts.includes(undefined) ? problem : fill(parts.join(' '), facts)
+  const ours = own()[`project.${problem}`]
+  if (ours !== undefined) return filled(ours, facts)
+  const words = all()
+  const [title, text] = [words[`problem.${problem}.title`], words[`problem.${problem}.text`]]
+  return title && text ? `${filled(title, facts)} ${filled(text, facts)}` : problem
 }
 
-const fill = (sentence: string, facts: Facts) =>
-  sentence.replace(/\{(\w+)\}/g, (all, name: string) =>
-    Object.hasOwn(facts, name) ? String(facts[name]) : all,
-  )
+const filled = (message: Message, facts: Facts) => fill(message, facts, spoken)
 
-const tables = new Map<string, Tree>()
-
-/** The words of a folder of `content/words`, read when they are asked for. */
-function tableOf(folder: string): Tree {
-  const file = join(import.meta.dirname, '../../content/words', folder, `${spoken}.json`)
-  const known = tables.get(file)
-  if (known) return known
-  const table = JSON.parse(readFileSync(file, 'utf8')) as Tree
-  tables.set(file, table)
-  return table
+/** Tables are read when they are asked for. */
+const cached = (read: (language: Language) => Table) => {
+  const tables = new Map<Language, Table>()
+  return () => {
+    const table = tables.get(spoken) ?? read(spoken)
+    tables.set(spoken, table)
+    return table
+  }
 }
-
-function find(folder: string, key: string): string | undefined {
-  let found: string | Tree | undefined = tableOf(folder)
-  for (const name of key.split('.'))
-    found = typeof found === 'object' && Object.hasOwn(found, name) ? found[name] : undefined
-  return typeof found === 'string' ? found : undefined
-}
+const own = cached((language) => tableOf('cli', language))
+const all = cached((language) => wordsOf(language))

@@ -98,7 +98,7 @@ const moduleOf = (data: unknown) => ({
   moduleType: 'js' as const,
 })
 
-/** `content:materials/…`, and `content/words/<language>.json?items`: the words of all items in a language. */
+/** `content:materials/…`, and `content/words/<language>/app.json?items`: the words of all items in a language. */
 export const materials: Plugin = {
   name: 'learning-materials',
   enforce: 'pre',
@@ -108,7 +108,7 @@ export const materials: Plugin = {
     handler(id) {
       for (const file of files('materials/{*,*/*/*}.{json,md}')) this.addWatchFile(join(content, file))
       const part = /^\0content:materials\/(\w+)$/.exec(id)?.[1]
-      return moduleOf(part ? parts[part]!() : textsIn(basename(id, '.json?items')))
+      return moduleOf(part ? parts[part]!() : textsIn(basename(dirname(id))))
     },
   },
 }

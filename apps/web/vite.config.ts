@@ -1,5 +1,4 @@
 import { readFile } from 'node:fs/promises'
-import { paraglideVitePlugin } from '@inlang/paraglide-js'
 import adapter from '@sveltejs/adapter-node'
 import { sveltekit } from '@sveltejs/kit/vite'
 import { defineConfig, type Plugin } from 'vite'
@@ -177,7 +176,6 @@ export default defineConfig({
         },
       },
     }),
-    paraglideVitePlugin({ project: './project.inlang' }),
   ],
   build: {
     target: 'es2022',

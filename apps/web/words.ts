@@ -1,107 +1,55 @@
 import { readFile } from 'node:fs/promises'
 import { createRequire } from 'node:module'
-import { basename, dirname, join } from 'node:path'
+import { join } from 'node:path'
+import { filesIn, languagesIn, ownTableOf, tableOf, wordsFolder } from '@botgarten/messages/folder'
+import type { Table } from '@botgarten/messages'
 import type { Plugin } from 'vite'
-import { asData } from './data.ts'
 
-type Tree = { readonly [key: string]: string | Tree }
+/** Files that no screen says: only the command line does. */
+const ofCommands = 'cli'
+/** Blockly's own words, which it asks for itself. */
+const ofBlockly = 'blockly'
 
-/** Sections of words that only pages beside the lab need, and parts that a click asks for (`later.ts`). */
-const late = [
-  'build',
-  'debug',
-  'inside',
-  'net',
-  'openRoberta',
-  'projects',
-  'q',
-  'robot',
-  'share',
-  'shelf',
-  'tour',
-  'worldName',
-]
+/** The files whose messages the screens say. */
+export const filesOfScreens = (folder = wordsFolder): readonly string[] =>
+  filesIn(folder).filter((file) => file !== ofCommands && file !== ofBlockly)
 
-/** What goes wrong with the blocks of a pack, with files, and while a world is built. */
-const lateProblems =
-  /^problem\.(link\w+|nothingToTake|homeTooBig|notJson|tooBig|notAProject|newerVersion|notKept|damaged|tooMuch|notXml|unsafeXml|notOpenRoberta|otherRobot|tooManyBlocks|tooManyThings|tooDeep|tooManyNeurons|tooManyInLayer|noSuchStation|startIsGoal|emptyObstacle|groupsFromTo|fewReadings|noGroupsYet|noSuchGroup|picture\w+|sceneNotJson|notAScene|isAProject)\./
-
-/** Words of blocks that come in a pack have its names; what their lists offer comes with them. */
-const ofPacks =
-  /^(block\.(ai_q_|rl_|ai_sorting_|ai_nn_hidden)|choice\.(relu|sigmoid|tanh|threshold|linear|MAP_\w+|slowly|medium|fast|aLot|aLittle|rarely|often|sometimes|group\w+)$)/
-
-/** What a second robot is called is said in the world. */
-const ofCrew = /^robots\.(?!name$)/
-
-/** What the clock says comes with the bar of time; its button is always there. */
-const ofTime = /^time\.(?!open|close)/
-
-/** The settings of a device. */
-const ofComfort = /^comfort\.(projector|quiet|letters|aloud)/
-
-/** What stands on a card, in the menus and in what the lab says when something has gone wrong or well. */
-const ofDialogs =
-  /^lab\.(need|conflict|gone|keepCopy|loadNewer|fullT|refused|outdated|blocked|tooMuch|showBlock|saveRaw|success|rays|trail|onPaper|openFile|saveFile|saveOpenRoberta|cardNumber|youNeed|minutes|pairs|fromGrade|firstDrive|mission|further)/
-
-/** Home says it when it has found a new version: its words come then. */
-const ofVersion = /^offline\.newVersion/
-
-const isLate = (key: string) =>
-  late.includes(key.split('.')[0]!) ||
-  ofPacks.test(key) ||
-  ofCrew.test(key) ||
-  lateProblems.test(key) ||
-  ofTime.test(key) ||
-  ofDialogs.test(key) ||
-  ofComfort.test(key) ||
-  ofVersion.test(key)
-
-/** What a block does is asked for when a hand rests on one. */
-const isHelp = (key: string) => /^block\.\w+\.help$/.test(key)
-
-/** No page says what a block is called: its words stand on it. */
-const isSaid = (key: string) => !/^(\$schema|block\.\w+\.name)$/.test(key)
-
-/** Pages that the lab never shows have a table of their own: sorting, the learning materials, what this lab is. */
-const partOf = (key: string) =>
-  /^(about|sorting|materials)\./.test(key) ? 'sorting' : isLate(key) ? 'late' : 'first'
-
-/** `content/words/<language>.json?first`, `?late` and `?sorting`, `expert/<language>.json?expert`: words of one language, flat (`world.lost`). */
-const tables: Plugin = {
-  name: 'tables-of-words',
+/**
+ * `content:words`: the languages and the files of messages, each as a module of its own, `content:words/de/app`. A module
+ * holds every message of its file: what the language lacks it says in the language that it falls back to.
+ */
+export const wordsIn = (folder: string): Plugin => ({
+  name: 'words',
   enforce: 'pre',
+  resolveId: { filter: { id: /^content:words(\/|$)/ }, handler: (id) => `\0${id}` },
   load: {
-    filter: { id: /\.json\?(first|late|sorting|expert)$/ },
+    filter: { id: /^\0content:words(\/|$)/ },
     async handler(id) {
-      const [file, part] = id.split('?') as [string, string]
-      this.addWatchFile(file)
-      const all = (await entriesOf(file)).filter(([key]) => isSaid(key) && !isHelp(key))
-      const words = Object.fromEntries(all.filter(([key]) => part === 'expert' || partOf(key) === part))
+      const [language, file] = id.split('/').slice(1)
+      if (!language || !file) return { code: indexOf(folder), map: null, moduleType: 'js' }
+      for (const language of languagesIn(folder)) this.addWatchFile(join(folder, language, `${file}.json`))
+      const words = await (file === ofBlockly
+        ? wordsOfBlockly(folder, language)
+        : tableOf(file, language, folder))
       // A string is read faster than an object of code.
       const code = `export default JSON.parse(${JSON.stringify(JSON.stringify(words))})`
       return { code, map: null, moduleType: 'js' }
     },
   },
+})
+
+function indexOf(folder: string): string {
+  const languages = languagesIn(folder)
+  const files = [...filesOfScreens(folder), ofBlockly]
+  const loads = (language: string) =>
+    files.map((file) => `${JSON.stringify(file)}: () => import("content:words/${language}/${file}")`)
+  const tables = languages.map((language) => `${JSON.stringify(language)}: { ${loads(language).join(', ')} }`)
+  return `export const languages = ${JSON.stringify(languages)}
+export const files = { ${tables.join(', ')} }`
 }
 
-/** `content/words/<language>.json?help`: brings what every block does, the expert pack's too, as data beside the scripts. */
-const tablesOfHelp: Plugin = {
-  name: 'tables-of-help',
-  enforce: 'pre',
-  load: {
-    filter: { id: /\.json\?help$/ },
-    async handler(id) {
-      const file = id.split('?')[0]!
-      const language = basename(file)
-      const files = [file, join(dirname(file), 'expert', language)]
-      for (const file of files) this.addWatchFile(file)
-      const entries = (await Promise.all(files.map(entriesOf))).flat().filter(([key]) => isHelp(key))
-      return asData(this, `help-${language}`, Object.fromEntries(entries))
-    },
-  },
-}
-
-const blocklyCore = createRequire(import.meta.url).resolve('blockly/core')
+const require = createRequire(import.meta.url)
+const blocklyCore = require.resolve('blockly/core')
 let asked: Promise<ReadonlySet<string>> | undefined
 
 /** Keys that Blockly's core asks for; the others belong to its own blocks and to plugins. */
@@ -110,21 +58,21 @@ const askedByCore = () =>
     (code) => new Set(code.match(/\b[A-Z][A-Z0-9_]+\b/g)),
   ))
 
-/** `content/words/blockly/<language>.json?core`: Blockly's own words, as far as its core says them. */
-const blocklyWords: Plugin = {
-  name: 'words-of-blockly',
-  enforce: 'pre',
-  load: {
-    filter: { id: /\.json\?core$/ },
-    async handler(id) {
-      const file = id.split('?')[0]!
-      this.addWatchFile(file)
-      const all = Object.entries(JSON.parse(await readFile(file, 'utf8')) as { [key: string]: string })
-      const keys = await askedByCore()
-      const words = Object.fromEntries(all.filter(([key]) => keys.has(key)))
-      return { code: `export default ${JSON.stringify(words)}`, map: null, moduleType: 'js' }
-    },
-  },
+/** Blockly's own words, as far as its core says them: ours, else those that come with Blockly in this language. */
+async function wordsOfBlockly(folder: string, language: string): Promise<Table> {
+  const keys = await askedByCore()
+  const own = ownTableOf(ofBlockly, language, folder)
+  const theirs = comingWithBlockly(language)
+  const all = Object.entries(tableOf(ofBlockly, language, folder)).filter(([key]) => keys.has(key))
+  return Object.fromEntries(all.map(([key, words]) => [key, own[key] ?? theirs[key] ?? words]))
+}
+
+function comingWithBlockly(language: string): { readonly [key: string]: string } {
+  try {
+    return require(`blockly/msg/${language}`) as { readonly [key: string]: string }
+  } catch {
+    return {}
+  }
 }
 
 /**
@@ -146,14 +94,4 @@ const messagesByKey: Plugin = {
   },
 }
 
-export const words: readonly Plugin[] = [tables, tablesOfHelp, blocklyWords, messagesByKey]
-
-const entriesOf = async (file: string) =>
-  Object.entries(flat(JSON.parse(await readFile(file, 'utf8')) as Tree))
-
-const flat = (tree: Tree, before = ''): { readonly [key: string]: string } =>
-  Object.fromEntries(
-    Object.entries(tree).flatMap(([key, word]) =>
-      typeof word === 'string' ? [[before + key, word]] : Object.entries(flat(word, `${before}${key}.`)),
-    ),
-  )
+export const words: readonly Plugin[] = [wordsIn(wordsFolder), messagesByKey]

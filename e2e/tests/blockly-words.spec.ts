@@ -1,11 +1,8 @@
-import { readFileSync } from 'node:fs'
+import { tableOf } from '@botgarten/messages/folder'
 import type { Child } from '../child.ts'
 import { expect, test } from '../house.ts'
 
-const read = (language: string) =>
-  JSON.parse(
-    readFileSync(new URL(`../../content/words/blockly/${language}.json`, import.meta.url), 'utf8'),
-  ) as Record<string, string>
+const read = (language: string) => tableOf('blockly', language) as Record<string, string>
 const [english, german] = [read('en'), read('de')]
 
 const escape = (text: string) => text.replace(/[.*+?^${}()|[\]\\]/g, '\\$&')

@@ -13,8 +13,6 @@ const sources = [
   'apps/web/src',
   'apps/web/static',
   'apps/web/package.json',
-  'apps/web/project.inlang/paraglide.config.js',
-  'apps/web/project.inlang/settings.json',
   ...['data', 'examples', 'materials', 'notices', 'pixels', 'vite.config', 'web-space', 'words'].map(
     (name) => `apps/web/${name}.ts`,
   ),

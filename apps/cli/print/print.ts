@@ -49,7 +49,8 @@ async function printed(order: Order): Promise<Written[]> {
       for (const language of order.languages) {
         const context = await browser.newContext({
           baseURL: house.url,
-          locale: { de: 'de-DE', en: 'en-GB' }[language],
+          // Dates as in Europe.
+          locale: language === 'en' ? 'en-GB' : language,
           serviceWorkers: 'block',
         })
         written.push(...(await inLanguage(context, language, order)))

@@ -4,6 +4,19 @@ declare module '*.md' {
   export default text
 }
 
+declare module 'content:words' {
+  import type { Table } from '@botgarten/messages'
+  import type { Locale, WordsFile } from '#words/generated/files.ts'
+  /** A folder of `content/words` each, in the order of their names. */
+  export const languages: readonly Locale[]
+  /** Its files, and Blockly's own words. */
+  export const files: {
+    readonly [locale in Locale]: {
+      readonly [file in WordsFile | 'blockly']: () => Promise<{ readonly default: Table }>
+    }
+  }
+}
+
 declare module 'content:materials/heads' {
   import type { Item } from '@botgarten/materials/items'
   import type { Question } from '@botgarten/materials/questions'

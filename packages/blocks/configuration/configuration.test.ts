@@ -1,5 +1,7 @@
 import { readdirSync, readFileSync } from 'node:fs'
 import { describe, expect, it } from 'vitest'
+import type { Table } from '../../messages/index.ts'
+import { languagesIn, wordsOf } from '../../messages/folder.ts'
 import { addBlocks, definitions } from '../index.ts'
 import { expert } from '../later.ts'
 import { partOf, parts } from './index.ts'
@@ -13,13 +15,8 @@ const typesOf = (toolbox: string) => [
 ]
 const toolbox = (name: string) => typesOf(toolboxes.find((text) => text.includes(`ev3.${name}.xml`))!)
 
-type Words = { readonly [key: string]: Words | string }
-const languages = ['en', 'de'].map((name) => JSON.parse(read(`../../../content/words/${name}.json`)) as Words)
-function message(words: Words, key: string): unknown {
-  let at: Words | string | undefined = words
-  for (const part of key.split('.')) at = typeof at === 'object' ? at[part] : undefined
-  return at
-}
+const languages = languagesIn().map((language) => wordsOf(language))
+const message = (words: Table, key: string): unknown => words[key]
 
 describe('Open Roberta’s toolboxes', () => {
   it.each(['program.toolbox.beginner', 'program.toolbox.expert'])('%s: every block is known here', (name) => {

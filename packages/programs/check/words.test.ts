@@ -1,5 +1,7 @@
 import { readdirSync, readFileSync } from 'node:fs'
 import { describe, expect, it } from 'vitest'
+import { formsOf } from '../../messages/index.ts'
+import { languagesIn, wordsOf as allWordsOf } from '../../messages/folder.ts'
 
 const rooms = ['../../blocks', '..']
 
@@ -21,16 +23,14 @@ interface Said {
   readonly text: string
 }
 
-const wordsOf = (language: string) => {
-  const problems = [language, `expert/${language}`].flatMap((file) => {
-    const url = new URL(`../../../content/words/${file}.json`, import.meta.url)
-    const { problem } = JSON.parse(readFileSync(url, 'utf8')) as { problem: { [name: string]: Said } }
-    return Object.entries(problem)
-  })
-  return problems.filter(([name]) => name !== 'fix')
+function wordsOf(language: string): readonly (readonly [string, Said])[] {
+  const words = allWordsOf(language)
+  const said = (name: string, part: string) => formsOf(words[`problem.${name}.${part}`] ?? '').join(' ')
+  const names = Object.keys(words).flatMap((key) => /^problem\.(\w+)\.(?:title|text)$/.exec(key)?.[1] ?? [])
+  return [...new Set(names)].map((name) => [name, { title: said(name, 'title'), text: said(name, 'text') }])
 }
 
-describe.each(['en', 'de'])('the problems in %s', (language) => {
+describe.each(languagesIn())('the problems in %s', (language) => {
   it.each(wordsOf(language))(
     '%s has a title, says what to try, and is said by some code',
     (name, { title, text }) => {

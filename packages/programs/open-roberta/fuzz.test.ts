@@ -1,21 +1,14 @@
-import { readFileSync } from 'node:fs'
 import { addBlocks } from '@botgarten/blocks'
 import { expert } from '@botgarten/blocks/later'
 import { isLong } from '@botgarten/numbers/testing'
 import { expect, it } from 'vitest'
+import { languagesIn, wordsOf } from '../../messages/folder.ts'
 import { ProjectError } from '../index.ts'
 import { givenFiles, mutated, opened } from '../testing/mutations.ts'
 
 addBlocks(expert)
 
-const words = ['en', 'de'].map(
-  (language) =>
-    (
-      JSON.parse(
-        readFileSync(new URL(`../../../content/words/${language}.json`, import.meta.url), 'utf8'),
-      ) as { problem: { [reason: string]: unknown } }
-    ).problem,
-)
+const words = languagesIn().map((language) => wordsOf(language))
 
 const copies = isLong ? 500 : 100
 
@@ -30,7 +23,7 @@ it(`${copies} mutated copies are opened, or refused with a clear word, each with
     expect((user + system) / 1e6, what).toBeLessThan(1)
     if (outcome instanceof ProjectError) {
       counts.refused++
-      for (const problem of words) expect(problem, what).toHaveProperty(outcome.reason)
+      for (const said of words) expect(Object.keys(said), what).toContain(`problem.${outcome.reason}.title`)
     } else counts.opened++
   }
   expect(counts.opened).toBeGreaterThan(copies / 5)

@@ -6,4 +6,4 @@ export const prerender = true
 // A web space answers with the index.html of a folder, and only with that.
 export const trailingSlash = __WEB_SPACE__ ? 'always' : 'never'
 
-export const load = () => fetchWords()
+export const load = () => fetchWords('app')

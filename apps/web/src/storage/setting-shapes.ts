@@ -1,5 +1,4 @@
-import { locales } from '../../project.inlang/settings.json'
-import type { Locale } from '#words/language.svelte.ts'
+import { languages } from 'content:words'
 import * as v from 'valibot'
 
 const wish = v.optional(v.boolean())
@@ -12,7 +11,7 @@ const mostSorted = 1_000_000
 /** All that is set on a device, and what each may be. A setting without a line here would not go home. */
 export const settings = {
   comfort: v.strictObject({ projector: wish, quiet: wish, letters: wish, aloud: wish }),
-  language: v.picklist(locales as Locale[]),
+  language: v.picklist(languages),
   'network-level': level,
   'network-tens': v.boolean(),
   'q-level': level,

@@ -1,6 +1,9 @@
 // For the tests: every language can be spoken at once.
+import { files } from 'content:words'
+import type { WordsFile } from './generated/files.ts'
 import { language } from './language.svelte.ts'
-import { fetchExpertWords, fetchHelp, fetchLateWords, fetchSortingWords, fetchWords } from './say.ts'
+import { fetchWords } from './say.ts'
 
-await Promise.all([fetchWords(), fetchLateWords(), fetchSortingWords(), fetchExpertWords(), fetchHelp()])
+const all = Object.keys(files.en).filter((file) => file !== 'blockly') as WordsFile[]
+await fetchWords(...all)
 for (const locale of [...language.all, 'en'] as const) await language.speak(locale)

@@ -1,10 +1,9 @@
-import { locales } from '../../project.inlang/settings.json'
-import type { Locale } from './generated/runtime.js'
+import { languages as all } from 'content:words'
+import type { Locale } from './generated/files.ts'
 
 export type { Locale }
 
 const key = 'botgarten.language'
-const all = locales as readonly Locale[]
 const isLocale = (name: unknown): name is Locale => all.includes(name as Locale)
 
 /** What the browser asks for first, else English. */

@@ -1,96 +1,68 @@
+import { files } from 'content:words'
+import { fill, type Facts, type Message } from '@botgarten/messages'
+import type { WordsFile } from './generated/files.ts'
 import { language, type Locale } from './language.svelte.ts'
-
-type Table = { readonly [key: string]: string }
-type Facts = { readonly [name: string]: string | number }
 
 /** Says a message key; unknown keys come back as they are, so that a missing word is seen, not a crash. */
 export type Words = (key: string, facts?: Facts) => string
 
-const files = {
-  first: import.meta.glob<Table>('../../../../content/words/*.json', {
-    query: '?first',
-    import: 'default',
-  }),
-  late: import.meta.glob<Table>('../../../../content/words/*.json', { query: '?late', import: 'default' }),
-  sorting: import.meta.glob<Table>('../../../../content/words/*.json', {
-    query: '?sorting',
-    import: 'default',
-  }),
-  expert: import.meta.glob<Table>('../../../../content/words/expert/*.json', {
-    query: '?expert',
-    import: 'default',
-  }),
-  help: import.meta.glob<() => Promise<Table>>('../../../../content/words/*.json', {
-    query: '?help',
-    import: 'default',
-    eager: true,
-  }),
-}
-type Part = keyof typeof files
-const tables = new Map<string, Table>()
+/** Every message that has been fetched, by language. */
+const messages: { readonly [locale in Locale]?: Map<string, Message> } = Object.fromEntries(
+  Object.keys(files).map((locale) => [locale, new Map()]),
+)
+const fetching = new Map<WordsFile, (locale: Locale) => Promise<void>>()
 
-async function fetchPart(part: Part, locale: Locale): Promise<void> {
-  const name = `${part} ${locale}`
-  const folder = part === 'expert' ? 'expert/' : ''
-  const file = `../../../../content/words/${folder}${locale}.json`
-  if (!tables.has(name)) tables.set(name, await files[part][file]!())
+/** Fetches a file's messages; what a language lacks is in them in the language that it falls back to. */
+function fetcherOf(file: WordsFile): (locale: Locale) => Promise<void> {
+  const fetched = new Set<Locale>()
+  return async (locale) => {
+    if (fetched.has(locale)) return
+    const { default: table } = await files[locale][file]()
+    for (const [key, message] of Object.entries(table)) messages[locale]?.set(key, message)
+    fetched.add(locale)
+  }
 }
 
-/** Brings the words of every page, in the language of now and in each that will be spoken: before anything is said. */
-export const fetchWords = (): Promise<void> => fetchAlways('first')
-
-/** Brings the words of what comes late, as `apps/web/words.ts` names it: before any of it is shown. */
-export const fetchLateWords = (): Promise<void> => fetchAlways('late')
-
-/** Brings the words of pages beside the lab: sorting, the learning materials, what this lab is. No other page has them. */
-export const fetchSortingWords = (): Promise<void> => fetchAlways('sorting')
-
-/** Brings the words of the expert pack's blocks: before one of them is shown. */
-export const fetchExpertWords = (): Promise<void> => fetchAlways('expert')
-
-/** Brings what every block does: before a hand that rests on one is told. */
-export const fetchHelp = (): Promise<void> => fetchAlways('help')
+/** Fetches files of `content/words/<language>`, in the language of now and in each that will be spoken: before one of their messages is said. */
+export async function fetchWords(...named: readonly WordsFile[]): Promise<void> {
+  await Promise.all(
+    named.map((file) => {
+      const fetch = fetching.get(file) ?? fetcherOf(file)
+      fetching.set(file, fetch)
+      language.needs(fetch)
+      return fetch(language.locale)
+    }),
+  )
+}
 
 /**
- * A part that comes late (`later.ts`), once its words have come too.
- * @param lost takes back the wish for it where it cannot be brought, so that the next press asks anew
+ * A lazy part of a page, once the messages that it says have come too.
+ * @param failed takes back the request where it cannot be loaded, so that the next press asks again
  */
-export async function withWords<Part>(part: Promise<Part>, lost?: () => void): Promise<Part> {
+export async function withWords<Part>(
+  part: Promise<Part>,
+  named: readonly WordsFile[],
+  failed?: () => void,
+): Promise<Part> {
   try {
-    return (await Promise.all([part, fetchLateWords()]))[0]
+    return (await Promise.all([part, fetchWords(...named)]))[0]
   } catch (cause) {
-    lost?.()
+    failed?.()
     throw cause
   }
 }
 
-const parts = Object.keys(files) as readonly Part[]
-const bringing = Object.fromEntries(
-  parts.map((part) => [part, (locale: Locale) => fetchPart(part, locale)]),
-) as { readonly [part in Part]: (locale: Locale) => Promise<void> }
-
-function fetchAlways(part: Part): Promise<void> {
-  language.needs(bringing[part])
-  return bringing[part](language.locale)
-}
-
-const find = (locale: Locale, key: string): string | undefined => {
-  for (const part of parts) {
-    const word = tables.get(`${part} ${locale}`)?.[key]
-    if (word !== undefined) return word
-  }
-}
-
 /** Is there a message of this key? */
-export const isSaid = (key: string): boolean => find(language.locale, key) !== undefined
+export const isSaid = (key: string): boolean => messages[language.locale]?.has(key) ?? false
 
 /** Words of a language that has been fetched. */
 export const wordsIn =
   (locale: Locale): Words =>
   (key, facts = {}) => {
-    const word = find(locale, key)
-    if (word === undefined) console.error(`No words for ${key} in ${locale}.`)
-    return word?.replace(/\{(\w+)\}/g, (gap, name: string) => String(facts[name] ?? gap)) ?? key
+    const message = messages[locale]?.get(key)
+    if (message !== undefined) return fill(message, facts, locale)
+    console.error(`No words for ${key} in ${locale}.`)
+    return key
   }
 
 /** Says a message in the language of now, also where its key is data (a check's, a finding's). */

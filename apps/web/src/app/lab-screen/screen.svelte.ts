@@ -176,10 +176,10 @@ export class LabScreenState {
   }
 
   /** What is seen inside the network comes with the first question. */
-  inside = () => withWords(import('#features/inside/later.ts'))
+  inside = () => withWords(import('#features/inside/later.ts'), ['inside', 'network'])
 
   /** Ways out of this project and into another one. */
-  doors = () => withWords(import('./doors/later.ts'))
+  doors = () => withWords(import('./doors/later.ts'), ['files', 'open-roberta'])
   openFile = async (file: File): Promise<void> => (await this.doors()).openFile(file, this.ui)
   saveFile = (): void => saveProjectFile({ ...this.session.project, name: this.title })
   async saveForOpenRoberta(): Promise<void> {

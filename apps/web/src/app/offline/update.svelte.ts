@@ -1,4 +1,3 @@
-import { fetchLateWords } from '#words/say.ts'
 import { LAB_LOCK } from './lock.ts'
 
 /** A lab that was just closed may hold its lock for a moment longer: how long to wait for that, in ms. */
@@ -36,19 +35,17 @@ export class Update {
     const workers = navigator.serviceWorker as ServiceWorkerContainer | undefined
     const found = await workers?.getRegistration()
     if (!workers || !found) return
-    const see = async () => {
+    const see = () => {
       // The first one of all is no news.
-      if (!found.waiting || !workers.controller) return
-      await fetchLateWords()
-      this.#waiting = found.waiting
+      if (found.waiting && workers.controller) this.#waiting = found.waiting
     }
-    const watch = () => found.installing?.addEventListener('statechange', () => void see())
-    void see()
+    const watch = () => found.installing?.addEventListener('statechange', see)
+    see()
     // The page's own registering may have found it already.
     watch()
     found.addEventListener('updatefound', watch)
     await found.update().catch(() => 'without a network there is nothing new')
-    await see()
+    see()
   }
 
   /** Takes the new version and loads the page anew, unless a lab is open. */

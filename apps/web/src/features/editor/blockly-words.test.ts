@@ -1,7 +1,7 @@
 import * as english from 'blockly/msg/en'
 import { describe, expect, it } from 'vitest'
-import de from '../../../../../content/words/blockly/de.json'
-import en from '../../../../../content/words/blockly/en.json'
+import de from '../../../../../content/words/de/blockly.json'
+import en from '../../../../../content/words/en/blockly.json'
 
 const original = english as unknown as Readonly<Record<string, string>>
 const placeholders = (text: string) => (text.match(/%\d/g) ?? []).sort()

@@ -8,9 +8,12 @@ import {
 } from '@botgarten/blocks'
 import type { Brain } from '@botgarten/learning/neural-network'
 import { holesOf, statementNames, type Project } from '@botgarten/programs'
-import { fetchExpertWords, withWords } from '#words/say.ts'
+import { withWords } from '#words/say.ts'
 
 type Expert = Pick<typeof import('./expert/later.ts'), 'expertShelf' | 'everything'>
+
+/** Words of the blocks for deeper networks, for maps and groups. */
+const ofPacks = ['blocks-network', 'blocks-q-learning', 'blocks-sorting'] as const
 
 let expert: Expert | null = null
 /** As it is before more is brought. */
@@ -21,9 +24,9 @@ export const expertParts = (): Expert | null => expert
 
 /** Brings the whole language with its words; programs may hold all of it from then on. */
 export async function bringExpert(): Promise<Expert> {
-  const [{ learn, expertShelf, everything }] = await Promise.all([
-    withWords(import('./expert/later.ts')),
-    fetchExpertWords(),
+  const { learn, expertShelf, everything } = await withWords(import('./expert/later.ts'), [
+    'expert',
+    ...ofPacks,
   ])
   if (!expert) learn()
   return (expert = { expertShelf, everything })
@@ -31,7 +34,7 @@ export async function bringExpert(): Promise<Expert> {
 
 /** Brings the blocks for deeper networks, for maps and groups. */
 export const bringLearning = async (): Promise<void> =>
-  (await withWords(import('./learning/later.ts'))).learn()
+  (await withWords(import('./learning/later.ts'), ofPacks)).learn()
 
 /** Brings what a project's programs and brains hold and is not there yet. Returns whether its programs hold more than the plain language. */
 export async function bringFor({ programs, brains }: Pick<Project, 'programs' | 'brains'>): Promise<boolean> {

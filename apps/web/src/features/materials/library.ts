@@ -11,7 +11,7 @@ interface Texts {
   readonly questions: { readonly [id: string]: QuestionText | undefined }
 }
 
-const files = import.meta.glob<Texts>('../../../../../content/words/*.json', {
+const files = import.meta.glob<Texts>('../../../../../content/words/*/app.json', {
   query: '?items',
   import: 'default',
 })
@@ -20,7 +20,7 @@ const texts = new Map<Locale, Texts>()
 /** Brings the words of the learning materials: before one of them is shown. */
 export async function fetchItems(locale: Locale = language.locale): Promise<void> {
   language.needs(fetchItems)
-  if (!texts.has(locale)) texts.set(locale, await files[`../../../../../content/words/${locale}.json`]!())
+  if (!texts.has(locale)) texts.set(locale, await files[`../../../../../content/words/${locale}/app.json`]!())
 }
 
 /** All learning materials, in the order of their folders. */

@@ -1,6 +1,6 @@
 import type { LabUi } from '#lab/ui.svelte.ts'
 import type { LabSession } from '#lab/session.svelte.ts'
-import { fetchLateWords } from '#words/say.ts'
+import { fetchWords } from '#words/say.ts'
 import type { Blocks } from './hands.ts'
 import { Learning } from './learning.svelte.ts'
 import QPlayground from './QPlayground.svelte'
@@ -24,7 +24,7 @@ export function hold(
 ): () => void {
   let close = () => {}
   let over = false
-  void fetchLateWords().then(() => {
+  void fetchWords('q-learning', 'blocks-q-learning').then(() => {
     if (over) return
     const learning = new Learning(session, ui, blocks)
     close = learning.open()

@@ -17,6 +17,6 @@ export class RobotTools {
   async show(tool: RobotTool, open: boolean): Promise<void> {
     if (open) this.#open = tool
     else if (this.#open === tool) this.#open = null
-    if (open) this.#parts ??= await withWords(import('./later.ts'), () => (this.#open = null))
+    if (open) this.#parts ??= await withWords(import('./later.ts'), ['robot'], () => (this.#open = null))
   }
 }

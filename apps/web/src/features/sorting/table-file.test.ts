@@ -1,6 +1,6 @@
 import { beforeAll, describe, expect, test } from 'vitest'
 import { language } from '#words/language.svelte.ts'
-import { fetchSortingWords } from '#words/say.ts'
+import { fetchWords } from '#words/say.ts'
 import { openTable } from './table-file.ts'
 
 const file = (content: string | Uint8Array<ArrayBuffer>) => new File([content], 'table.csv')
@@ -11,7 +11,7 @@ describe.each(['de', 'en'] as const)('what is said of a table in %s', (locale) =
 
   beforeAll(async () => {
     await language.speak(locale)
-    await fetchSortingWords()
+    await fetchWords('sorting')
   })
 
   test('how it was read', async () => {

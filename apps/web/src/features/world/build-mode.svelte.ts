@@ -58,7 +58,11 @@ export class BuildMode {
 
   async #open(): Promise<Opened> {
     if (this.#shop) return this.#shop
-    const { openWorkshop } = await withWords(import('./building/later.ts'), () => (this.#on = false))
+    const { openWorkshop } = await withWords(
+      import('./building/later.ts'),
+      ['world-building', 'worlds', 'files'],
+      () => (this.#on = false),
+    )
     this.#shop ??= await openWorkshop(this)
     return this.#shop
   }

@@ -1,3 +1,3 @@
-import { fetchSortingWords } from '#words/say.ts'
+import { fetchWords } from '#words/say.ts'
 
-export const load = () => fetchSortingWords()
+export const load = () => fetchWords('about')

@@ -1,6 +1,6 @@
 import { fetchItems } from '#features/materials/library.ts'
-import { fetchLateWords, fetchSortingWords } from '#words/say.ts'
+import { fetchWords } from '#words/say.ts'
 
 export const load = async () => {
-  await Promise.all([fetchItems(), fetchSortingWords(), fetchLateWords()])
+  await Promise.all([fetchItems(), fetchWords('materials')])
 }

@@ -1,10 +1,10 @@
-import { fetchSortingWords } from '#words/say.ts'
+import { fetchWords } from '#words/say.ts'
 import type { PageLoad } from './$types'
 
 /** Without a project the page is this device's; `?p=` opens the sorting of a project. */
 export const load: PageLoad = async ({ url }) => {
   const id = url.searchParams.get('p')
-  const [opened] = await Promise.all([id === null ? null : openProject(id), fetchSortingWords()])
+  const [opened] = await Promise.all([id === null ? null : openProject(id), fetchWords('sorting')])
   return { opened, missing: id !== null && opened === null }
 }
 

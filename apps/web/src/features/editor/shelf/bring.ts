@@ -1,12 +1,8 @@
 import type { WorkspaceSvg } from 'blockly/core'
-import { fetchHelp, withWords } from '#words/say.ts'
+import { withWords } from '#words/say.ts'
 
 /** What a child looks a block up with, and what blocks do. */
-export const bringSearch = (lost?: () => void) =>
-  withWords(
-    Promise.all([import('./later.ts'), fetchHelp()]).then(([search]) => search),
-    lost,
-  )
+export const bringSearch = (lost?: () => void) => withWords(import('./later.ts'), ['editor', 'help'], lost)
 
 /** Tells what blocks of a type do, with an example that can be put on the paper. */
 export const explain = async (paper: WorkspaceSvg, type: string): Promise<void> =>

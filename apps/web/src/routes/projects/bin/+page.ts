@@ -1,3 +1,3 @@
-import { fetchLateWords } from '#words/say.ts'
+import { fetchWords } from '#words/say.ts'
 
-export const load = () => fetchLateWords()
+export const load = () => fetchWords('projects', 'files')

@@ -1,4 +1,4 @@
-import { readFileSync } from 'node:fs'
+import { languagesIn, ownTableOf } from '@botgarten/messages/folder'
 import { expect, test } from 'vitest'
 import { heightOf, laidOut, laidWays } from './flow.ts'
 import { qLearning } from './q-learning.ts'
@@ -48,14 +48,11 @@ test('from every box a round leads back to it, and questions alone have more tha
   }
 })
 
-test.each(['de', 'en'])('every box and every way has its words, in "%s"', (language) => {
-  const file = new URL(`../../../../../../../content/words/${language}.json`, import.meta.url)
-  const { materials } = JSON.parse(readFileSync(file, 'utf8')) as {
-    materials: { flow: Record<string, string> }
-  }
+test.each(languagesIn())('every box and every way has its words, in "%s"', (language) => {
+  const said = ownTableOf('materials', language)
   const asked = [
     ...boxes.map(({ id }) => id),
     ...ways.flatMap(({ word, then }) => [word ?? [], then ?? []].flat()),
   ]
-  expect(asked.filter((word) => !materials.flow[word])).toEqual([])
+  expect(asked.filter((word) => !said[`materials.flow.${word}`])).toEqual([])
 })

@@ -1,7 +1,7 @@
 import { error } from '@sveltejs/kit'
 import { allCards } from '#content/cards.ts'
 import { allItems, allQuestions, cardItem, fetchItems, itemNamed } from '#features/materials/library.ts'
-import { fetchLateWords, fetchSortingWords } from '#words/say.ts'
+import { fetchWords } from '#words/say.ts'
 import type { EntryGenerator, PageLoad } from './$types'
 
 // Names that are not among the entries are answered by the server, with the page that says so.
@@ -16,7 +16,7 @@ export const entries: EntryGenerator = () => [
 const modules = [...new Set(allQuestions.map(({ module }) => String(module)))]
 
 export const load: PageLoad = async ({ params }) => {
-  await Promise.all([fetchItems(), fetchLateWords(), fetchSortingWords()])
+  await Promise.all([fetchItems(), fetchWords('materials', 'network', 'q-learning', 'sorting', 'worlds')])
   if (params.kind === 'questions' && modules.includes(params.id))
     return { item: null, module: Number(params.id) }
   const item = itemNamed(params.id) ?? cardItem(params.id)

@@ -1,6 +1,0 @@
-export default {
-  outdir: './src/words/generated',
-  strategy: ['baseLocale'],
-  outputStructure: 'locale-modules',
-  emitTsDeclarations: true,
-}

@@ -1,0 +1,2 @@
+export { fill, formsOf, type Facts, type Message, type Variants } from './message.ts'
+export { flat, type Table, type Tree } from './table.ts'
