@@ -17,7 +17,7 @@ const read = (...path: string[]): unknown => JSON.parse(readFileSync(join(...pat
 
 const folders = globSync(join(content, 'cards/*/*/card.json')).sort().map(dirname)
 const ids = folders.map((folder) => basename(folder).replace(/^\d+-/, ''))
-const languages = globSync(join(content, 'words/*.json')).map((file) => basename(file, '.json'))
+const languages = globSync(join(content, 'words/*/app.json')).map((file) => basename(dirname(file)))
 type Named = { readonly [id: string]: string | undefined }
 
 const mapNamed = (id: string) => readMap(readFileSync(join(content, 'maps', id, 'map.svg'), 'utf8')).map
@@ -120,7 +120,7 @@ describe.each(globSync(join(content, 'worlds/*/world.json')))('the world in %s',
   })
 
   it.each(languages)('has a name in "%s"', (language) => {
-    const { worldName } = read(content, 'words', `${language}.json`) as { worldName: Named }
+    const { worldName } = read(content, 'words', language, 'worlds.json') as { worldName: Named }
     expect(worldName[basename(dirname(path))]).toMatch(/\S/)
   })
 })

@@ -10,7 +10,7 @@ const content = join(import.meta.dirname, '../../content')
 const read = (...path: string[]): unknown => JSON.parse(readFileSync(join(...path), 'utf8'))
 
 const eight = globSync(join(content, 'cards/network/*/card.json')).sort().map(dirname).slice(0, 8)
-const languages = globSync(join(content, 'words/*.json')).map((file) => basename(file, '.json'))
+const languages = globSync(join(content, 'words/*/app.json')).map((file) => basename(dirname(file)))
 
 function* blocksIn(block: Block): Generator<string> {
   // Numbers come with their blocks.
@@ -58,7 +58,9 @@ describe('the blocks that the eight cards give', () => {
     })
 
     it.each(languages)('says in "%s" under which word every other kind of block is found', (language) => {
-      const { category } = read(content, 'words', `${language}.json`) as { category: Record<string, string> }
+      const { category } = read(content, 'words', language, 'app.json') as {
+        category: Record<string, string>
+      }
       const { hints } = readCardText(readFileSync(join(folder, `${language}.md`), 'utf8'))
       const said = wordsOf(hints)
       for (const type of missing) expect(said).toContain(category[categoryOf(type)!])

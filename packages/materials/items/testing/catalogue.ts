@@ -15,7 +15,7 @@ addBlocks(expert)
 export const content = join(import.meta.dirname, '../../../../content')
 export const read = (...path: string[]): unknown => JSON.parse(readFileSync(join(content, ...path), 'utf8'))
 
-export const languages = globSync(join(content, 'words/*.json')).map((file) => basename(file, '.json'))
+export const languages = globSync(join(content, 'words/*/app.json')).map((file) => basename(dirname(file)))
 
 export const itemFolders = globSync('materials/*/*/item.json', { cwd: content }).sort().map(dirname)
 export const cardFolders = globSync('cards/*/*/card.json', { cwd: content }).sort().map(dirname)
