@@ -29,5 +29,5 @@ test('an eye is named where it is drawn: both keep to the same bounds of the hea
   const bounds = (path: string) =>
     readFileSync(new URL(path, import.meta.url), 'utf8').match(/clamp\(0 - [xy], [-\d., ]+\)/g)
   expect(bounds('./bo-parts.ts')).toHaveLength(2)
-  expect(bounds('./bo-parts.ts')).toEqual(bounds('../features/world/BoTop.svelte'))
+  expect(bounds('./bo-parts.ts')).toEqual(bounds('../figures/world/BoTop.svelte'))
 })

@@ -1,7 +1,7 @@
 import { untrack } from 'svelte'
 import type { Facts, Finding } from '@botgarten/blocks'
 import type { StepKind } from '@botgarten/lab'
-import { told } from '#features/editor/told.ts'
+import { told } from './told.ts'
 import { saveRaw } from '#storage/handout.ts'
 import { readSetting, writeSetting } from '#storage/settings.ts'
 import { isTyping, undoKey } from './keys.ts'

@@ -1,6 +1,6 @@
 import type { LabSession } from '#lab/session.svelte.ts'
 import { most } from '@botgarten/programs'
-import type { NewRobot } from './looks.ts'
+import type { NewRobot } from '#figures/robots/looks.ts'
 
 /** The robots of a world, for the row of chips: who is there, whose program and network are shown. */
 export class Crew {

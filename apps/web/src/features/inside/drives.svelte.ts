@@ -2,7 +2,7 @@ import { leaveOut, smallestChange, type Change } from '@botgarten/learning/neura
 import { biasRow, withWeight, type Brain } from '@botgarten/learning/neural-network'
 import { imagine, type Imagined } from '@botgarten/lab/why'
 import { askedOf, type Asked } from './decision.ts'
-import { level } from '#features/network/level.svelte.ts'
+import { level } from '#figures/network/level.svelte.ts'
 import type { Inside } from './inside.svelte.ts'
 import { inSlices } from './slices.ts'
 

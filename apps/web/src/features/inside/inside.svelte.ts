@@ -1,6 +1,6 @@
 import { emptyBrain, weightsOf } from '@botgarten/learning/neural-network'
 import { standpointOf } from './moment.ts'
-import { drawn, type Neuron } from '#features/network/neurons.ts'
+import { drawn, type Neuron } from '#figures/network/neurons.ts'
 import type { LabSession } from '#lab/session.svelte.ts'
 import { Drives } from './drives.svelte.ts'
 import { Field } from './field.svelte.ts'

@@ -2,7 +2,7 @@ import { m } from '#words/generated/messages.js'
 import { say } from '#words/say.ts'
 import { language } from '#words/language.svelte.ts'
 import { formatNumber } from '#drawing/numbers.ts'
-import type { Neuron } from '#features/network/neurons.ts'
+import type { Neuron } from '#figures/network/neurons.ts'
 import type { Otherwise, Turning } from './drives.svelte.ts'
 import type { Inside } from './inside.svelte.ts'
 

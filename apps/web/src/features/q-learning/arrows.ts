@@ -1,5 +1,5 @@
 import type { QWorld } from '@botgarten/learning/q-learning'
-import { arrowOn, ridden, type Road } from './roads.ts'
+import { arrowOn, ridden, type Road } from '#figures/map/roads.ts'
 
 /** So far from a station's middle an arrow lies: just outside of its disc. */
 const ASIDE = 78

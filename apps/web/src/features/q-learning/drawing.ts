@@ -1,9 +1,9 @@
 import { drawWay } from '@botgarten/maps'
 import type { Scene } from '@botgarten/programs'
 import type { LabSession } from '#lab/session.svelte.ts'
-import { Floors } from '#features/world/building/floors.ts'
+import { Floors } from '#lab/floor/floors.ts'
 import { nextFrame } from './clock.ts'
-import type { Stage } from './stage.ts'
+import type { Stage } from '#figures/map/stage.ts'
 
 /** The way as the floor of the robot's world. */
 export class WayOnFloor {

@@ -12,7 +12,7 @@ import { MOVE } from './phases.ts'
 import { Records } from './records.svelte.ts'
 import { rowOf } from './runs.ts'
 import { Screen } from './screen.svelte.ts'
-import { bringStage, courseOn, type Stage } from './stage.ts'
+import { bringStage, courseOn, type Stage } from '#figures/map/stage.ts'
 
 /** `over`: a limit stopped it · `stopped`: a hand did. */
 export type State = 'ready' | 'playing' | 'paused' | 'over' | 'stopped'

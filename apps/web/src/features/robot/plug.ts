@@ -1,6 +1,6 @@
 import type { Finding } from '@botgarten/blocks'
 import { placeFor, withSensor, type SensorKind, type SensorPort } from '@botgarten/simulation'
-import { told } from '#features/editor/told.ts'
+import { told } from '#lab/told.ts'
 import type { LabSession } from '#lab/session.svelte.ts'
 
 type Fix = NonNullable<Finding['fixes']>[number]

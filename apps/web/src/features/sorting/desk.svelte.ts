@@ -1,6 +1,6 @@
 import { startAt, stepOne, stepPhase, type Distance, type KState } from '@botgarten/learning/k-means'
 import { firstWork, LONGEST_NAME, othersIn, read, written } from './kept.ts'
-import { setOf } from './sets.ts'
+import { setOf } from '#figures/things/sets.ts'
 import { deviceShelf, type Shelf } from './shelf.ts'
 import { traps } from './traps.ts'
 import {

@@ -1,6 +1,6 @@
 import { LARGEST } from '@botgarten/learning/k-means'
 import * as v from 'valibot'
-import { setOf, sets } from './sets.ts'
+import { setOf, sets } from '#figures/things/sets.ts'
 import {
   handTable,
   LONGEST_COLUMN,

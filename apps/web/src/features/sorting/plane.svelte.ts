@@ -3,7 +3,7 @@ import * as m from '#words/generated/messages.js'
 import type { Desk } from './desk.svelte.ts'
 import type { Drawing } from './draw.ts'
 import { apart, fieldIn, spotOf, under, type Room } from './geometry.ts'
-import { setOf } from './sets.ts'
+import { setOf } from '#figures/things/sets.ts'
 import { thingName } from './words.ts'
 import { pointsIn } from './work.ts'
 

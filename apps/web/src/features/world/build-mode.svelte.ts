@@ -3,7 +3,7 @@ import type { Pose } from '@botgarten/simulation'
 import { withWords } from '#words/say.ts'
 import type { LabUi } from '#lab/ui.svelte.ts'
 import type { LabSession } from '#lab/session.svelte.ts'
-import { Eye } from './eye.svelte.ts'
+import { Eye } from '#figures/world/eye.svelte.ts'
 import { Hand } from './hand.svelte.ts'
 import type { Workshop } from './workshop.ts'
 

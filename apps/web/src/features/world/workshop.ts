@@ -2,7 +2,7 @@ import type { Component } from 'svelte'
 import type { Pose, World } from '@botgarten/simulation'
 import type { Phase } from '#drawing/nudge.ts'
 import type { Point } from '#drawing/points.ts'
-import type { Eye } from './eye.svelte.ts'
+import type { Eye } from '#figures/world/eye.svelte.ts'
 import type { Hand } from './hand.svelte.ts'
 
 /** What the tools' layers on the floor are told. */

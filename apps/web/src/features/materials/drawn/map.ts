@@ -1,7 +1,7 @@
 import type { LearningOutline } from '@botgarten/programs'
-import { riddenLine } from '#features/q-learning/roads.ts'
-import Signs from '#features/q-learning/Signs.svelte'
-import { bringStage, courseOn, type Stage } from '#features/q-learning/stage.ts'
+import { riddenLine } from '#figures/map/roads.ts'
+import Signs from '#figures/map/Signs.svelte'
+import { bringStage, courseOn, type Stage } from '#figures/map/stage.ts'
 
 /** A map's drawing with its parts of the moment: each drawing has its own. */
 interface DrawnMap {

@@ -1,7 +1,7 @@
 import type { Weights } from '@botgarten/learning/neural-network'
 import type { NetworkOutline } from '@botgarten/programs'
 import { unitScale, type Scale } from '#drawing/track.ts'
-import { hiddenColumn } from '#features/network/deep/columns.ts'
+import { hiddenColumn } from '#figures/network/deep/columns.ts'
 import type { DrawnNet } from './netLayout.ts'
 
 interface Named {

@@ -2,7 +2,7 @@ import { labelSides, type Side } from '#drawing/labels.ts'
 import type { NetworkLayout } from '#drawing/network.ts'
 import type { Point, Size } from '#drawing/points.ts'
 import { freeLine, knobPlace, stagger, type Scale, type Track } from '#drawing/track.ts'
-import { settleDeep } from '#features/network/deep/layout.ts'
+import { settleDeep } from '#figures/network/deep/layout.ts'
 
 /** A net as it is drawn: how many neurons each layer has, and the weights link by link as the stage draws them. */
 export interface DrawnNet {

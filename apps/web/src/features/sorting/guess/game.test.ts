@@ -1,5 +1,5 @@
 import { describe, expect, test } from 'vitest'
-import { sets, setOf } from '../sets.ts'
+import { sets, setOf } from '#figures/things/sets.ts'
 import { groupsBy, judge } from './game.ts'
 
 const vessels = setOf('vessels')

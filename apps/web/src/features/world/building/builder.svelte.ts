@@ -15,7 +15,7 @@ import {
 } from '@botgarten/simulation'
 import { freshId, itemOf, moved, poseOf, put, wallBetween, withItem, without } from './edits.ts'
 import type { Item, Kind } from './edits.ts'
-import { Floors } from './floors.ts'
+import { Floors } from '#lab/floor/floors.ts'
 import Over from './Over.svelte'
 import Palette from './Palette.svelte'
 import Properties from './Properties.svelte'

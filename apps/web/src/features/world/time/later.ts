@@ -2,4 +2,4 @@
 export { default as TimeBar } from './TimeBar.svelte'
 export { default as ThenNote } from './ThenNote.svelte'
 export { default as PastButtons } from './PastButtons.svelte'
-export { default as Ghost } from '../Ghost.svelte'
+export { default as Ghost } from '#figures/world/Ghost.svelte'

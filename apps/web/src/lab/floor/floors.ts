@@ -1,4 +1,4 @@
-import { pictureIn } from '#lab/floor/pictures.ts'
+import { pictureIn } from './pictures.ts'
 import type { Project, Scene } from '@botgarten/programs'
 import { paintFloor, type Floor, type Picture, type World } from '@botgarten/simulation'
 
