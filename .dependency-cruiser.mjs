@@ -1,5 +1,15 @@
 // The arrows of the house: numbers ← learning, simulation ← blocks ← programs ← lab, maps ← materials ← apps; messages ← apps.
-const rooms = ['numbers', 'learning', 'simulation', 'blocks', 'programs', 'lab', 'maps', 'materials', 'messages']
+const rooms = [
+  'numbers',
+  'learning',
+  'simulation',
+  'blocks',
+  'programs',
+  'lab',
+  'maps',
+  'materials',
+  'messages',
+]
 const mayKnow = {
   numbers: [],
   messages: [],
@@ -12,6 +22,21 @@ const mayKnow = {
   materials: ['lab', 'maps', 'programs', 'blocks', 'learning', 'simulation', 'numbers'],
 }
 const path = (room) => `^packages/${room}/`
+
+/** Rooms of the web app, from below: each may know those before it. */
+const webRooms = [
+  'words',
+  'drawing',
+  'content',
+  'storage',
+  'parts',
+  'figures',
+  'lab',
+  'features',
+  'app',
+  'routes',
+]
+const testing = '(\\.test\\.ts|/testing/.*|test-bench\\.ts)$'
 
 export default {
   forbidden: [
@@ -70,11 +95,29 @@ export default {
       from: { path: '^content/' },
       to: { pathNot: '^content/' },
     },
+    ...webRooms.slice(0, -1).map((room, height) => ({
+      name: `what-the-web's-${room}-may-know`,
+      severity: 'error',
+      from: { path: `^apps/web/src/${room}/`, pathNot: testing },
+      to: { path: `^apps/web/src/(${webRooms.slice(height + 1).join('|')})/` },
+    })),
     {
       name: 'drawing-is-pure',
       severity: 'error',
-      from: { path: '^apps/web/src/drawing/', pathNot: '\\.test\\.ts$' },
+      from: { path: '^apps/web/src/drawing/', pathNot: testing },
       to: { path: '^apps/web/src/(?!drawing/)|node_modules/svelte' },
+    },
+    {
+      name: 'figures-and-the-lab-do-not-know-each-other',
+      severity: 'error',
+      from: { path: '^apps/web/src/(figures|lab)/', pathNot: testing },
+      to: { path: '^apps/web/src/(figures|lab)/', pathNot: '^apps/web/src/$1/' },
+    },
+    {
+      name: 'features-do-not-know-each-other',
+      severity: 'error',
+      from: { path: '^apps/web/src/features/([^/]+)/', pathNot: testing },
+      to: { path: '^apps/web/src/features/', pathNot: '^apps/web/src/features/$1/' },
     },
     {
       name: 'resolvable',

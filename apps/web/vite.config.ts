@@ -134,7 +134,7 @@ const chunks = [
   { name: 'drawing', test: /src[\\/](drawing|figures[\\/]world|features[\\/]world)[\\/]/, minShareCount: 2 },
   {
     name: 'engine',
-    test: /[\\/](packages[\\/](?!blocks|learning|numbers|maps|materials[\\/](things|maps|items|questions)|simulation[\\/](floor[\\/]png|body[\\/]plugged))|node_modules[\\/]planck[\\/]|src[\\/](?!routes|service-worker|storage|lab[\\/]floor|app[\\/]lab-screen|figures[\\/](card|map|things|network[\\/]deep)|parts[\\/](ErrorScreen|page[\\/])|features[\\/](about|home|materials|projects|q-learning|share|sorting|tour|network[\\/]deep|editor[\\/](learning|expert|layers|pictures))))/,
+    test: /[\\/](packages[\\/](?!blocks|learning|numbers|maps|materials[\\/](things|maps|items|questions)|simulation[\\/](floor[\\/]png|body[\\/]plugged))|node_modules[\\/]planck[\\/]|src[\\/](?!routes|service-worker|storage|lab[\\/]floor|app[\\/]lab-screen|figures[\\/](blocks|card|map|things|network[\\/]deep)|parts[\\/](ErrorScreen|page[\\/])|features[\\/](about|home|materials|projects|q-learning|share|sorting|tour|network[\\/]deep|editor[\\/](learning|expert|layers|pictures))))/,
     minShareCount: 2,
   },
 ]

@@ -1,6 +1,5 @@
 import type { LoadedCard } from '#content/cards.ts'
 import { floorAddress, loadCard, loadFreeLab } from '#content/cards.ts'
-import { bringFor, bringLearning } from '#features/editor/packs.ts'
 import { keepsAnything } from '#storage/database.ts'
 import { freshId, load } from '#storage/projects.ts'
 import { cardProject } from '@botgarten/materials'
@@ -27,8 +26,16 @@ export interface Opened {
   readonly keeps: boolean
 }
 
+/** Brings the blocks that programs need. */
+export interface Packs {
+  /** @returns whether the project's programs hold more than the plain language */
+  bringFor(project: Pick<Project, 'programs' | 'brains'>): Promise<boolean>
+  /** The blocks for deeper networks, for maps and groups. */
+  bringLearning(): Promise<void>
+}
+
 /** What a route of the lab shows: a card, or `free`; null where no card has this name. */
-export async function openLab(name: string, projectId: string | null): Promise<Opened | null> {
+export async function openLab(name: string, projectId: string | null, packs: Packs): Promise<Opened | null> {
   const card = name === 'free' ? null : await loadCard(name)
   if (name !== 'free' && !card) return null
   const fresh = card ? cardProject(card.world, card.card, card.start, card.card.id) : await loadFreeLab()
@@ -36,8 +43,8 @@ export async function openLab(name: string, projectId: string | null): Promise<O
   const project = kept.project ?? fresh
   const [floor, expert] = await Promise.all([
     floorOf(project),
-    bringFor(project),
-    ...(name === 'free' ? [bringLearning()] : []),
+    packs.bringFor(project),
+    ...(name === 'free' ? [packs.bringLearning()] : []),
   ])
   return {
     id: kept.id,

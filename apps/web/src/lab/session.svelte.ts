@@ -4,7 +4,7 @@ import { emptyBrain } from '@botgarten/learning/neural-network'
 import { inScene, networksByUse, sceneOf } from '@botgarten/programs'
 import type { Learned, Project, Scene } from '@botgarten/programs'
 import type { Floor } from '@botgarten/simulation'
-import type { Inside } from '#features/inside/later.ts'
+import type { Slots } from './slots.ts'
 import { backFrom, type Change, type LabEvent, type Part } from './change.ts'
 import { Extras } from './extras.svelte.ts'
 import { Findings, noProgram } from './findings.svelte.ts'
@@ -32,7 +32,7 @@ export class LabSession {
   /** Start was pressed: learns first what the program wants learned. The playground sets it; true where it has begun. */
   learnFirst: () => boolean = () => this.learns
   /** What is looked at inside the network; there from the first question on. */
-  inside = $state.raw<Inside | null>(null)
+  inside = $state.raw<Slots['inside'] | null>(null)
   readonly #extras: Extras
   readonly #progress: CardProgress
   readonly #findings: Findings

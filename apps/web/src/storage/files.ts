@@ -75,7 +75,7 @@ async function takeProject(text: string): Promise<OpenedFile> {
 }
 
 async function takeOpenRoberta(text: string, name: string): Promise<OpenedFile> {
-  const { projectOfFile } = await import('#features/open-roberta/later.ts')
+  const { projectOfFile } = await import('./open-roberta.ts')
   return keepProject(await projectOfFile(text, name))
 }
 

@@ -1,4 +1,4 @@
-import { comfort } from '#parts/comfort/comfort.svelte.ts'
+import { comfort } from './comfort.svelte.ts'
 import { language, type Locale } from '#words/language.svelte.ts'
 import * as v from 'valibot'
 import { settings as travels } from './setting-shapes.ts'

@@ -6,7 +6,7 @@ import { stateOfTemplate } from './state.ts'
 
 // Hidden layers as blocks, changed from the playground.
 
-export type Paper = Blockly.WorkspaceSvg
+type Paper = Blockly.WorkspaceSvg
 
 /** Words of files for what a hidden layer's neurons do. */
 const fieldOf: { readonly [name in Exclude<Activation, 'softmax'>]: string } = {

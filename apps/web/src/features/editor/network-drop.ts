@@ -1,16 +1,6 @@
 import * as Blockly from 'blockly/core'
+import type { NetworkDrop } from '#lab/blocks.ts'
 import { holdsNetwork } from './put-in.ts'
-
-/** Where a network is that a hand holds. */
-export type Held = 'away' | 'over' | null
-
-/** A place beside the paper onto which a network can be dropped. */
-export interface NetworkDrop {
-  /** null while it is not on the screen. */
-  place(): Element | null
-  /** A network is in the hand, or over the place; null: no more. */
-  hover(held: Held): void
-}
 
 class DropTarget extends Blockly.DragTarget {
   override id = 'networkPane'

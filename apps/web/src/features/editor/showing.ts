@@ -47,7 +47,7 @@ export class Showing {
   marks(marks: Marks): void {
     if (!this.#marks && marks.stops.length === 0 && marks.values.size === 0) return
     this.#marks = marks
-    void import('#features/debug/later.ts').then(({ showMarks }) => showMarks(this.#workspace, marks))
+    void import('./debug/marks.ts').then(({ showMarks }) => showMarks(this.#workspace, marks))
   }
 
   /** All of it once more, on blocks that were built anew. */

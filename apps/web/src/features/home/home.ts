@@ -1,3 +1,4 @@
+import type { Snippet } from 'svelte'
 import type { Group } from '@botgarten/materials'
 
 /** A project that lies on this device. */
@@ -28,6 +29,8 @@ export interface BedCard {
 }
 
 export interface HomeProps {
+  /** What there is to say about this version. */
+  news: Snippet
   /** Newest first; empty on the first visit. */
   recent: readonly RecentProject[]
   /** The cards of the beds that have some. */
@@ -47,19 +50,4 @@ export function runsOf(cards: readonly BedCard[]): { group: Group | null; cards:
     else runs.push({ group: card.group, cards: [card] })
   }
   return runs
-}
-
-const units = [
-  ['day', 86_400_000],
-  ['hour', 3_600_000],
-  ['minute', 60_000],
-] as const
-
-/** "2 minutes ago" in the child's language. */
-export function ago(when: number, now: number, locale: string): string {
-  const words = new Intl.RelativeTimeFormat(locale, { numeric: 'auto' })
-  const past = Math.max(0, now - when)
-  for (const [unit, length] of units)
-    if (past >= length) return words.format(-Math.floor(past / length), unit)
-  return words.format(0, 'minute')
 }

@@ -1,23 +1,10 @@
 import { resolve } from '$app/paths'
 import { allCards, pictureOf, placeOf } from '#content/cards.ts'
 import { nameOf, shownName } from '#content/names.ts'
+import { addressOf } from '#content/places.ts'
 import type { Listed } from '#storage/projects.ts'
 import type { Playground } from '@botgarten/materials'
 import type { BedCard, Level, RecentProject } from './home.ts'
-
-/** The name of the card a project belongs to, in the language of now; null in the free lab. */
-export function cardName({ project }: Pick<Listed, 'project'>): string | null {
-  const place = placeOf(project)
-  return place === 'free' ? null : (nameOf(place) ?? place)
-}
-
-/** Where a project is opened; one under its card's own name is what the card's address opens. */
-export function addressOf({ id, project }: Pick<Listed, 'id' | 'project'>): string {
-  const card = placeOf(project)
-  return id === card
-    ? resolve('/lab/[card]', { card })
-    : resolve(`/lab/[card]?p=${encodeURIComponent(id)}`, { card })
-}
 
 /** What lies on this device, as tiles that lead back to it. */
 export const recentOf = (kept: readonly Listed[]): RecentProject[] =>

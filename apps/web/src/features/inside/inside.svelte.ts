@@ -8,6 +8,13 @@ import Over from './Over.svelte'
 import Panel from './Panel.svelte'
 import Under from './Under.svelte'
 
+declare module '#lab/slots.ts' {
+  interface Slots {
+    /** What is looked at inside the network. */
+    inside: Inside
+  }
+}
+
 export type Page = 'why' | 'function'
 
 const nothing: ReadonlySet<string> = new Set()

@@ -1,21 +1,13 @@
-// What reads and writes Open Roberta's files: only one who has such a file waits for it.
+// What writes Open Roberta's files: only one who asks for such a file waits for it.
 import { strToU8, zipSync } from 'fflate'
-import { loadFreeLab } from '#content/cards.ts'
 import { handOut } from '#storage/handout.ts'
 import * as m from '#words/generated/messages.js'
 import type { Project } from '@botgarten/programs'
-import { projectFrom } from '@botgarten/programs/open-roberta'
 import { filesOf, outgoingOf, type Outgoing } from './outgoing.ts'
 import { save } from './save.ts'
 
 export { differencesOf } from '@botgarten/programs/open-roberta'
 export { default as SaveDialog } from './SaveDialog.svelte'
-
-/** An Open Roberta file as a project in the world of the free lab. @throws {ProjectError} and nothing else of the file's */
-export async function projectOfFile(text: string, name: string): Promise<Project> {
-  const { world } = await loadFreeLab()
-  return projectFrom(text, name.replace(/\.xml$/i, '').slice(0, 100), world)
-}
 
 /**
  * Hands a robot's program out as a file for Open Roberta; the first robot's where none is named. Where Open Roberta does

@@ -1,6 +1,6 @@
 import type { NeuronOutline, NetworkOutline } from '@botgarten/programs'
 import type { RobotConfig } from '@botgarten/simulation'
-import { partOf, type Part } from '#lab/glow.svelte.ts'
+import { partOf, type Part } from '#figures/glow.svelte.ts'
 
 /** What the tour shows: a neuron that drives a wheel. */
 export interface Sight {

@@ -7,34 +7,24 @@ import { fetchBlocklyWords } from '../blockly-words.ts'
 import { fontReady, options } from '../looks.ts'
 import { bringFor, bringLearning } from '../packs.ts'
 import { append, toWorkspace } from '../program.ts'
+import { tellFolded } from './folded.ts'
 import { setUp, speak } from '../setup.ts'
 import { stateOfTemplate } from '../state.ts'
 import type { CardProgram } from '@botgarten/materials'
+import type { BlockPicture } from '#figures/blocks/slot.ts'
 import type { Locale } from '#words/language.svelte.ts'
-
-/** Blocks as a drawing; `width`, `height` in px at the scale of the editor's own blocks, 1. */
-export interface BlockPicture {
-  readonly svg: SVGSVGElement
-  /** What stands on the blocks, line by line. */
-  readonly words: string
-  /** Names that its styles hang on, for the element round it. */
-  readonly look: string
-  readonly width: number
-  readonly height: number
-}
 
 /** A card's program, drawn by the editor's own renderer; `dress` changes what stands on the paper. */
 export async function drawProgram(
   program: CardProgram,
   locale: Locale,
   letters: boolean,
-  dress: (paper: Blockly.WorkspaceSvg) => void,
 ): Promise<BlockPicture> {
   await Promise.all([bringFor(program), fetchBlocklyWords(locale), fontReady(letters)])
   const first: Program = Object.values(program.programs)[0]!
   return drawn(locale, letters, (paper) => {
     toWorkspace(first, paper)
-    dress(paper)
+    tellFolded(paper)
   })
 }
 

@@ -1,7 +1,7 @@
 import { mostInLayer, mostNeurons } from '@botgarten/blocks'
 import { withActivation, type Activation } from '@botgarten/learning/neural-network'
 import type { NetworkOutline } from '@botgarten/programs'
-import { setLayerActivation, type Paper } from '#features/editor/layers.ts'
+import type { Blocks } from '#lab/blocks.ts'
 import type { LabSession } from '#lab/session.svelte.ts'
 
 /** How many neurons a network may still get. */
@@ -14,7 +14,7 @@ export const canGrow = (net: NetworkOutline, neurons: number): boolean =>
 /** What becomes of a neuron's sum: of a hidden one its block says it, for its whole layer. */
 export function setActivation(
   session: LabSession,
-  paper: Paper | null,
+  blocks: Blocks | undefined,
   net: NetworkOutline,
   neuron: string,
   activation: Activation,
@@ -22,5 +22,5 @@ export function setActivation(
   const layer = net.hidden.find(({ id }) => neuron.startsWith(`${id}#`))
   if (!layer) return session.weights.change(net.id, (brain) => withActivation(brain, neuron, activation))
   if (activation === 'softmax') return
-  setLayerActivation(paper, layer.id, activation)
+  blocks?.setLayerActivation(layer.id, activation)
 }

@@ -1,5 +1,6 @@
 import { error } from '@sveltejs/kit'
 import { fetchBlocklyWords } from '#features/editor/blockly-words.ts'
+import * as packs from '#features/editor/packs.ts'
 import { allCards } from '#content/cards.ts'
 import { openLab } from '#lab/opening.ts'
 import type { EntryGenerator, PageLoad } from './$types'
@@ -10,7 +11,10 @@ export const prerender = 'auto'
 export const entries: EntryGenerator = () => [{ card: 'free' }, ...allCards.map(({ id }) => ({ card: id }))]
 
 export const load: PageLoad = async ({ params, url }) => {
-  const [opened] = await Promise.all([openLab(params.card, url.searchParams.get('p')), fetchBlocklyWords()])
+  const [opened] = await Promise.all([
+    openLab(params.card, url.searchParams.get('p'), packs),
+    fetchBlocklyWords(),
+  ])
   if (!opened) error(404, params.card)
   return { opened, startAtOnce: url.searchParams.has('start') }
 }

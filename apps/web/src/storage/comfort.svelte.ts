@@ -1,4 +1,4 @@
-import { readSetting, writeSetting } from '#storage/settings.ts'
+import { readSetting, writeSetting } from './settings.ts'
 
 const names = ['projector', 'quiet', 'letters', 'aloud'] as const
 
