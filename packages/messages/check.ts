@@ -58,9 +58,11 @@ export function unlikeIn(folder?: string): readonly string[] {
 export const wrongForms = (language: string, key: string, message: Message): readonly string[] => {
   if (typeof message === 'string') return []
   const { declarations, selectors, match } = message[0]
-  const locals = declarations.flatMap((one) => /^local (\w+) = \w+: plural$/.exec(one)?.[1] ?? [])
-  const unknown = declarations.filter((one) => !/^(input \w+|local \w+ = \w+: plural)$/.test(one))
-  const undeclared = placeholdersIn(message).filter((name) => !declarations.includes(`input ${name}`))
+  const locals = declarations.flatMap((one) => /^local (\w+) = \w+: \w+$/.exec(one)?.[1] ?? [])
+  const unknown = declarations.filter((one) => !/^(input \w+|local \w+ = \w+: (plural|number))$/.test(one))
+  const undeclared = placeholdersIn(message).filter(
+    (name) => !declarations.includes(`input ${name}`) && !locals.includes(name),
+  )
   const categories = new Intl.PluralRules(language).resolvedOptions().pluralCategories
   const fits = (wanted: readonly string[]) =>
     Object.keys(match).some((selected) =>

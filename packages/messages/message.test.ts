@@ -53,3 +53,14 @@ test('every language has its own rules', () => {
     '5 dní',
   ])
 })
+
+test('a number is written as in the language, with its groups of thousands', () => {
+  const tries: Message = [
+    {
+      declarations: ['input count', 'local countPlural = count: plural', 'local countNumber = count: number'],
+      selectors: ['countPlural'],
+      match: { 'countPlural=one': 'ein Versuch', 'countPlural=other': '{countNumber} Versuche' },
+    },
+  ]
+  expect([1, 1000].map((count) => fill(tries, { count }, 'de'))).toEqual(['ein Versuch', '1.000 Versuche'])
+})

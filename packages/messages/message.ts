@@ -23,30 +23,45 @@ export const formsOf = (message: Message): readonly string[] =>
 
 /** A message with its facts; a placeholder without a fact stays as it is. */
 export function fill(message: Message, facts: Facts, locale: string): string {
-  const pattern = typeof message === 'string' ? message : chosen(message[0], facts, locale)
-  return pattern.replace(/\\([{}\\])|\{(\w+)\}/g, (gap, escaped: string | undefined, name: string) =>
+  if (typeof message === 'string') return withFacts(message, facts)
+  const { declarations, match, locale: own } = message[0]
+  const all = { ...facts, ...localsOf(declarations, facts, own ?? locale) }
+  return withFacts(formFor(match, all), all)
+}
+
+const withFacts = (pattern: string, facts: Facts) =>
+  pattern.replace(/\\([{}\\])|\{(\w+)\}/g, (gap, escaped: string | undefined, name: string) =>
     escaped === undefined ? String(facts[name] ?? gap) : escaped,
   )
-}
 
-function chosen({ declarations, match, locale: own }: Variants, facts: Facts, locale: string): string {
-  const selected = new Map(Object.entries(facts).map(([name, fact]) => [name, String(fact)]))
-  for (const declaration of declarations) {
-    const [, local, input] = /^local (\w+) = (\w+): plural$/.exec(declaration) ?? []
-    if (local && input) selected.set(local, rulesOf(own ?? locale).select(Number(facts[input])))
-  }
+/** The first form that fits. */
+function formFor(match: Variants['match'], facts: Facts): string {
   const fits = (selector: string) => {
     const [name = '', wanted] = selector.trim().split('=')
-    return wanted === '*' || selected.get(name) === wanted
+    return wanted === '*' || String(facts[name]) === wanted
   }
-  const found = Object.entries(match).find(([selectors]) => selectors.split(',').every(fits))
-  return found?.[1] ?? ''
+  return Object.entries(match).find(([selectors]) => selectors.split(',').every(fits))?.[1] ?? ''
 }
 
-const rules = new Map<string, Intl.PluralRules>()
+/** `local countPlural = count: plural` and `local countNumber = count: number`. */
+const localsOf = (declarations: readonly string[], facts: Facts, locale: string): Facts =>
+  Object.fromEntries(
+    declarations.flatMap((declaration) => {
+      const [, local = '', input = '', kind] = /^local (\w+) = (\w+): (\w+)$/.exec(declaration) ?? []
+      return kind ? [[local, functions(locale)[kind]!(Number(facts[input]))]] : []
+    }),
+  )
 
-function rulesOf(locale: string): Intl.PluralRules {
-  const known = rules.get(locale) ?? new Intl.PluralRules(locale)
-  rules.set(locale, known)
-  return known
+type Functions = { readonly [kind: string]: (value: number) => string }
+const known = new Map<string, Functions>()
+
+/** What a declaration may make of a number, by the rules of a language. */
+function functions(locale: string): Functions {
+  const made = known.get(locale)
+  if (made) return made
+  const rules = new Intl.PluralRules(locale)
+  const format = new Intl.NumberFormat(locale)
+  const own: Functions = { plural: (value) => rules.select(value), number: (value) => format.format(value) }
+  known.set(locale, own)
+  return own
 }

@@ -1,7 +1,11 @@
+import { fill } from '@botgarten/messages'
+import { filesIn, languagesIn, ownTableOf } from '@botgarten/messages/folder'
 import { expect, test, vi } from 'vitest'
 import * as m from '#words/generated/messages.js'
 import { language } from './language.svelte.ts'
 import { isSaid, say, wordsIn } from './say.ts'
+
+const filesOfMessages = filesIn().filter((file) => file !== 'cli' && file !== 'blockly')
 
 test('a message says its facts; a key that nobody wrote comes back', () => {
   const facts = { label: 'Abstand', place: 'links' }
@@ -21,4 +25,38 @@ test('a message of the built product says its words in the language of now', asy
   expect(m['world.lost']()).toBe('Bo steckt fest.')
   await language.speak('en')
   expect(m['world.lost']()).toBe('Bo is stuck.')
+})
+
+test('a sentence with a number is what Paraglide compiles of it, in every language', async () => {
+  const compiled = (await import('./generated/messages/_index.js')) as unknown as {
+    readonly [key: string]: (facts: object, options: { readonly locale: string }) => string
+  }
+  const numbers = [0, 1, 2, 3, 5, 10, 11, 21, 22, 100, 101, 999, 1000, 1001, 12345]
+  let changing = 0
+  for (const locale of languagesIn())
+    for (const [key, message] of filesOfMessages.flatMap((file) =>
+      Object.entries(ownTableOf(file, locale)),
+    )) {
+      if (typeof message === 'string') continue
+      changing++
+      const inputs = message[0].declarations.flatMap((one) => /^input (\w+)$/.exec(one)?.[1] ?? [])
+      for (const first of numbers)
+        for (const second of [1, first]) {
+          const facts = Object.fromEntries(inputs.map((name, at) => [name, at === 0 ? first : second]))
+          expect(fill(message, facts, locale), `${key} in ${locale}`).toBe(
+            compiled[key]!(facts, { locale: locale }),
+          )
+        }
+    }
+  expect(changing).toBeGreaterThan(20)
+})
+
+test.each([
+  ['sorting.readingCount', { count: 1 }, '1 Messwert', '1 reading'],
+  ['q.byEpisodes', { count: 1 }, 'Der eine Versuch ist vorbei.', 'The one try is done.'],
+  ['q.byEpisodes', { count: 1000 }, 'Alle 1.000 Versuche sind vorbei.', 'All 1,000 tries are done.'],
+  ['projects.days', { days: 1 }, 'Letzter Tag', 'Last day'],
+  ['home.level', { passed: 0, of: 1 }, '0 von 1 Platz geschafft', '0 of 1 place done'],
+])('"%s" of %o has its singular where there is one', (key, facts, german, english) => {
+  expect([wordsIn('de')(key, facts), wordsIn('en')(key, facts)]).toEqual([german, english])
 })

@@ -52,8 +52,8 @@ export function endOf(learning: Learning): string {
     state === 'stopped'
       ? m['q.byHand']()
       : shown.over === 'episodes'
-        ? m['q.byEpisodes']({ count: number(outline.episodes) })
-        : m['q.byTime']({ count: number(outline.moves) })
+        ? m['q.byEpisodes']({ count: outline.episodes })
+        : m['q.byTime']({ count: outline.moves })
   const { stations } = shown.way
   if (!stations && shown.plan?.doubt === null) return by
   if (!stations) return `${by} ${m['q.notYet']()}`

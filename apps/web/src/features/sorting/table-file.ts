@@ -49,10 +49,7 @@ const problemOf = ({ problem, facts }: TableError): string => problems[problem](
 
 /** "Read: one column, 4 rows, decimal comma." */
 function readingOf({ columns, rows, reading }: Table, encoding: Encoding): string {
-  const lines =
-    rows.length === 1
-      ? m['sorting.table.read.oneRow']()
-      : m['sorting.table.read.rows']({ count: rows.length })
+  const lines = m['sorting.table.read.rows']({ count: rows.length })
   const facts = { columns: columns.length, rows: lines }
   const cells = {
     comma: () => m['sorting.table.read.comma'](facts),
