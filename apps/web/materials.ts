@@ -1,4 +1,4 @@
-import { globSync, readFileSync } from 'node:fs'
+import { existsSync, globSync, readFileSync } from 'node:fs'
 import { basename, dirname, join } from 'node:path'
 import type { Plugin } from 'vite'
 import { readAlignment } from '../../packages/materials/items/alignment.ts'
@@ -14,6 +14,9 @@ import { readQuestion, readQuestionText } from '../../packages/materials/questio
 const content = join(import.meta.dirname, '../../content')
 const files = (pattern: string) => globSync(pattern, { cwd: content }).sort()
 const text = (...path: string[]) => readFileSync(join(content, ...path), 'utf8')
+/** A text in a language; in English where it has none. */
+const textIn = (folder: string, language: string) =>
+  text(folder, `${existsSync(join(content, folder, `${language}.md`)) ? language : 'en'}.md`)
 const json = (...path: string[]): unknown => JSON.parse(text(...path))
 const foldersWith = (file: string) => files(`materials/*/*/${file}`).map(dirname)
 
@@ -41,13 +44,13 @@ const textsIn = (language: string) => ({
   items: Object.fromEntries(
     foldersWith('item.json').map((folder) => {
       const { kind, id } = readItem(json(folder, 'item.json'))
-      return [`${kind}/${id}`, withPaths(folder, readItemText(text(folder, `${language}.md`)))]
+      return [`${kind}/${id}`, withPaths(folder, readItemText(textIn(folder, language)))]
     }),
   ),
   questions: Object.fromEntries(
     foldersWith('question.json').map((folder) => {
       const { id } = readQuestion(json(folder, 'question.json'))
-      return [id, readQuestionText(text(folder, `${language}.md`))]
+      return [id, readQuestionText(textIn(folder, language))]
     }),
   ),
 })

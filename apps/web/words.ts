@@ -18,7 +18,7 @@ export const filesOfScreens = (folder = wordsFolder): readonly string[] =>
  * `content:words`: the languages and the files of messages, each as a module of its own, `content:words/de/app`. A module
  * holds every message of its file: what the language lacks it says in the language that it falls back to.
  */
-export const wordsIn = (folder: string): Plugin => ({
+const tables = (folder: string): Plugin => ({
   name: 'words',
   enforce: 'pre',
   resolveId: { filter: { id: /^content:words(\/|$)/ }, handler: (id) => `\0${id}` },
@@ -94,4 +94,7 @@ const messagesByKey: Plugin = {
   },
 }
 
-export const words: readonly Plugin[] = [wordsIn(wordsFolder), messagesByKey]
+/** The words of a folder such as `content/words`, as the screens ask for them. */
+export const wordsFrom = (folder: string): Plugin[] => [tables(folder), messagesByKey]
+
+export const words = wordsFrom(wordsFolder)

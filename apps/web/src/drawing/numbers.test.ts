@@ -1,6 +1,6 @@
 import fc from 'fast-check'
 import { describe, expect, test } from 'vitest'
-import { formatNumber, parseWeight } from './numbers.ts'
+import { decimalMark, formatNumber, parseWeight } from './numbers.ts'
 import { unitScale } from './track.ts'
 
 const parsed = (text: string) => parseWeight(text, unitScale)
@@ -52,4 +52,8 @@ describe('a typed weight', () => {
       }),
     )
   })
+})
+
+test('every language has its own mark before the tenths', () => {
+  expect(['de', 'en', 'fr', 'de-CH'].map(decimalMark)).toEqual([',', '.', ',', '.'])
 })

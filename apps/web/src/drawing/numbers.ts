@@ -18,6 +18,9 @@ export function formatNumber(value: number, locale: string, digits = 2): string 
   return format.format(value).replace('-', '−')
 }
 
+/** What stands before the tenths in a language: a comma in German, a dot in English. */
+export const decimalMark = (locale: string): string => formatNumber(0.5, locale).at(1)!
+
 /** A number as it was typed, with dot or comma and either minus; null where it is none. */
 export function parseNumber(text: string): number | null {
   const plain = text.trim().replace(',', '.').replace('−', '-')

@@ -1,7 +1,7 @@
 import type { Block, Value } from '@botgarten/blocks'
 import type { Variable } from '@botgarten/lab'
 import type { Program } from '@botgarten/programs'
-import { formatNumber } from '#drawing/numbers.ts'
+import { decimalMark, formatNumber } from '#drawing/numbers.ts'
 
 /** Words that a value may need. */
 export interface ValueWords {
@@ -21,7 +21,7 @@ export function valueText(value: Value, words: ValueWords): string {
   if (typeof value === 'string') return /^#[0-9A-F]{6}$/i.test(value) ? value : `“${value}”`
   if (value === null || !Array.isArray(value)) return '–'
   const entries = (value as readonly Value[]).slice(0, most).map((entry) => valueText(entry, words))
-  return `[${entries.join(words.locale === 'de' ? '; ' : ', ')}${value.length > most ? ' …' : ''}]`
+  return `[${entries.join(decimalMark(words.locale) === ',' ? '; ' : ', ')}${value.length > most ? ' …' : ''}]`
 }
 
 /** What stands at the blocks that name a variable: its value where they are, by the blocks' ids. */

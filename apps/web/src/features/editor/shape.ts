@@ -8,6 +8,7 @@ import { DotField, HiddenField, NumberField, TextField } from './fields.ts'
 import { iconField } from './icons.ts'
 import { buildList, matchLines } from './list.ts'
 import { piecesOf } from './pieces.ts'
+import { decimalMark } from '#drawing/numbers.ts'
 import type { Locale } from '#words/language.svelte.ts'
 import { isSaid, type Words } from '#words/say.ts'
 
@@ -169,7 +170,7 @@ function makeField(look: FieldLook, block: BotBlock, language: Language): Blockl
   const { words, locale } = language
   switch (look.kind) {
     case 'number':
-      return new NumberField(look, locale === 'de' ? ',' : '.')
+      return new NumberField(look, decimalMark(locale))
     case 'name':
       return coming?.nameField(look, block) ?? new TextField(look.preset)
     case 'text':
