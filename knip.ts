@@ -9,7 +9,7 @@ const config: KnipConfig = {
     '.': { entry: ['scripts/*.{mjs,ts}'], project: ['scripts/**/*.{mjs,ts}'] },
     'apps/web': {
       // Drawings are found by the folder they lie in.
-      entry: ['compile-words.ts', 'src/features/materials/embeds/*.svelte'],
+      entry: ['src/features/materials/embeds/*.svelte'],
       project: ['src/**/*.{ts,svelte,css}'],
       // Named by its path in project.inlang/settings.json; `content:…` is what vite.config makes of content/.
       ignoreDependencies: ['@inlang/plugin-message-format', 'content'],
