@@ -20,12 +20,13 @@ const generate = { name: 'generated files', script: 'generate' }
 const checks = [
   [
     { name: 'types', script: 'types' },
+    { name: 'format', script: 'formatted', args: ['.'] },
     { name: 'arrows between rooms', script: 'check:arrows' },
     { name: 'unused code', script: 'check:unused' },
     { name: 'build', script: 'build' },
     { name: 'sizes', script: 'check:sizes' },
   ],
-  [{ name: 'lint', script: 'check:lint' }],
+  [{ name: 'lint', script: 'lint', args: ['.'] }],
 ]
 
 async function takeAll() {
@@ -48,8 +49,9 @@ await asScript(async () => {
   await installWhenNeeded()
   // Says what to do where there is no Node new enough for the steps.
   runtime()
+  const began = Date.now()
   const { passed, failed } = await takeAll()
   rmSync(folder, { recursive: true, force: true })
-  console.log(`\n${passed} passed, ${failed} failed`)
+  console.log(`\n${passed} passed, ${failed} failed (${Math.round((Date.now() - began) / 1000)} s)`)
   return failed === 0 ? 0 : 1
 })

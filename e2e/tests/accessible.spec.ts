@@ -1,3 +1,4 @@
+// Rooms: parts, home, network
 import type { Page } from '@playwright/test'
 import { axeFindings } from '../axe.ts'
 import { leftEye, leftWheel, rightEye, rightWheel, type Child } from '../child.ts'

@@ -1,3 +1,4 @@
+// Rooms: app
 import { Asker } from '../child-inside.ts'
 import { leftEye, leftWheel, rightEye, rightWheel } from '../child.ts'
 import { NetHands } from '../child-network.ts'

@@ -1,3 +1,4 @@
+// Rooms: world, robot, debug, crew
 import { axeFindings } from '../axe.ts'
 import { opensSettings } from '../child-cards.ts'
 import { Builder } from '../child-build.ts'

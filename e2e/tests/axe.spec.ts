@@ -1,3 +1,4 @@
+// Rooms: parts, projects, about, share
 import { axeFindings } from '../axe.ts'
 import type { Child } from '../child.ts'
 import { expect, test } from '../house.ts'

@@ -1,3 +1,4 @@
+// Rooms: network
 import { expect, test } from '../house.ts'
 import { bigNet } from '../projects.ts'
 

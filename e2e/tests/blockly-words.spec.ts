@@ -1,3 +1,4 @@
+// Rooms: editor, words
 import { tableOf } from '@botgarten/messages/folder'
 import type { Child } from '../child.ts'
 import { expect, test } from '../house.ts'

@@ -1,3 +1,4 @@
+// Rooms: editor
 import type { Child } from '../child.ts'
 import { expect, test } from '../house.ts'
 import { freeProgram, projectFile } from '../projects.ts'

@@ -1,3 +1,4 @@
+// Rooms: editor
 import type { Locator, Page } from '@playwright/test'
 import { axeFindings } from '../axe.ts'
 import { BlockHands } from '../child-blocks.ts'

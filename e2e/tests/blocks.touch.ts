@@ -1,3 +1,4 @@
+// Rooms: editor
 import { BlockHands } from '../child-blocks.ts'
 import type { Child } from '../child.ts'
 import { finger } from '../hand.ts'

@@ -1,3 +1,4 @@
+// Rooms: world
 import type { Project } from '@botgarten/programs'
 import { Builder } from '../child-build.ts'
 import type { Child } from '../child.ts'

@@ -1,3 +1,4 @@
+// Rooms: world
 import { Builder } from '../child-build.ts'
 import { pinch } from '../hand.ts'
 import { expect, test } from '../house.ts'

@@ -1,3 +1,4 @@
+// Rooms: app
 import type { Child } from '../child.ts'
 import { expect, test } from '../house.ts'
 import { languagesOf } from '../words.ts'

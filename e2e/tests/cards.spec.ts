@@ -1,3 +1,4 @@
+// Rooms: content, network
 import { sample } from '@botgarten/numbers/testing'
 import { axeFindings } from '../axe.ts'
 import { setsKnob } from '../child-cards.ts'

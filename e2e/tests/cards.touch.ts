@@ -1,3 +1,4 @@
+// Rooms: content, network
 import { leftEye, leftWheel, rightEye, rightWheel, type Sensor } from '../child.ts'
 import { TimeHands } from '../child-time.ts'
 import { expect, test } from '../house.ts'

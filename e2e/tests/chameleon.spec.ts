@@ -1,3 +1,4 @@
+// Rooms: content, network
 import { axeFindings } from '../axe.ts'
 import { chooses, setsKnob } from '../child-cards.ts'
 import type { Child } from '../child.ts'

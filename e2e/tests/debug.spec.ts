@@ -1,3 +1,4 @@
+// Rooms: debug
 import { expect, test } from '../house.ts'
 import { freeProgram } from '../projects.ts'
 import { languagesOf } from '../words.ts'

@@ -1,3 +1,4 @@
+// Rooms: network
 import { readFile } from 'node:fs/promises'
 import { axeFindings } from '../axe.ts'
 import { leftEye, leftWheel, rightEye } from '../child.ts'

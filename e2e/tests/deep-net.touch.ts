@@ -1,3 +1,4 @@
+// Rooms: network
 import { NetHands } from '../child-network.ts'
 import { expect, test } from '../house.ts'
 import { languagesOf } from '../words.ts'

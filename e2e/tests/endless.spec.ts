@@ -1,3 +1,4 @@
+// Rooms: editor
 import type { Project } from '@botgarten/programs'
 import { TimeHands } from '../child-time.ts'
 import { expect, test } from '../house.ts'

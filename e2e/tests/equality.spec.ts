@@ -1,3 +1,4 @@
+// Rooms: simulation
 import { isLong } from '@botgarten/numbers/testing'
 import { expect, test } from '@playwright/test'
 import { outcomesIn } from '../runs/in-browser.ts'

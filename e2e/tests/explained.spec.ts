@@ -1,3 +1,4 @@
+// Rooms: network, inside
 import type { Project } from '@botgarten/programs'
 import { axeFindings } from '../axe.ts'
 import { AskingHands } from '../child-explained.ts'

@@ -1,3 +1,4 @@
+// Rooms: network, inside
 import { AskingHands } from '../child-explained.ts'
 import { expect, test } from '../house.ts'
 import { freeProgram } from '../projects.ts'

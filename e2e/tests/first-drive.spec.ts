@@ -1,3 +1,4 @@
+// Rooms: content, home, lab
 import { axeFindings } from '../axe.ts'
 import { TimeHands } from '../child-time.ts'
 import { expect, test } from '../house.ts'

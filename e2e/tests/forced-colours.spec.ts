@@ -1,3 +1,4 @@
+// Rooms: parts
 import type { Locator } from '@playwright/test'
 import { leftEye, leftWheel, rightEye, rightWheel } from '../child.ts'
 import { SortingHands } from '../child-sorting.ts'

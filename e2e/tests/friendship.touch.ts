@@ -1,3 +1,4 @@
+// Rooms: network
 import { leftEye, leftWheel, rightEye, rightWheel } from '../child.ts'
 import { test } from '../house.ts'
 import { languagesOf } from '../words.ts'

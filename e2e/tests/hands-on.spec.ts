@@ -1,3 +1,4 @@
+// Rooms: content, world
 import type { Page } from '@playwright/test'
 import { leftEye, leftWheel, rightEye, rightWheel, type Child } from '../child.ts'
 import { expect, test } from '../house.ts'

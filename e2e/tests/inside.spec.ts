@@ -1,3 +1,4 @@
+// Rooms: inside
 import { axeFindings } from '../axe.ts'
 import { Asker } from '../child-inside.ts'
 import { TimeHands } from '../child-time.ts'

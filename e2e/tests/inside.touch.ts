@@ -1,3 +1,4 @@
+// Rooms: inside
 import { Asker } from '../child-inside.ts'
 import { leftEye, leftWheel, rightWheel } from '../child.ts'
 import { expect, test } from '../house.ts'

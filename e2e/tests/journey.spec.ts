@@ -1,3 +1,4 @@
+// Rooms: lab, home, words
 import { leftEye, leftWheel, rightEye, rightWheel } from '../child.ts'
 import { TimeHands } from '../child-time.ts'
 import { expect, test } from '../house.ts'

@@ -1,3 +1,4 @@
+// Rooms: app, network
 import { leftEye, leftWheel, rightEye, rightWheel, type Child } from '../child.ts'
 import { TimeHands } from '../child-time.ts'
 import { expect, test } from '../house.ts'

@@ -1,3 +1,4 @@
+// Rooms: editor, blocks
 import { BlockHands } from '../child-blocks.ts'
 import { RobotHands } from '../child-robot.ts'
 import { TimeHands } from '../child-time.ts'

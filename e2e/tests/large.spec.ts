@@ -1,3 +1,4 @@
+// Rooms: editor
 import { bigFile } from '../big-file.ts'
 import { Comer } from '../child-open-roberta.ts'
 import { expect, test } from '../house.ts'

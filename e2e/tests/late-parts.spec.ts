@@ -1,3 +1,4 @@
+// Rooms: app
 import { readFileSync } from 'node:fs'
 import { leftEye, leftWheel } from '../child.ts'
 import { expect, test } from '../house.ts'

@@ -1,3 +1,4 @@
+// Rooms: q-learning
 import { axeFindings } from '../axe.ts'
 import { Learner, learningProject } from '../child-learning.ts'
 import { expect, test } from '../house.ts'

@@ -1,3 +1,4 @@
+// Rooms: q-learning
 import { axeFindings } from '../axe.ts'
 import { Learner, learningProject } from '../child-learning.ts'
 import { TimeHands } from '../child-time.ts'

@@ -1,3 +1,4 @@
+// Rooms: q-learning
 import { Learner } from '../child-learning.ts'
 import { TimeHands } from '../child-time.ts'
 import { test } from '../house.ts'

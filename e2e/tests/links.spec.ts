@@ -1,3 +1,4 @@
+// Rooms: share
 import type { Block } from '@botgarten/blocks'
 import type { Project } from '@botgarten/programs'
 import { Child, leftEye, leftWheel } from '../child.ts'

@@ -1,3 +1,4 @@
+// Rooms: network
 import { LooseHands } from '../child-loose.ts'
 import { leftEye, leftWheel } from '../child.ts'
 import { expect, test } from '../house.ts'

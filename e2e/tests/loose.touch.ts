@@ -1,3 +1,4 @@
+// Rooms: network
 import { LooseHands } from '../child-loose.ts'
 import { test } from '../house.ts'
 import { freeProgram, looseNet } from '../projects.ts'

@@ -1,3 +1,4 @@
+// Rooms: materials
 import { globSync, readFileSync } from 'node:fs'
 import { sample } from '@botgarten/numbers/testing'
 import { axeFindings } from '../axe.ts'

@@ -1,3 +1,4 @@
+// Rooms: materials
 import { axeFindings } from '../axe.ts'
 import { expect, test } from '../house.ts'
 

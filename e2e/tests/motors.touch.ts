@@ -1,3 +1,4 @@
+// Rooms: robot
 import { RobotHands } from '../child-robot.ts'
 import { expect, test } from '../house.ts'
 import { languagesOf } from '../words.ts'

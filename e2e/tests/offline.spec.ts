@@ -1,3 +1,4 @@
+// Rooms: service-worker
 import { globSync } from 'node:fs'
 import type { Page } from '@playwright/test'
 import { flags } from '../browser.ts'

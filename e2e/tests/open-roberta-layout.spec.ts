@@ -1,3 +1,4 @@
+// Rooms: open-roberta
 import { readdirSync } from 'node:fs'
 import { sample } from '@botgarten/numbers/testing'
 import type { Page } from '@playwright/test'

@@ -1,3 +1,4 @@
+// Rooms: open-roberta
 import { readFileSync } from 'node:fs'
 import { strFromU8, unzipSync } from 'fflate'
 import { xmlTree } from '../../packages/programs/testing/xml-tree.ts'

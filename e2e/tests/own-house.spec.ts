@@ -1,3 +1,4 @@
+// Rooms: app
 import { expect, test } from '../house.ts'
 
 for (const path of ['/', '/lab/friendship']) {

@@ -1,3 +1,4 @@
+// Rooms: projects, storage
 import type { Project } from '@botgarten/programs'
 import { leftEye, leftWheel, rightEye, rightWheel, type Child } from '../child.ts'
 import { expect, test } from '../house.ts'

@@ -1,3 +1,4 @@
+// Rooms: projects
 import type { BrowserContext } from '@playwright/test'
 import { Child, leftEye, leftWheel, rightEye, rightWheel } from '../child.ts'
 import { opensSettings, wish } from '../child-cards.ts'

@@ -1,3 +1,4 @@
+// Rooms: words, parts
 import { opensSettings } from '../child-cards.ts'
 import type { Child } from '../child.ts'
 import { expect, test } from '../house.ts'

@@ -1,3 +1,4 @@
+// Rooms: robot
 import type { Project } from '@botgarten/programs'
 import type { Child } from '../child.ts'
 import { RobotHands } from '../child-robot.ts'

@@ -1,3 +1,4 @@
+// Rooms: robot, storage
 import { leftEye, leftWheel, rightWheel } from '../child.ts'
 import { TimeHands } from '../child-time.ts'
 import { expect, test } from '../house.ts'

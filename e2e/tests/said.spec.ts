@@ -1,3 +1,4 @@
+// Rooms: parts
 import { leftEye, leftWheel, rightEye, rightWheel } from '../child.ts'
 import { expect, test } from '../house.ts'
 import { wordNet } from '../projects.ts'

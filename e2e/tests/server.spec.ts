@@ -1,3 +1,4 @@
+// Rooms: scripts
 import { expect, test } from '../house.ts'
 
 /** A policy as its directives and what each allows. */

@@ -1,3 +1,4 @@
+// Rooms: home, app
 import { axeFindings } from '../axe.ts'
 import { opensSettings, wish } from '../child-cards.ts'
 import type { Child } from '../child.ts'

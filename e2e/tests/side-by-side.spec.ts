@@ -1,3 +1,4 @@
+// Rooms: crew
 import { axeFindings } from '../axe.ts'
 import { leftEye, leftWheel, rightEye, rightWheel } from '../child.ts'
 import { TimeHands } from '../child-time.ts'

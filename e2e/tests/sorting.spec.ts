@@ -1,3 +1,4 @@
+// Rooms: sorting
 import { axeFindings } from '../axe.ts'
 import { SortingHands, sortingProject } from '../child-sorting.ts'
 import { TimeHands } from '../child-time.ts'

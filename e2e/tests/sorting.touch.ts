@@ -1,3 +1,4 @@
+// Rooms: sorting
 import { SortingHands } from '../child-sorting.ts'
 import { expect, test } from '../house.ts'
 import { languagesOf } from '../words.ts'

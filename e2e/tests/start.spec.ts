@@ -1,3 +1,4 @@
+// Rooms: scripts
 import { spawn } from 'node:child_process'
 import { once } from 'node:events'
 import { text } from 'node:stream/consumers'

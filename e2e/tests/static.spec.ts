@@ -1,3 +1,4 @@
+// Rooms: scripts, service-worker
 import { buildStaticWhenNeeded, webSpace } from '../../scripts/prepare/build.mjs'
 import { Child, leftEye, leftWheel, rightEye, rightWheel } from '../child.ts'
 import { Shelf } from '../child-projects.ts'

@@ -1,3 +1,4 @@
+// Rooms: debug, lab
 import { leftEye, leftWheel, rightWheel, type Child } from '../child.ts'
 import { TimeHands } from '../child-time.ts'
 import { expect, test } from '../house.ts'

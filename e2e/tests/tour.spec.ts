@@ -1,3 +1,4 @@
+// Rooms: tour
 import type { Locator } from '@playwright/test'
 import { axeFindings } from '../axe.ts'
 import { node } from '../child-cards.ts'

@@ -1,3 +1,4 @@
+// Rooms: storage
 import type { BrowserContext } from '@playwright/test'
 import { Child, leftEye, leftWheel, rightEye, rightWheel } from '../child.ts'
 import { expect, test } from '../house.ts'

@@ -1,3 +1,4 @@
+// Rooms: lab, editor
 import { leftEye, leftWheel, rightEye, rightWheel, type Child } from '../child.ts'
 import { expect, test } from '../house.ts'
 import { languagesOf } from '../words.ts'
