@@ -1,4 +1,4 @@
-// The arrows of the house: numbers ← learning, simulation ← blocks ← programs ← lab, maps ← materials ← apps; messages ← apps.
+// The arrows of the house: numbers ← learning, simulation ← blocks ← programs ← lab, maps ← content ← apps; messages ← apps.
 const rooms = [
   'numbers',
   'learning',
@@ -7,7 +7,7 @@ const rooms = [
   'programs',
   'lab',
   'maps',
-  'materials',
+  'content',
   'messages',
 ]
 const mayKnow = {
@@ -19,7 +19,7 @@ const mayKnow = {
   programs: ['blocks', 'learning', 'simulation', 'numbers'],
   lab: ['programs', 'blocks', 'learning', 'simulation', 'numbers'],
   maps: ['programs', 'blocks', 'learning', 'simulation', 'numbers'],
-  materials: ['lab', 'maps', 'programs', 'blocks', 'learning', 'simulation', 'numbers'],
+  content: ['lab', 'maps', 'programs', 'blocks', 'learning', 'simulation', 'numbers'],
 }
 const path = (room) => `^packages/${room}/`
 
@@ -88,6 +88,14 @@ export default {
       severity: 'error',
       from: { path: '^packages/' },
       to: { path: 'node_modules/(svelte|@sveltejs|blockly|jsdom)/' },
+    },
+    {
+      name: 'one-reader-of-content',
+      comment:
+        'Cards, worlds, maps and materials are asked for at @botgarten/content; words have readers of their own.',
+      severity: 'error',
+      from: { pathNot: '^(packages/content|content)/' },
+      to: { path: '^content/', pathNot: '^content/words/' },
     },
     {
       name: 'content-imports-nothing',

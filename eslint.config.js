@@ -13,6 +13,13 @@ const unequalMath =
       message: 'Differs between engines: take it from @botgarten/numbers.',
     }))
 
+// Only @botgarten/content reads what lies in content/; words have readers of their own.
+const contentFolders =
+  '/(?<!#|botgarten\\u002F)content\\u002F(cards|free-lab|maps|materials|things|worlds)(\\u002F|$)/'
+const ofContent = [`Literal[value=${contentFolders}]`, `TemplateElement[value.raw=${contentFolders}]`].map(
+  (selector) => ({ selector, message: 'Ask for it at @botgarten/content.' }),
+)
+
 export default ts.config(
   {
     ignores: [
@@ -62,6 +69,7 @@ export default ts.config(
       '@typescript-eslint/no-unsafe-return': 'off',
     },
   },
+  { ignores: ['packages/content/**'], rules: { 'no-restricted-syntax': ['error', ...ofContent] } },
   {
     files: ['packages/**/*.ts'],
     ignores: ['**/*.test.ts', '**/testing/**'],
@@ -81,6 +89,7 @@ export default ts.config(
       'no-restricted-syntax': [
         'error',
         { selector: "BinaryExpression[operator='**']", message: 'Differs between engines: multiply.' },
+        ...ofContent,
       ],
     },
   },

@@ -1,9 +1,9 @@
-import { readFileSync } from 'node:fs'
+import { content } from '@botgarten/content/files'
 import { addBlocks } from '@botgarten/blocks'
 import { expert } from '@botgarten/blocks/later'
 import { createLab } from '@botgarten/lab'
 import { ProjectError, type Program } from '@botgarten/programs'
-import { paintFloor, type World } from '@botgarten/simulation'
+import { paintFloor } from '@botgarten/simulation'
 import { givenFiles, mutated, opened } from '../packages/programs/testing/mutations.ts'
 import { percentile, type Table } from './bench.ts'
 
@@ -12,9 +12,7 @@ addBlocks(expert)
 const copies = 10_000
 const ticks = 60
 
-const world = JSON.parse(
-  readFileSync(new URL('../content/worlds/blank/world.json', import.meta.url), 'utf8'),
-) as World
+const world = content.world('blank')!
 const floor = paintFloor({ ...world, floor: { colour: '#FFFFFF' } })
 
 /** An opened program drives a second, whatever it has become. */

@@ -1,6 +1,5 @@
-import { readItem } from '@botgarten/materials/items'
+import { content } from '@botgarten/content/files'
 import { launchBrowser } from '../e2e/browser.ts'
-import { itemFolders, languages, read } from '../packages/materials/items/testing/catalogue.ts'
 import { buildWhenNeeded } from '../scripts/prepare/build.mjs'
 import { startServer } from '../scripts/server.ts'
 import type { Table } from './bench.ts'
@@ -10,7 +9,7 @@ import { tableOf } from './pages/table.ts'
 /** All that is printed, looked at line by line. */
 export default async function pages(): Promise<Table> {
   await buildWhenNeeded()
-  const items = itemFolders.map((folder) => readItem(read(folder, 'item.json')))
+  const { items, languages } = content
   const cards = items.filter(({ paper }) => paper === 'a5')
   const server = await startServer({ port: 0, host: '127.0.0.1' })
   const browser = await launchBrowser()

@@ -1,8 +1,8 @@
-import { readFileSync } from 'node:fs'
+import { content } from '@botgarten/content/files'
 import { blockFrom, toolbox } from '@botgarten/blocks'
 import { createLab, type Document } from '@botgarten/lab'
 import { layOutWorld, type QWorld } from '@botgarten/learning/q-learning'
-import { drawWay, readMap, type MapFile } from '@botgarten/maps'
+import { drawWay, type MapFile } from '@botgarten/maps'
 import { inScene } from '@botgarten/programs'
 import { cardConfig, paintFloor, TICKS_PER_SECOND } from '@botgarten/simulation'
 import type { Table } from './bench.ts'
@@ -21,8 +21,7 @@ const TICKS_A_LOOK = 3
 /** Slower than any robot that follows a line, cm a second. */
 const SLOWEST = 3
 
-const mapNamed = (id: string): MapFile =>
-  readMap(readFileSync(new URL(`../content/maps/${id}/map.svg`, import.meta.url), 'utf8')).map!
+const mapNamed = (id: string): MapFile => content.mapFile(id)!
 
 const program = () => {
   const shelf = toolbox.flatMap(({ blocks }) => blocks)

@@ -1,5 +1,6 @@
+import { content } from '@botgarten/content/files'
 import { spawnSync } from 'node:child_process'
-import { mkdtempSync, readFileSync } from 'node:fs'
+import { mkdtempSync } from 'node:fs'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import {
@@ -11,7 +12,6 @@ import {
   type QWorld,
   type Settings,
 } from '@botgarten/learning/q-learning'
-import { readMap } from '@botgarten/maps'
 import { median, type Table } from './bench.ts'
 
 const here = join(import.meta.dirname, 'q-learning')
@@ -19,8 +19,7 @@ const settings: Settings = { rules: 'standard', algorithm: 'q', alpha: 0.5, gamm
 const moves = 20_000_000
 
 function city(): QWorld {
-  const text = readFileSync(new URL('../content/maps/city/map.svg', import.meta.url), 'utf8')
-  return layOutWorld({ map: readMap(text).map!.map, start: 0, goal: 15, closed: [[16, 15]] })
+  return layOutWorld({ map: content.mapFile('city')!.map, start: 0, goal: 15, closed: [[16, 15]] })
 }
 
 const fresh = (world: QWorld) => createLearner(world, settings, [1, 2, 3, 4])

@@ -1,6 +1,6 @@
 import { readFileSync } from 'node:fs'
 import type { Browser, Page } from '@playwright/test'
-import { cardProject, readCard, type CardProgram, type WorldFile } from '@botgarten/materials'
+import { cardProject, readCard, type CardProgram, type WorldFile } from '@botgarten/content'
 import { launchBrowser } from '../e2e/browser.ts'
 import { Learner } from '../e2e/child-learning.ts'
 import { buildWhenNeeded } from '../scripts/prepare/build.mjs'

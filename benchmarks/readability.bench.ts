@@ -1,34 +1,25 @@
-import { readCard, readCardText } from '@botgarten/materials'
-import { readItem, readItemText } from '@botgarten/materials/items'
-import { cardWords } from '../packages/materials/items/cardWords.ts'
-import { gradeOf } from '../packages/materials/items/readability.ts'
-import {
-  cardFolders,
-  itemFolders,
-  languages,
-  read,
-  textOf,
-} from '../packages/materials/items/testing/catalogue.ts'
-import { wordsOf } from '../packages/materials/items/walk.ts'
+import { content } from '@botgarten/content/files'
+import { cardWords, gradeOf, wordsOf } from '@botgarten/content/items'
 import type { Table } from './bench.ts'
 
 const shown = (grade: number | null) => (grade === null ? '–' : grade.toFixed(1))
 
 /** For which grade every material is written, and which its words suit. */
 export default function readability(): Promise<Table> {
+  const { languages } = content
   const rowOf = (name: string, grades: readonly number[], words: (language: string) => string) => [
     ...[name, grades.join(' to ')],
     ...languages.map((language) => shown(gradeOf(words(language), language))),
   ]
-  const cards = cardFolders.map((folder) =>
-    rowOf(folder, readCard(read(folder, 'card.json')).grades, (language) =>
-      cardWords(readCardText(textOf(folder, language))),
-    ),
-  )
-  const items = itemFolders.map((folder) => {
-    const { audience, grades } = readItem(read(folder, 'item.json'))
+  const cards = content.cards.map(({ id }) => {
+    const { card, text } = content.card(id)!
+    return rowOf(content.cardFolder(id), card.grades, (language) => cardWords(text[language]!))
+  })
+  const texts = new Map(languages.map((language) => [language, content.itemTexts(language).items]))
+  const items = content.items.map(({ id, kind, audience, grades }) => {
+    const folder = content.itemFolder(id)
     const name = audience === 'teachers' ? `${folder} (teachers)` : folder
-    return rowOf(name, grades, (language) => wordsOf(readItemText(textOf(folder, language)), false))
+    return rowOf(name, grades, (language) => wordsOf(texts.get(language)![`${kind}/${id}`]!, false))
   })
   return Promise.resolve({
     title: 'Readability of the materials',

@@ -1,14 +1,12 @@
-import { readFileSync } from 'node:fs'
+import { content } from '@botgarten/content/files'
 import { createLab, type Document, type Lab } from '@botgarten/lab'
-import { paintFloor, readPng, type Floor, type World } from '@botgarten/simulation'
+import { paintFloor, type Floor, type World } from '@botgarten/simulation'
 import { Blocks } from '../e2e/runs/blocks.ts'
 import { behaviours } from '../e2e/runs/programs.ts'
 import { pushingWorld } from '../e2e/runs/worlds.ts'
 import { median, type Table } from './bench.ts'
 
 const minute = 60 * 60
-const content = new URL('../content/', import.meta.url)
-const readJson = (path: string) => JSON.parse(readFileSync(new URL(path, content), 'utf8')) as unknown
 
 interface Course {
   readonly name: string
@@ -18,9 +16,9 @@ interface Course {
 }
 
 function friendship(name: string, goal: number | null, change: (document: Document) => Document): Course {
-  const world = readJson('worlds/friendship/world.json') as World
-  const program = readJson('cards/network/05-friendship/solution.json') as Omit<Document, 'world'>
-  const floor = paintFloor(world, readPng(readFileSync(new URL('worlds/friendship/floor.png', content))))
+  const { world } = content.card('friendship')!
+  const program = content.program('friendship', 'solution')!
+  const floor = content.floorOf(world)
   return { name, goal, floor, document: change({ ...program, world }) }
 }
 

@@ -1,7 +1,7 @@
 import { readFileSync } from 'node:fs'
 import { readFile } from 'node:fs/promises'
 import { expect, type Locator } from '@playwright/test'
-import { cardProject, readCard, type CardProgram, type WorldFile } from '@botgarten/materials'
+import { cardProject, readCard, type CardProgram, type WorldFile } from '@botgarten/content'
 import type { Child } from './child.ts'
 
 /** What a child does and sees in the playground for learning by trying. */

@@ -1,7 +1,6 @@
-import { globSync, readFileSync } from 'node:fs'
-import { dirname } from 'node:path'
 import type { Brain } from '@botgarten/learning/neural-network'
-import { cardProject, readCard, type Card, type CardProgram, type WorldFile } from '@botgarten/materials'
+import { cardProject, type Card, type CardProgram } from '@botgarten/content'
+import { content } from '@botgarten/content/files'
 import { expect } from '@playwright/test'
 import { NetHands } from './child-network.ts'
 import type { Child } from './child.ts'
@@ -13,24 +12,18 @@ export interface Task {
   readonly solution: CardProgram
 }
 
-const content = new URL('../content/', import.meta.url).pathname
-const read = (path: string): unknown => JSON.parse(readFileSync(path, 'utf8'))
-
 /** All cards of the product, in the order of their folders. */
-export const tasks: readonly Task[] = globSync(`${content}cards/*/*/card.json`)
-  .sort()
-  .map((file) => ({
-    card: readCard(read(file)),
-    start: read(`${dirname(file)}/start.json`) as CardProgram,
-    solution: read(`${dirname(file)}/solution.json`) as CardProgram,
-  }))
+export const tasks: readonly Task[] = content.cards.map(({ id }) => {
+  const { card, start } = content.card(id)!
+  return { card, start, solution: content.program(id, 'solution')! }
+})
 
 /** Solves a card: numbers are typed into its blocks, knobs are set; where other blocks are needed, they come from a file. */
 export async function solves(child: Child, { card, start, solution }: Task) {
   const numbers = numbersToType(start, solution)
   if (numbers) for (const [block, number] of numbers) await child.typesNumber(block, number)
   else {
-    const world = read(`${content}worlds/${card.world}/world.json`) as WorldFile
+    const world = content.world(card.world)!
     const program = { ...solution, brains: mapped(solution.brains, withoutWeights) }
     await child.opensProject('Mine', JSON.stringify(cardProject(world, card, program, 'Mine')))
   }

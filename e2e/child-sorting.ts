@@ -1,4 +1,4 @@
-import { readFileSync } from 'node:fs'
+import { content } from '@botgarten/content/files'
 import { expect, type Locator } from '@playwright/test'
 import type { Child } from './child.ts'
 import type { Spot } from './hand.ts'
@@ -96,12 +96,9 @@ export class SortingHands {
 
 /** A card of sorting with one of its programs, as a project file. */
 export function sortingProject(card: 'tidy-up' | 'new-colours', program: string): string {
-  const [folder, world] = card === 'tidy-up' ? ['01-tidy-up', 'tiles'] : ['02-new-colours', 'meadow']
-  const read = (path: string) =>
-    JSON.parse(readFileSync(new URL(`../content/${path}`, import.meta.url), 'utf8')) as object
   return JSON.stringify({
     ...{ botgarten: 1, name: 'Mine', card, assets: {} },
-    ...read(`cards/sorting/${folder}/${program}.json`),
-    world: read(`worlds/${world}/world.json`),
+    ...content.program(card, program),
+    world: content.card(card)!.world,
   })
 }

@@ -1,11 +1,12 @@
 // `node e2e/saved-work.ts <folder>`: what children's devices and files hold today, written by the product itself as a
 // child would make it, with what a run of it gives. What this has written once is never written again: later products
 // have to open it.
+import { content } from '@botgarten/content/files'
 import { execFileSync } from 'node:child_process'
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
-import { courseOf, readMap } from '@botgarten/maps'
+import { courseOf } from '@botgarten/maps'
 import { learningIn, type Project } from '@botgarten/programs'
 import { expect, type Page } from '@playwright/test'
 import { buildWhenNeeded } from '../scripts/prepare/build.mjs'
@@ -210,7 +211,7 @@ function learnedIn({ programs, q }: Project): readonly number[] | undefined {
   const [[id, learned] = []] = Object.entries(q ?? {})
   const outline = id === undefined ? null : learningIn(programs[id]!)
   if (!outline || !learned) return undefined
-  const { map } = readMap(readFileSync(inHouse('content', 'maps', outline.map, 'map.svg'), 'utf8'))
+  const map = content.mapFile(outline.map)
   const course = courseOf(outline, map!, learned.seed)
   course.advance(learned.moves)
   return [...course.learner.q]

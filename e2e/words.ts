@@ -1,4 +1,5 @@
-import { globSync, readFileSync } from 'node:fs'
+import { content } from '@botgarten/content/files'
+import { readFileSync } from 'node:fs'
 import { basename } from 'node:path'
 import { fill, type Facts } from '@botgarten/messages'
 import { languagesIn, wordsOf } from '@botgarten/messages/folder'
@@ -29,9 +30,7 @@ export function say(language: Language, key: string, facts: Facts = {}): string 
 
 /** What a card's check is called in a language. Throws where nobody wrote it. */
 export function sayCheck(language: Language, card: string, id: string): string {
-  const cards = new URL('../content/cards/', import.meta.url).pathname
-  const [file] = globSync(`${cards}*/*-${card}/${language}.md`)
-  const said = file && new RegExp(`^- ${id}: (.+)$`, 'm').exec(readFileSync(file, 'utf8'))?.[1]
+  const said = content.card(card)?.text[language]?.checks[id]
   if (!said) throw new Error(`No word for the check ${id} of ${card} in ${language}`)
   return said
 }

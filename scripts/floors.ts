@@ -1,14 +1,15 @@
 // Draws the floor that sensors read from each content/worlds/*/floor.svg: its groups `floor` and `scenery`, 2 pixels a cm.
 // Run after a drawing has changed: npm run floors
-import { globSync, readFileSync, writeFileSync } from 'node:fs'
+import { content } from '@botgarten/content/files'
+import { existsSync, readFileSync, writeFileSync } from 'node:fs'
 import { launchBrowser } from '../e2e/browser.ts'
-import { house } from './prepare/house.mjs'
 
 const PIXELS_PER_CM = 2
 const look = 'body{margin:0}svg{display:block;width:100vw;height:100vh}#obstacles,#over{display:none}'
 
 const browser = await launchBrowser()
-for (const file of globSync(`${house}/content/worlds/*/floor.svg`)) {
+const drawings = content.worlds.map((id) => content.path('worlds', id, 'floor.svg'))
+for (const file of drawings.filter((drawing) => existsSync(drawing))) {
   const svg = readFileSync(file, 'utf8')
   const [, width, height] = /viewBox="0 0 (\d+) (\d+)"/.exec(svg)?.map(Number) ?? []
   if (width === undefined || height === undefined) throw new Error(`${file} does not say how large it is.`)

@@ -1,7 +1,7 @@
 // Draws the plain maps of content/maps: the grids, and the roundabout with a reward that invites to cheat.
 // Run after a change here: npm run maps
 import { mkdirSync, writeFileSync } from 'node:fs'
-import { house } from './prepare/house.mjs'
+import { content } from '@botgarten/content/files'
 
 interface Point {
   readonly x: number
@@ -150,7 +150,7 @@ const maps: { readonly [id: string]: string } = {
 }
 
 for (const [id, svg] of Object.entries(maps)) {
-  mkdirSync(`${house}/content/maps/${id}`, { recursive: true })
-  writeFileSync(`${house}/content/maps/${id}/map.svg`, svg)
+  mkdirSync(content.path('maps', id), { recursive: true })
+  writeFileSync(content.path('maps', id, 'map.svg'), svg)
   console.log(`${id}: ${svg.length} bytes`)
 }

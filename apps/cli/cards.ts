@@ -1,6 +1,5 @@
-import { basename } from 'node:path'
+import { content } from '@botgarten/content/files'
 import type { Command } from './commands.ts'
-import { allCards, textOf, wrongAnswers } from './content.ts'
 import { options, refuseMore } from './options.ts'
 
 const known = { json: { type: 'boolean' } } as const
@@ -11,17 +10,15 @@ export const cards: Command = { options: known, carryOut: listCards }
 function listCards(args: string[]): string {
   const { values, positionals } = options(args, known)
   refuseMore(positionals)
-  const list = allCards().map(({ folder, card }) => ({
-    id: card.id,
-    code: card.code,
-    title: { en: textOf(folder, 'en').title, de: textOf(folder, 'de').title },
-    playground: card.playground,
-    grades: card.grades,
-    minutes: card.minutes,
-    starts: card.starts,
-    checks: card.checks.map(({ id, kind, seconds }) => ({ id, kind, seconds })),
-    wrong: wrongAnswers(folder).map((file) => basename(file, '.json')),
-  }))
+  const list = content.cards.map(({ id, code, title }) => {
+    const { playground, grades, minutes, starts, checks } = content.card(id)!.card
+    return {
+      ...{ id, code, title: { en: title['en']!, de: title['de']! } },
+      ...{ playground, grades, minutes, starts },
+      checks: checks.map(({ id, kind, seconds }) => ({ id, kind, seconds })),
+      wrong: content.wrongAnswers(id),
+    }
+  })
   if (values.json) return JSON.stringify(list)
   return list
     .map(({ id, code, title }) => `${id.padEnd(16)}${code.padEnd(8)}${title.en} / ${title.de}`)

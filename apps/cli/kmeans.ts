@@ -7,7 +7,7 @@ import {
   type Distance,
   type Points,
 } from '@botgarten/learning/k-means'
-import { decodeTable, readTable, TableError, type Encoding, type Table } from '@botgarten/materials/tables'
+import { decodeTable, readTable, TableError, type Encoding, type Table } from '@botgarten/content/tables'
 import { stream } from '@botgarten/numbers'
 import type { Command } from './commands.ts'
 import { CallError, FileError } from './errors.ts'

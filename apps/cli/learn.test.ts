@@ -2,6 +2,7 @@ import { mkdtempSync, readFileSync, writeFileSync } from 'node:fs'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import { Ajv2020 } from 'ajv/dist/2020.js'
+import { content } from '@botgarten/content/files'
 import { courseOf, readMap } from '@botgarten/maps'
 import { describe, expect, it } from 'vitest'
 import worlds from '../../packages/learning/q-learning/reference/worlds.json' with { type: 'json' }
@@ -106,9 +107,7 @@ describe('botgarten learn q', () => {
   })
 
   it('learns what the lab learns from the same seed: ten tries on the Railway, move by move', async () => {
-    const { map } = readMap(
-      readFileSync(join(import.meta.dirname, '../../content/maps/railway/map.svg'), 'utf8'),
-    )
+    const { map } = readMap(content.map('railway')!)
     const closed: [number, number][] = [[3, 2], [2, 3]] // prettier-ignore
     const preset = { rules: 'standard', algorithm: 'q', alpha: 0.5, gamma: 0.8, nu: 0.1, rho: 0.5 } as const
     const outline = { blocks: { map: 'map' }, map: 'railway', start: 3, goal: 1, closed, settings: preset }
@@ -133,7 +132,7 @@ describe('botgarten learn q', () => {
   })
 
   it('reads a map from a file, and names what is wrong with it', async () => {
-    const text = readFileSync(join(import.meta.dirname, '../../content/maps/railway/map.svg'), 'utf8')
+    const text = content.map('railway')!
     const whole = join(folder, 'whole.svg')
     writeFileSync(whole, text)
     expect((await learn('q', '--map', whole, ...railway.slice(2))).status).toBe(0)

@@ -1,25 +1,20 @@
-import { existsSync, readdirSync } from 'node:fs'
-import { join } from 'node:path'
+import { existsSync } from 'node:fs'
+import { content } from '@botgarten/content/files'
 import { readMap, type MapFile, type MapProblem } from '@botgarten/maps'
 import { CallError, FileError } from './errors.ts'
 import { readText } from './files.ts'
 import { note } from './notes.ts'
 import { say } from './words.ts'
 
-const folder = join(import.meta.dirname, '../../content/maps')
 /** In megabytes. */
 const tooLarge = 4
 
-/** Names of the maps of the product. */
-export const shippedMaps = (): readonly string[] => readdirSync(folder)
-
 /** A map of the product by its name, or one from an SVG file. */
 export function findMap(what: string): MapFile {
-  const shipped = shippedMaps()
-  if (!shipped.includes(what) && !existsSync(what))
-    throw new CallError('call.noMapNoFile', { name: what, maps: shipped.join(', ') })
-  const path = shipped.includes(what) ? join(folder, what, 'map.svg') : what
-  const { map, problems, warnings } = readMap(readText(path, tooLarge))
+  const shipped = content.map(what)
+  if (shipped === null && !existsSync(what))
+    throw new CallError('call.noMapNoFile', { name: what, maps: content.maps.join(', ') })
+  const { map, problems, warnings } = readMap(shipped ?? readText(what, tooLarge))
   const named = warnings.map(sentenceFor).join('; ')
   if (!map)
     throw new FileError('file.noMap', {

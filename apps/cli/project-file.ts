@@ -1,7 +1,7 @@
 import { basename, extname } from 'node:path'
+import { content } from '@botgarten/content/files'
 import { parseProject, ProjectError, type Project } from '@botgarten/programs'
 import { projectFrom } from '@botgarten/programs/open-roberta'
-import { freeWorld } from './content.ts'
 import { FileError } from './errors.ts'
 import { readText } from './files.ts'
 import { say, sayProblem } from './words.ts'
@@ -14,7 +14,7 @@ export function readProjectFile(path: string): Project {
   const text = readText(path, tooLarge)
   try {
     return isOpenRoberta(path)
-      ? projectFrom(text, basename(path).slice(0, -'.xml'.length), freeWorld())
+      ? projectFrom(text, basename(path).slice(0, -'.xml'.length), content.freeLab().world)
       : parseProject(text)
   } catch (error) {
     if (!(error instanceof ProjectError)) throw error

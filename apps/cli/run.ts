@@ -1,15 +1,16 @@
 import { existsSync } from 'node:fs'
 import { createLab, type Check, type Document, type Lab } from '@botgarten/lab'
-import { cardDocument } from '@botgarten/materials'
+import { cardDocument } from '@botgarten/content'
+import type { LoadedCard } from '@botgarten/content/catalogue'
+import { content } from '@botgarten/content/files'
 import { withLearnedWay } from '@botgarten/maps'
 import { check } from '@botgarten/programs'
 import { TICKS_PER_SECOND } from '@botgarten/simulation'
-import { findCard, floorOf, programOf, worldOf, wrongAnswers, type FoundCard } from './content.ts'
 import type { Command } from './commands.ts'
 import { CallError, FileError } from './errors.ts'
 import { numberIn, options, wholeNumberIn } from './options.ts'
 import { isOpenRoberta, readProjectFile } from './project-file.ts'
-import { findMap, shippedMaps } from './maps.ts'
+import { findMap } from './maps.ts'
 import { withWeights } from './weights.ts'
 import { sayProblem } from './words.ts'
 
@@ -27,7 +28,7 @@ type Values = ReturnType<typeof options<typeof known>>['values']
 
 interface Runnable {
   readonly document: Document
-  readonly floor: ReturnType<typeof floorOf>
+  readonly floor: ReturnType<typeof content.floorOf>
   readonly checks: readonly Check[]
   /** Does it drive a way that it learned? */
   readonly drives?: boolean
@@ -61,36 +62,37 @@ const presetSeconds = ({ checks, drives }: Runnable) =>
 function learned(runnable: Runnable): Runnable {
   const document = withLearnedWay(runnable.document, mapNamed)
   if (document === runnable.document) return runnable
-  return { ...runnable, document, floor: floorOf(document.world), drives: true }
+  return { ...runnable, document, floor: content.floorOf(document.world), drives: true }
 }
 
-const mapNamed = (id: string) => (shippedMaps().includes(id) ? findMap(id) : null)
+const mapNamed = (id: string) => (content.maps.includes(id) ? findMap(id) : null)
 
 function find(what: string, values: Values): Runnable {
-  const found = findCard(what)
+  const found = content.card(what)
   if (found) return cardRun(found, values)
   if (!existsSync(what)) throw new CallError('call.noCardNoFile', { name: what })
   if (values.solution || values.wrong) throw new CallError('call.ofACard')
   return fileRun(what, values)
 }
 
-function cardRun({ folder, card }: FoundCard, values: Values): Runnable {
+function cardRun({ card, world }: LoadedCard, values: Values): Runnable {
   const start = wholeNumberIn('start', values.start, 0, 0, card.starts.length - 1)
-  const document = cardDocument(worldOf(card), card, programOf(folder, fileFor(folder, values)), start)
-  return { document, floor: floorOf(document.world), checks: card.checks }
+  const program = content.program(card.id, fileFor(card.id, values))!
+  const document = cardDocument(world, card, program, start)
+  return { document, floor: content.floorOf(document.world), checks: card.checks }
 }
 
-function fileFor(folder: string, values: Values): string {
+function fileFor(card: string, values: Values): string {
   if (values.solution && values.wrong) throw new CallError('call.solutionOrWrong')
-  if (values.solution) return 'solution.json'
-  if (values.wrong === undefined) return 'start.json'
-  const files = wrongAnswers(folder)
-  return `wrong/${files[wholeNumberIn('wrong', values.wrong, 1, 1, files.length) - 1]}`
+  if (values.solution) return 'solution'
+  if (values.wrong === undefined) return 'start'
+  const names = content.wrongAnswers(card)
+  return `wrong/${names[wholeNumberIn('wrong', values.wrong, 1, 1, names.length) - 1]}`
 }
 
 function fileRun(path: string, values: Values): Runnable {
   const project = readProjectFile(path)
-  const found = project.card === undefined ? undefined : findCard(project.card)
+  const found = project.card === undefined ? null : content.card(project.card)
   if (values.start !== undefined && !found) throw new CallError('call.startOfACard')
   const document = found
     ? values.start === undefined
@@ -102,7 +104,11 @@ function fileRun(path: string, values: Values): Runnable {
           wholeNumberIn('start', values.start, 0, 0, found.card.starts.length - 1),
         )
     : project
-  return { document, floor: floorOf(document.world, project.assets), checks: found?.card.checks ?? [] }
+  return {
+    document,
+    floor: content.floorOf(document.world, project.assets),
+    checks: found?.card.checks ?? [],
+  }
 }
 
 function withGivenWeights(runnable: Runnable, { weights }: Values): Runnable {

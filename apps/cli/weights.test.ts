@@ -2,8 +2,8 @@ import { mkdtempSync, rmSync, writeFileSync } from 'node:fs'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import { afterAll, describe, expect, it } from 'vitest'
-import { cardDocument } from '@botgarten/materials'
-import { allCards, findCard, programOf, worldOf } from './content.ts'
+import { cardDocument } from '@botgarten/content'
+import { content } from '@botgarten/content/files'
 import { withWeights } from './weights.ts'
 import { speak } from './words.ts'
 
@@ -12,20 +12,20 @@ afterAll(() => rmSync(folder, { recursive: true }))
 speak('en')
 
 let files = 0
-function file(content: unknown): string {
+function file(value: unknown): string {
   const path = join(folder, `${++files}.json`)
-  writeFileSync(path, typeof content === 'string' ? content : JSON.stringify(content))
+  writeFileSync(path, typeof value === 'string' ? value : JSON.stringify(value))
   return path
 }
 
 function opened(id: string, file: 'start' | 'solution' = 'start') {
-  const { folder, card } = findCard(id)!
-  return cardDocument(worldOf(card), card, programOf(folder, `${file}.json`), 0)
+  const { card, world } = content.card(id)!
+  return cardDocument(world, card, content.program(id, file)!, 0)
 }
 
-const cards = allCards().flatMap(({ folder, card }) => {
-  const [brain] = Object.values(programOf(folder, 'solution.json').brains)
-  return brain ? [{ id: card.id, weights: brain.weights }] : []
+const cards = content.cards.flatMap(({ id }) => {
+  const [brain] = Object.values(content.program(id, 'solution')!.brains)
+  return brain ? [{ id, weights: brain.weights }] : []
 })
 
 const whole = { eyeLeft: { wheelLeft: 1, wheelRight: 0 }, eyeRight: { wheelLeft: 0, wheelRight: 1 } }

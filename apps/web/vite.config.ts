@@ -1,39 +1,11 @@
-import { readFile } from 'node:fs/promises'
 import adapter from '@sveltejs/adapter-node'
 import { sveltekit } from '@sveltejs/kit/vite'
 import { defineConfig, type Plugin } from 'vite'
-import { readCard } from '../../packages/materials/card.ts'
-import { readCardText } from '../../packages/materials/cardText.ts'
+import { contentPlugin } from '@botgarten/content/vite'
 import { examples } from './examples.ts'
-import { materials } from './materials.ts'
 import { notices } from './notices.ts'
-import { pixels } from './pixels.ts'
 import { webSpace } from './web-space.ts'
 import { words } from './words.ts'
-
-/** Cards' words become syntax trees at build: no Markdown parser is sent to the page. */
-const cardTexts: Plugin = {
-  name: 'card-texts',
-  transform: {
-    filter: { id: /\.md$/ },
-    handler: (markdown) => ({ code: `export default ${JSON.stringify(readCardText(markdown))}`, map: null }),
-  },
-}
-
-/** `card.json?head`: what every page knows of a card; checks and start poses come with the card. */
-const cardHeads: Plugin = {
-  name: 'card-heads',
-  enforce: 'pre',
-  load: {
-    filter: { id: /card\.json\?head$/ },
-    async handler(id) {
-      const file = await readFile(id.split('?')[0]!, 'utf8')
-      const { id: name, code, playground, bed = playground, group, starts } = readCard(JSON.parse(file))
-      const head = { id: name, code, bed, group, starts: starts.length }
-      return { code: `export default ${JSON.stringify(head)}`, moduleType: 'js' }
-    },
-  },
-}
 
 /**
  * The physics library's lists of what it could load from a file and of what can touch what hold all joints, edges and chains;
@@ -73,30 +45,10 @@ const lessXml: Plugin = {
 }
 
 // Few requests: what one card needs comes together, what all pages share, and what the lab's parts share.
-// Worlds of no card.
-const withoutCard = new Set([
-  'blank',
-  'colours',
-  'garden',
-  'grid',
-  'line',
-  'maze',
-  'learning',
-  'learning-city',
-])
-/** Cards that go on with another card's task come together with it. */
-const inChunkOf: { readonly [card: string]: string | undefined } = {
-  'crossed-wires': 'rally',
-  'lost-links': 'rally',
-  'all-the-same': 'rally',
-  'if-then': 'friendship',
-}
-const cardOf = (id: string) => {
-  const file =
-    /content[\\/](?:cards[\\/][\w-]+[\\/]\d+-|worlds[\\/])([\w-]+)[\\/](?:\w+\.md|start\.json|card\.json|world\.json)$/
-  const found = file.exec(id)?.[1]
-  const name = found && (inChunkOf[found] ?? found)
-  return name === undefined ? null : `content-${withoutCard.has(name) ? 'worlds' : name}`
+/** `content:card/friendship` becomes `content-friendship`: what a page opens of content/ comes by itself. */
+const openedOf = (id: string) => {
+  const name = /content:(?:card\/([\w-]+)|(every-world|free-lab))$/.exec(id)?.slice(1).find(Boolean)
+  return name === undefined ? null : `content-${name}`
 }
 const chunks = [
   // SvelteKit's first script imports it and must not pull anything else in before the page is set up.
@@ -108,10 +60,10 @@ const chunks = [
     minShareCount: 2,
     priority: 2,
   },
-  { name: cardOf, priority: 2 },
+  { name: openedOf, priority: 2 },
   {
     name: 'common',
-    test: /(src[\\/](content|app[\\/]offline|parts(?![\\/]page[\\/])|words)|node_modules[\\/]svelte)[\\/]|storage[\\/](bin|channel|copy-name|database|endings|handout|projects|refusal|settings)\.ts/,
+    test: /content:(cards|worlds)$|(src[\\/](content|app[\\/]offline|parts(?![\\/]page[\\/])|words)|node_modules[\\/]svelte)[\\/]|storage[\\/](bin|channel|copy-name|database|endings|handout|projects|refusal|settings)\.ts/,
     minShareCount: 2,
     priority: 1,
   },
@@ -134,7 +86,7 @@ const chunks = [
   { name: 'drawing', test: /src[\\/](drawing|figures[\\/]world|features[\\/]world)[\\/]/, minShareCount: 2 },
   {
     name: 'engine',
-    test: /[\\/](packages[\\/](?!blocks|learning|numbers|maps|materials[\\/](things|maps|items|questions)|simulation[\\/](floor[\\/]png|body[\\/]plugged))|node_modules[\\/]planck[\\/]|src[\\/](?!routes|service-worker|storage|lab[\\/]floor|app[\\/]lab-screen|figures[\\/](blocks|card|map|things|network[\\/]deep)|parts[\\/](ErrorScreen|page[\\/])|features[\\/](about|home|materials|projects|q-learning|share|sorting|tour|network[\\/]deep|editor[\\/](learning|expert|layers|pictures))))/,
+    test: /[\\/](packages[\\/](?!blocks|learning|numbers|maps|content[\\/](things|items|questions|schema)|simulation[\\/](floor[\\/]png|body[\\/]plugged))|node_modules[\\/]planck[\\/]|src[\\/](?!routes|service-worker|storage|lab[\\/]floor|app[\\/]lab-screen|figures[\\/](blocks|card|map|things|network[\\/]deep)|parts[\\/](ErrorScreen|page[\\/])|features[\\/](about|home|materials|projects|q-learning|share|sorting|tour|network[\\/]deep|editor[\\/](learning|expert|layers|pictures))))/,
     minShareCount: 2,
   },
 ]
@@ -145,11 +97,8 @@ const folder = process.env['BOTGARTEN_WEB_SPACE']
 export default defineConfig({
   define: { __WEB_SPACE__: JSON.stringify(folder !== undefined) },
   plugins: [
-    cardTexts,
+    contentPlugin,
     ...examples,
-    cardHeads,
-    materials,
-    pixels,
     ...words,
     lessPhysics,
     lessXml,

@@ -1,5 +1,5 @@
 import type { Browser } from '@playwright/test'
-import type { Item } from '@botgarten/materials/items'
+import type { Item } from '@botgarten/content/items'
 import { badPage, overlooked } from './bad-page.ts'
 import { address, findingsIn, printed } from './files.ts'
 import { findingsOn, type Finding, type Least } from './findings.ts'

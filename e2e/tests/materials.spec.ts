@@ -1,14 +1,11 @@
 // Rooms: materials
-import { globSync, readFileSync } from 'node:fs'
+import { content } from '@botgarten/content/files'
 import { sample } from '@botgarten/numbers/testing'
 import { axeFindings } from '../axe.ts'
 import { expect, test } from '../house.ts'
 import { languagesOf } from '../words.ts'
 
-const content = new URL('../../content/materials/', import.meta.url)
-const items = globSync('*/*/item.json', { cwd: content })
-  .sort()
-  .map((file) => JSON.parse(readFileSync(new URL(file, content), 'utf8')) as { kind: string; id: string })
+const { items } = content
 const kinds = [...new Set(items.map(({ kind }) => kind))]
 const ready = '.material[aria-busy="false"]'
 

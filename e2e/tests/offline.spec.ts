@@ -1,5 +1,5 @@
 // Rooms: service-worker
-import { globSync } from 'node:fs'
+import { content } from '@botgarten/content/files'
 import type { Page } from '@playwright/test'
 import { flags } from '../browser.ts'
 import { findChromium } from '../chromium.mjs'
@@ -196,8 +196,7 @@ for (const language of languagesOf(import.meta.filename)) {
 }
 
 test('the page of the lab is the same file for every card: one is kept for all', async ({ house }) => {
-  const cards = globSync('*/*', { cwd: new URL('../../content/cards/', import.meta.url) })
-  const names = ['free', ...cards.map((folder) => folder.replace(/^.*\/\d+-/, ''))]
+  const names = ['free', ...content.cards.map(({ id }) => id)]
   const pages = await Promise.all(
     names.map(async (name) => {
       const answer = await fetch(`${house}/lab/${name}`)

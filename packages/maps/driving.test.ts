@@ -1,13 +1,12 @@
-import { readFileSync } from 'node:fs'
+import { content } from '@botgarten/content/files'
 import { createLab } from '@botgarten/lab'
 import { addBlocks, blockFrom, toolbox, type Template } from '@botgarten/blocks'
 import { learning as blocks, learningToolbox } from '@botgarten/blocks/learning'
 import { cardConfig, paintFloor, TICKS_PER_SECOND, type Pose } from '@botgarten/simulation'
 import { describe, expect, test } from 'vitest'
-import { drawWay, readMap, wayThrough, withLearnedWay, type MapFile } from './index.ts'
+import { drawWay, wayThrough, withLearnedWay, type MapFile } from './index.ts'
 
-const mapNamed = (id: string): MapFile =>
-  readMap(readFileSync(new URL(`../../content/maps/${id}/map.svg`, import.meta.url), 'utf8')).map!
+const mapNamed = (id: string): MapFile => content.mapFile(id)!
 
 const start: Template = { type: 'robControls_start', mutation: { attrs: { declare: 'false' } } }
 addBlocks(blocks, learningToolbox)

@@ -1,4 +1,4 @@
-import { readFileSync, readdirSync } from 'node:fs'
+import { content } from '@botgarten/content/files'
 import { stream } from '@botgarten/numbers'
 import { bestWay, createLearner, layOutWorld, run } from '@botgarten/learning/q-learning'
 import fc from 'fast-check'
@@ -6,9 +6,8 @@ import { describe, expect, test } from 'vitest'
 import type { LearningOutline } from '@botgarten/programs'
 import { courseOf, isShortest, readMap, segmentsOf, type MapFile, type Point } from './index.ts'
 
-const folder = new URL('../../content/maps/', import.meta.url)
-const ids = readdirSync(folder)
-const textOf = (id: string) => readFileSync(new URL(`${id}/map.svg`, folder), 'utf8')
+const ids = content.maps
+const textOf = (id: string) => content.map(id)!
 
 function mapOf(id: string): MapFile {
   const { map, problems, warnings } = readMap(textOf(id))

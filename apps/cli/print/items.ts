@@ -1,6 +1,6 @@
-import { globSync, readFileSync } from 'node:fs'
-import { basename, dirname, join } from 'node:path'
-import { readItem, type Item } from '@botgarten/materials/items'
+import { basename } from 'node:path'
+import { content } from '@botgarten/content/files'
+import type { Item } from '@botgarten/content/items'
 import { CallError } from '../errors.ts'
 import { nearest } from './nearest.ts'
 
@@ -10,16 +10,9 @@ export interface FoundItem {
   readonly folder: string
 }
 
-const materials = join(import.meta.dirname, '../../../content/materials')
-
 /** All items in the order of their folders. */
 const allItems = (): readonly FoundItem[] =>
-  globSync(join(materials, '*/*/item.json'))
-    .sort()
-    .map((path) => ({
-      item: readItem(JSON.parse(readFileSync(path, 'utf8'))),
-      folder: basename(dirname(path)),
-    }))
+  content.items.map((item) => ({ item, folder: basename(content.itemFolder(item.id)) }))
 
 /** The items that a call names. @throws CallError with the nearest names for what is not there */
 export function itemsNamed(names: readonly string[]): readonly FoundItem[] {

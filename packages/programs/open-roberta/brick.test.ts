@@ -1,4 +1,4 @@
-import { readFileSync } from 'node:fs'
+import { content } from '@botgarten/content/files'
 import {
   cardConfig,
   motorPorts,
@@ -6,7 +6,6 @@ import {
   type MotorPlug,
   type RobotConfig,
   type SensorPlace,
-  type World,
 } from '@botgarten/simulation'
 import fc from 'fast-check'
 import { expect, it } from 'vitest'
@@ -14,9 +13,7 @@ import { xmlTree } from '../testing/xml-tree.ts'
 import { robotIn, withRobot } from './brick.ts'
 import { fileFrom, projectFrom, readOpenRoberta } from './index.ts'
 
-const garden = JSON.parse(
-  readFileSync(new URL('../../../content/worlds/garden/world.json', import.meta.url), 'utf8'),
-) as World
+const garden = content.world('garden')!
 
 /** Open Roberta's configuration toolbox (`ev3.configuration.toolbox.xml`), and the sensor each is here. */
 const sensors = [

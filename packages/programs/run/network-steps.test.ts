@@ -2,7 +2,7 @@ import { readFileSync } from 'node:fs'
 import { describe, expect, it } from 'vitest'
 import { addBlocks, blockFrom, type HostBrain, type Template } from '@botgarten/blocks'
 import { expert } from '@botgarten/blocks/later'
-import type { World } from '@botgarten/simulation'
+import { content } from '@botgarten/content/files'
 import { indexProgram, runThread, startThread } from '../index.ts'
 import { brainsIn } from '../open-roberta/brains.ts'
 import { fileFrom, projectFrom, readOpenRoberta } from '../open-roberta/index.ts'
@@ -96,9 +96,7 @@ describe('steps of a network that a program carries', () => {
   })
 })
 
-const garden = JSON.parse(
-  readFileSync(new URL('../../../content/worlds/garden/world.json', import.meta.url), 'utf8'),
-) as World
+const garden = content.world('garden')!
 const file = readFileSync(
   new URL('../testing/open-roberta/programs/upstream__xNN__nn_step.xml', import.meta.url),
   'utf8',

@@ -1,13 +1,6 @@
-import { isSaid } from '#words/say.ts'
-import type { WorldFile } from '@botgarten/materials'
+import worlds from 'content:worlds'
+import type { WorldFile } from '@botgarten/content'
 
-const files = import.meta.glob<WorldFile>('../../../../content/worlds/*/world.json', { import: 'default' })
-
-/** Every world of the content that has a name (`worldName.<folder>`), in the order of their folders. */
-export async function allWorlds(): Promise<readonly { readonly id: string; readonly world: WorldFile }[]> {
-  const named = Object.entries(files).flatMap(([path, load]) => {
-    const id = /([^/]+)\/world\.json$/.exec(path)![1]!
-    return isSaid(`worldName.${id}`) ? [{ id, load }] : []
-  })
-  return Promise.all(named.map(async ({ id, load }) => ({ id, world: await load() })))
-}
+/** Every world of the content, in the order of their folders. */
+export const allWorlds = (): Promise<readonly { readonly id: string; readonly world: WorldFile }[]> =>
+  Promise.all(worlds.worlds.map(async (id) => ({ id, world: (await worlds.world(id))! })))

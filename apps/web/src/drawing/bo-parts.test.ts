@@ -1,10 +1,10 @@
 import { readFileSync } from 'node:fs'
-import type { RobotConfig, World } from '@botgarten/simulation'
+import { content } from '@botgarten/content/files'
+import type { RobotConfig } from '@botgarten/simulation'
 import { expect, test } from 'vitest'
 import { boParts } from './bo-parts.ts'
 
-const file = new URL('../../../../content/worlds/friendship/world.json', import.meta.url)
-const { robots } = JSON.parse(readFileSync(file, 'utf8')) as World
+const { robots } = content.world('friendship')!
 const friend = robots[0]!.config
 const named = (config: RobotConfig) => boParts(config).map(({ kind, port }) => `${kind} ${port}`)
 

@@ -1,6 +1,6 @@
 import { readFileSync } from 'node:fs'
 import { createLab, type Document } from '@botgarten/lab'
-import type { CardProgram } from '@botgarten/materials'
+import type { CardProgram } from '@botgarten/content'
 import { paintFloor, type World } from '@botgarten/simulation'
 import { describe, expect, it } from 'vitest'
 import { factsOf, renewed } from './facts.ts'

@@ -1,4 +1,4 @@
-import type { Card } from '@botgarten/materials'
+import type { Card } from '@botgarten/content'
 import type { Progress } from '@botgarten/programs'
 import { samePose, type Pose } from '@botgarten/simulation'
 

@@ -3,7 +3,8 @@ import { globSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import { promisify } from 'node:util'
-import { courseOf, learningKey, readMap } from '@botgarten/maps'
+import { content } from '@botgarten/content/files'
+import { courseOf, learningKey } from '@botgarten/maps'
 import { learningIn, parseProject, parseScene, writeProject, type Project } from '@botgarten/programs'
 import { parseBrainFile } from '@botgarten/programs/brain-file'
 import { afterAll, describe, expect, test } from 'vitest'
@@ -45,7 +46,7 @@ function learnedIn({ programs, q }: Project): readonly number[] | undefined {
   if (!outline || !learned) return undefined
   // Else the playground would begin again.
   expect(learned.key).toBe(learningKey(outline))
-  const { map } = readMap(readFileSync(new URL(`content/maps/${outline.map}/map.svg`, house), 'utf8'))
+  const map = content.mapFile(outline.map)
   const course = courseOf(outline, map!, learned.seed)
   course.advance(learned.moves)
   return [...course.learner.q]

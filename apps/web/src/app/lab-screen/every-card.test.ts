@@ -1,8 +1,6 @@
-import { globSync, readFileSync } from 'node:fs'
-import { join } from 'node:path'
-import { cardProject, type CardProgram } from '@botgarten/materials'
-import { readMap, withLearnedWay } from '@botgarten/maps'
-import { paintFloor, readPng, type World } from '@botgarten/simulation'
+import { cardProject, type CardProgram } from '@botgarten/content'
+import { content } from '@botgarten/content/files'
+import { withLearnedWay } from '@botgarten/maps'
 import { allCards, loadCard, type LoadedCard } from '#content/cards.ts'
 import { bringFor } from '#features/editor/packs.ts'
 import { LabSession } from '#lab/session.svelte.ts'
@@ -11,18 +9,7 @@ import { bedOf } from '#features/home/kept.ts'
 import { againFrom, nextStep } from './card.ts'
 
 // Every card is walked to its end by the classes that the screen uses, merely because it is there.
-const content = join(import.meta.dirname, '../../../../../content')
-const read = (path: string) => readFileSync(join(content, path))
-const solutionOf = (id: string) =>
-  JSON.parse(
-    readFileSync(globSync(join(content, `cards/*/*-${id}/solution.json`))[0]!, 'utf8'),
-  ) as CardProgram
-const mapNamed = (id: string) => readMap(read(`maps/${id}/map.svg`).toString()).map
-
-function floorOf(world: World) {
-  if (!('asset' in world.floor)) return paintFloor(world)
-  return paintFloor(world, readPng(read(world.floor.asset.replace('content:', ''))))
-}
+const solutionOf = (id: string) => content.program(id, 'solution')!
 
 /** Frames as a screen would draw them: the next one is asked for again and again. */
 const screen = { next: (_: number) => {}, now: 0 }
@@ -54,10 +41,10 @@ afterAll(() => {
 /** The card as a child has it open, with this program and these knobs. A way that is to be learned has been learned. */
 async function opened(card: LoadedCard, program: CardProgram): Promise<LabSession> {
   const fresh = cardProject(card.world, card.card, program, card.card.id)
-  const project = { ...fresh, ...withLearnedWay(fresh, mapNamed) }
+  const project = { ...fresh, ...withLearnedWay(fresh, content.mapFile) }
   const expert = await bringFor(project)
   const session = new LabSession({
-    ...{ id: card.card.id, revision: 0, project, card, floor: floorOf(project.world), expert },
+    ...{ id: card.card.id, revision: 0, project, card, floor: content.floorOf(project.world), expert },
     ...{ floorAddress: null, trouble: null, damaged: null, keeps: true },
   })
   session.learnFirst = () => false

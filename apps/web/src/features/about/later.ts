@@ -1,1 +1,1 @@
-export { readFreeText } from '@botgarten/materials'
+export { readFreeText } from '@botgarten/content'

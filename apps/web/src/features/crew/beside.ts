@@ -1,6 +1,6 @@
 import type { Document } from '@botgarten/lab'
 import { weightsOf, withWeights, type Brain, type Weights } from '@botgarten/learning/neural-network'
-import type { Beside } from '@botgarten/materials'
+import type { Beside } from '@botgarten/content'
 import { networks, type Project } from '@botgarten/programs'
 import { open } from '#storage/projects.ts'
 import { withRobot } from './crew.ts'

@@ -1,18 +1,13 @@
+import { content } from '@botgarten/content/files'
 import type { Document } from '@botgarten/lab'
 import { brainsFor, createLab } from '@botgarten/lab'
 import { biasRow, withWeight } from '@botgarten/learning/neural-network'
-import { networks, parseProject, type Program, type Project } from '@botgarten/programs'
+import { networks, parseProject, type Program } from '@botgarten/programs'
 import { cardConfig, paintFloor, type World } from '@botgarten/simulation'
-import { readFileSync } from 'node:fs'
 import { describe, expect, it } from 'vitest'
 import { withoutRobot, withRobot } from './crew.ts'
 
-const solution = JSON.parse(
-  readFileSync(
-    new URL('../../../../../content/cards/network/05-friendship/solution.json', import.meta.url),
-    'utf8',
-  ),
-) as Pick<Project, 'programs' | 'brains'>
+const solution = content.program('friendship', 'solution')!
 
 const world: World = {
   size: { width: 300, height: 300 },

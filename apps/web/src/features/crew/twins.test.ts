@@ -1,6 +1,6 @@
 import type { Document } from '@botgarten/lab'
 import { networks, parseProject, type Project } from '@botgarten/programs'
-import { readCard, type CardProgram } from '@botgarten/materials'
+import { readCard, type CardProgram } from '@botgarten/content'
 import type { World } from '@botgarten/simulation'
 import { readFileSync } from 'node:fs'
 import { describe, expect, it } from 'vitest'

@@ -1,5 +1,5 @@
 import type { Snippet } from 'svelte'
-import type { Group } from '@botgarten/materials'
+import type { Group } from '@botgarten/content'
 
 /** A project that lies on this device. */
 export interface RecentProject {

@@ -3,7 +3,7 @@ import { allCards, pictureOf, placeOf } from '#content/cards.ts'
 import { nameOf, shownName } from '#content/names.ts'
 import { addressOf } from '#content/places.ts'
 import type { Listed } from '#storage/projects.ts'
-import type { Playground } from '@botgarten/materials'
+import type { Playground } from '@botgarten/content'
 import type { BedCard, Level, RecentProject } from './home.ts'
 
 /** What lies on this device, as tiles that lead back to it. */

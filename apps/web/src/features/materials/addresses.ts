@@ -1,14 +1,9 @@
+import materials from 'content:items'
 import { resolve } from '$app/paths'
 import { allCards } from '#content/cards.ts'
 import { m } from '#words/generated/messages.js'
 import { say } from '#words/say.ts'
 import { itemNamed, textOf } from './library.ts'
-
-const pictures = import.meta.glob<string>('../../../../../content/materials/*/*/*.svg', {
-  import: 'default',
-  query: '?url',
-  eager: true,
-})
 
 /** Where a link of an item leads: `card:<id>` to the lab, `item:<id>` to the item, everything else elsewhere. */
 export function addressOf(href: string): string {
@@ -42,5 +37,4 @@ export function numberedName(target: string, words = ''): string {
 }
 
 /** Address of a picture by its path below `content/materials`. */
-export const pictureAt = (file: string): string =>
-  pictures[`../../../../../content/materials/${file}`] ?? file
+export const { pictureAt } = materials

@@ -2,7 +2,7 @@ import { readFileSync, readdirSync } from 'node:fs'
 import { expect, test } from 'vitest'
 
 const folder = new URL('.', import.meta.url)
-const source = readFileSync(new URL('../../../../../packages/materials/items/embed.ts', folder), 'utf8')
+const source = readFileSync(new URL('../../../../../packages/content/schema/embed.ts', folder), 'utf8')
 const kinds = [...source.matchAll(/kind: v\.literal\('(\w+)'\)/g)].map(([, kind]) => kind!)
 const drawn = readdirSync(new URL('embeds/', folder)).map((file) => file.replace(/\.svelte$/, ''))
 

@@ -1,31 +1,22 @@
-import heads from 'content:materials/heads'
+import materials from 'content:items'
 import { allCards } from '#content/cards.ts'
 import { language, type Locale } from '#words/language.svelte.ts'
 import { say } from '#words/say.ts'
-import type { Item, ItemMarkdown, ItemText } from '@botgarten/materials/items'
-import type { Question, QuestionText } from '@botgarten/materials/questions'
+import type { ItemTexts } from '@botgarten/content/catalogue'
+import type { Item, ItemMarkdown, ItemText } from '@botgarten/content/items'
+import type { Question, QuestionText } from '@botgarten/content/questions'
 
-/** Words of all items by `kind/id`, and of all questions by id, in one language. */
-interface Texts {
-  readonly items: { readonly [item: string]: ItemText | undefined }
-  readonly questions: { readonly [id: string]: QuestionText | undefined }
-}
-
-const files = import.meta.glob<Texts>('../../../../../content/words/*/app.json', {
-  query: '?items',
-  import: 'default',
-})
-const texts = new Map<Locale, Texts>()
+const texts = new Map<Locale, ItemTexts>()
 
 /** Brings the words of the learning materials: before one of them is shown. */
 export async function fetchItems(locale: Locale = language.locale): Promise<void> {
   language.needs(fetchItems)
-  if (!texts.has(locale)) texts.set(locale, await files[`../../../../../content/words/${locale}/app.json`]!())
+  if (!texts.has(locale)) texts.set(locale, await materials.itemTexts(locale))
 }
 
 /** All learning materials, in the order of their folders. */
-export const allItems = heads.items
-export const allQuestions: readonly Question[] = heads.questions
+export const allItems = materials.items
+export const allQuestions: readonly Question[] = materials.questions
 
 export const itemNamed = (id: string) => allItems.find((item) => item.id === id)
 

@@ -1,5 +1,5 @@
 import type { IconName } from '#parts/icons.ts'
-import type { Item } from '@botgarten/materials/items'
+import type { Item } from '@botgarten/content/items'
 
 type Way = Item['way']
 

@@ -1,6 +1,6 @@
 import { load, save } from '#storage/projects.ts'
 import { say } from '#words/say.ts'
-import { cardProject } from '@botgarten/materials'
+import { cardProject } from '@botgarten/content'
 import { programOf } from './programs.ts'
 
 /** A project laid out, by its key. `asStart`: the device keeps nothing, so the lab opens the card with its start program. */

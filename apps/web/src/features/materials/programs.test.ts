@@ -1,21 +1,18 @@
-import { readFileSync } from 'node:fs'
+import { content } from '@botgarten/content/files'
 import { expect, test } from 'vitest'
 import { learningOf, programOf } from './programs.ts'
 
-const content = new URL('../../../../../content/cards/', import.meta.url)
-const written = (file: string): unknown => JSON.parse(readFileSync(new URL(file, content), 'utf8'))
-
 test.each([
-  ['friendship', 'start', 'network/05-friendship/start.json'],
-  ['friendship', 'solution', 'network/05-friendship/solution.json'],
-])('%s with its %s is the very file of the card', async (card, file, path) => {
+  ['friendship', 'start'],
+  ['friendship', 'solution'],
+])('%s with its %s is the very file of the card', async (card, file) => {
   const shown = await programOf(card, file)
-  expect(shown.program).toEqual(written(path))
+  expect(shown.program).toEqual(content.program(card, file))
   expect(shown.card.card.id).toBe(card)
 })
 
 test('the start program of any card comes with the card, whether an item names it or not', async () => {
-  expect((await programOf('either-or', 'start')).program).toEqual(written('network/13-either-or/start.json'))
+  expect((await programOf('either-or', 'start')).program).toEqual(content.program('either-or', 'start'))
 })
 
 test.each([

@@ -1,5 +1,6 @@
+import programs from 'content:programs'
 import { loadCard, type LoadedCard } from '#content/cards.ts'
-import type { CardProgram } from '@botgarten/materials'
+import type { CardProgram } from '@botgarten/content'
 import { learningIn, type LearningOutline } from '@botgarten/programs'
 
 export interface ShownProgram {
@@ -9,8 +10,11 @@ export interface ShownProgram {
 
 /** A card with one of its programs: `start`, `solution`, `wrong/<name>`. @throws Error for what no item names */
 export async function programOf(id: string, file: string): Promise<ShownProgram> {
-  const [card, { default: shown }] = await Promise.all([loadCard(id), import('content:materials/programs')])
-  const program = file === 'start' ? card?.start : shown[`${id}/${file}`]
+  const [card, shown] = await Promise.all([
+    loadCard(id),
+    file === 'start' ? null : programs.program(id, file),
+  ])
+  const program = file === 'start' ? card?.start : shown
   if (!card || !program) throw new Error(`There is no "${file}" of "${id}".`)
   return { card, program }
 }

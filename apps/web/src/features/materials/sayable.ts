@@ -1,6 +1,6 @@
 import type { Markdown } from '#parts/markdown.ts'
 import { spoken } from '#parts/aloud/spoken.ts'
-import type { ItemMarkdown, ItemNode } from '@botgarten/materials/items'
+import type { ItemMarkdown, ItemNode } from '@botgarten/content/items'
 import { sayableEmbed } from './sayableEmbed.ts'
 
 type Node = Markdown[number]

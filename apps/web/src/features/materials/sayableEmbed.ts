@@ -1,4 +1,4 @@
-import type { Embed } from '@botgarten/materials/items'
+import type { Embed } from '@botgarten/content/items'
 import { m } from '#words/generated/messages.js'
 import { flows } from './drawn/flow/flows.ts'
 import { flowWords } from './drawn/flow/words.ts'

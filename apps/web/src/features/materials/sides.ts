@@ -1,4 +1,4 @@
-import type { ItemMarkdown, ItemNode, ItemText } from '@botgarten/materials/items'
+import type { ItemMarkdown, ItemNode, ItemText } from '@botgarten/content/items'
 
 /** A title as it would be written in the text. */
 export const headingOf = (title: string): ItemNode => ({

@@ -1,5 +1,5 @@
 import { resolve } from '$app/paths'
-import type { Item } from '@botgarten/materials/items'
+import type { Item } from '@botgarten/content/items'
 import { allItems } from './library.ts'
 
 /** The page that prints an item: cards two on a sheet of A4. */

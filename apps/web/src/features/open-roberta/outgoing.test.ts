@@ -1,14 +1,14 @@
 import { readFileSync } from 'node:fs'
-import { parseProject, type Project } from '@botgarten/programs'
+import { content } from '@botgarten/content/files'
+import { parseProject } from '@botgarten/programs'
 import { projectFrom } from '@botgarten/programs/open-roberta'
-import type { World } from '@botgarten/simulation'
 import { expect, it } from 'vitest'
 import { filesOf, outgoingOf } from './outgoing.ts'
 
 const read = (path: string) => readFileSync(new URL(`../../../../../${path}`, import.meta.url), 'utf8')
-const world = JSON.parse(read('content/worlds/friendship/world.json')) as World
+const world = content.world('friendship')!
 const solution = {
-  ...(JSON.parse(read('content/cards/network/05-friendship/solution.json')) as Project),
+  ...content.program('friendship', 'solution')!,
   ...{ botgarten: 1 as const, assets: {}, world, name: 'Meins: A/B' },
 }
 const foreign = projectFrom(

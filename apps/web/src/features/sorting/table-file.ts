@@ -1,5 +1,5 @@
 import { LARGEST } from '@botgarten/learning/k-means'
-import type { Encoding, Table, TableError } from '@botgarten/materials/tables'
+import type { Encoding, Table, TableError } from '@botgarten/content/tables'
 import * as m from '#words/generated/messages.js'
 import { MOST_COLUMNS, MOST_POINTS } from './work.ts'
 
@@ -17,7 +17,7 @@ export interface OpenedTable {
 export async function openTable(file: File, decimalComma = false): Promise<OpenedTable> {
   if (file.size > MOST_MEGABYTES * 1_000_000)
     return { table: null, sentence: m['sorting.table.tooLarge']({ most: MOST_MEGABYTES }) }
-  const { decodeTable, readTable, TableError } = await import('@botgarten/materials/tables')
+  const { decodeTable, readTable, TableError } = await import('@botgarten/content/tables')
   try {
     const { text, encoding } = decodeTable(new Uint8Array(await file.arrayBuffer()))
     const table = readTable(text, limits, { decimalComma })

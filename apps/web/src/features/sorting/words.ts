@@ -1,4 +1,4 @@
-import type { Column, ThingSet } from '@botgarten/materials/things'
+import type { Column, ThingSet } from '@botgarten/content/things'
 import { formatNumber } from '#drawing/numbers.ts'
 import { language } from '#words/language.svelte.ts'
 import * as m from '#words/generated/messages.js'

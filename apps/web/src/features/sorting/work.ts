@@ -8,7 +8,7 @@ import {
   type KState,
   type Points,
 } from '@botgarten/learning/k-means'
-import { columnsOf, onPlane, rawOf, type Column, type ThingSet } from '@botgarten/materials/things'
+import { columnsOf, onPlane, rawOf, type Column, type ThingSet } from '@botgarten/content/things'
 import { stream } from '@botgarten/numbers'
 
 /** What is sorted. */

@@ -1,6 +1,6 @@
-import type { LoadedCard } from '#content/cards.ts'
+import { pictureOf, type LoadedCard } from '#content/cards.ts'
 import { language } from '#words/language.svelte.ts'
-import type { Card, CardText, Playground } from '@botgarten/materials'
+import type { Card, CardText, Playground } from '@botgarten/content'
 import type { Markdown } from '#parts/markdown.ts'
 
 /** What is laid out under "You need" on a card. */
@@ -30,11 +30,11 @@ export const textOf = (loaded: LoadedCard): CardText => loaded.text[language.loc
 
 export function faceOf(loaded: LoadedCard): CardFace {
   const { title, story, goal, further } = textOf(loaded)
-  const { id, code, playground, bed, needs, minutes, grades } = loaded.card
+  const { id, code, needs, minutes, grades } = loaded.card
   return {
     ...{ id, title, code, story, further, needs, minutes },
-    bed: bed ?? playground,
-    picture: loaded.picture,
+    bed: loaded.bed,
+    picture: pictureOf(id),
     goal: goal.sentence,
     fromGrade: grades[0],
   }

@@ -1,4 +1,4 @@
-import type { Playground } from '@botgarten/materials'
+import type { Playground } from '@botgarten/content'
 import type { IconName } from '#parts/icons.ts'
 import type { Need } from './face.ts'
 

@@ -1,3 +1,4 @@
+import maps from 'content:maps'
 import type { Course } from '@botgarten/learning/q-learning'
 import { courseOf, readMap, type MapFile } from '@botgarten/maps'
 import type { LearningOutline } from '@botgarten/programs'
@@ -12,17 +13,10 @@ export interface Stage {
   readonly roads: readonly Road[]
 }
 
-const addresses = import.meta.glob<string>('../../../../../content/maps/{city,forest,mars,railway}/map.svg', {
-  query: '?url&no-inline',
-  import: 'default',
-  eager: true,
-})
-
 /** Null where there is no such map, or its file breaks a rule. */
 export async function bringStage(id: string): Promise<Stage | null> {
-  const address = addresses[`../../../../../content/maps/${id}/map.svg`]
-  if (address === undefined) return null
-  const text = await (await fetch(address)).text()
+  const text = await maps.map(id)
+  if (text === null) return null
   const { map } = readMap(text)
   return map && { id, map, picture: takeApart(text, map), roads: roadsOf(map) }
 }

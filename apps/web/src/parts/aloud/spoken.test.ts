@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest'
-import { readCardText } from '../../../../../packages/materials/cardText.ts'
+import { readCardText } from '@botgarten/content'
 import { spoken } from './spoken.ts'
 
 const section =

@@ -10,7 +10,7 @@ import { append, toWorkspace } from '../program.ts'
 import { tellFolded } from './folded.ts'
 import { setUp, speak } from '../setup.ts'
 import { stateOfTemplate } from '../state.ts'
-import type { CardProgram } from '@botgarten/materials'
+import type { CardProgram } from '@botgarten/content'
 import type { BlockPicture } from '#figures/blocks/slot.ts'
 import type { Locale } from '#words/language.svelte.ts'
 

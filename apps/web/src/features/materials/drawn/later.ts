@@ -1,5 +1,5 @@
 // What draws with the lab's own hands: sheets of words alone go without it.
-export { worldAt } from '@botgarten/materials'
+export { worldAt } from '@botgarten/content'
 export { default as Back } from '../card/Back.svelte'
 export { default as Front } from '../card/Front.svelte'
 export { default as Blocks } from './Blocks.svelte'

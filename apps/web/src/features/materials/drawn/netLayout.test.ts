@@ -1,6 +1,6 @@
 import { globSync, readFileSync } from 'node:fs'
 import { weightsOf } from '@botgarten/learning/neural-network'
-import type { CardProgram } from '@botgarten/materials'
+import type { CardProgram } from '@botgarten/content'
 import { networks } from '@botgarten/programs'
 import { expect, test } from 'vitest'
 import { unitScale } from '#drawing/track.ts'

@@ -1,4 +1,4 @@
-import type { Item } from '@botgarten/materials/items'
+import type { Item } from '@botgarten/content/items'
 import { expect, test } from 'vitest'
 import { allItems } from '../library.ts'
 import { anything, fits, shelves, toggled } from './choice.ts'

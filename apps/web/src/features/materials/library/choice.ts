@@ -1,4 +1,4 @@
-import type { Item } from '@botgarten/materials/items'
+import type { Item } from '@botgarten/content/items'
 
 /** Kinds that stand together, as somebody looks for them. */
 export const shelves = {

@@ -1,5 +1,5 @@
 import { pictureOf } from '#content/cards.ts'
-import type { Embed, Item } from '@botgarten/materials/items'
+import type { Embed, Item } from '@botgarten/content/items'
 import { textOf } from '../library.ts'
 import { wayLooks } from '../looks.ts'
 

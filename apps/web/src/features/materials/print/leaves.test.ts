@@ -1,4 +1,4 @@
-import { readItemText } from '@botgarten/materials/items'
+import { readItemText } from '@botgarten/content/items'
 import { expect, test } from 'vitest'
 import { isWords, leavesOf } from './leaves.ts'
 

@@ -1,4 +1,4 @@
-import type { ItemMarkdown, ItemNode, ItemText } from '@botgarten/materials/items'
+import type { ItemMarkdown, ItemNode, ItemText } from '@botgarten/content/items'
 import { sidesOf } from '../sides.ts'
 
 /** A side of paper, or a slide: its heading where it has one of its own, and what stands below. */

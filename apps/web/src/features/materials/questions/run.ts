@@ -1,9 +1,9 @@
 import { createLab } from '@botgarten/lab'
-import { cardDocument } from '@botgarten/materials'
+import { cardDocument } from '@botgarten/content'
 import { learningIn } from '@botgarten/programs'
 import { paintFloor, TICKS_PER_SECOND, type LedColour, type Pose, type World } from '@botgarten/simulation'
 import { pictureIn } from '#lab/floor/pictures.ts'
-import type { Question } from '@botgarten/materials/questions'
+import type { Question } from '@botgarten/content/questions'
 import { programOf } from '../programs.ts'
 
 /** A run of the lab as a picture: where the robot began, where it went, and how it ended. */

@@ -1,4 +1,4 @@
-import { readQuestionText } from '@botgarten/materials/questions'
+import { readQuestionText } from '@botgarten/content/questions'
 import { expect, test } from 'vitest'
 import { language } from '#words/language.svelte.ts'
 import { saidAnswer, saidQuestion } from './said.ts'

@@ -1,5 +1,5 @@
-import type { ItemMarkdown, ItemNode } from '@botgarten/materials/items'
-import type { QuestionText } from '@botgarten/materials/questions'
+import type { ItemMarkdown, ItemNode } from '@botgarten/content/items'
+import type { QuestionText } from '@botgarten/content/questions'
 import { m } from '#words/generated/messages.js'
 import { sayable } from '../sayable.ts'
 

@@ -1,4 +1,4 @@
-import type { ItemMarkdown, ItemText } from '@botgarten/materials/items'
+import type { ItemMarkdown, ItemText } from '@botgarten/content/items'
 
 export interface Slide {
   readonly title: string

@@ -1,5 +1,5 @@
 import { bestOf, pointsOf } from '@botgarten/learning/k-means'
-import type { ThingSet } from '@botgarten/materials/things'
+import type { ThingSet } from '@botgarten/content/things'
 import { stream } from '@botgarten/numbers'
 import { thingTable } from '../work.ts'
 

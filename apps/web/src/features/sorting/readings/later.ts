@@ -1,6 +1,6 @@
-import world from '../../../../../../content/worlds/tiles/world.json'
+import { loadWorld } from '#content/cards.ts'
 import { createRover, type Rover } from './rover.ts'
 
 /** The floor that the playground's Bo drives on. */
-export const newRover = (seed: number): Rover => createRover(world as unknown as Rover['world'], seed)
+export const newRover = async (seed: number): Promise<Rover> => createRover(await loadWorld('tiles'), seed)
 export { default as Ground } from './Ground.svelte'

@@ -1,9 +1,9 @@
+import { content } from '@botgarten/content/files'
 import { bestOf, pointsOf } from '@botgarten/learning/k-means'
 import { describe, expect, test } from 'vitest'
-import world from '../../../../../../content/worlds/tiles/world.json' with { type: 'json' }
-import { createRover, type Reading, type Rover } from './rover.ts'
+import { createRover, type Reading } from './rover.ts'
 
-const rover = (seed: number) => createRover(world as unknown as Rover['world'], seed)
+const rover = (seed: number) => createRover(content.world('tiles')!, seed)
 
 describe('Bo on its colourful floor', () => {
   test.each([1, 2, 3, 4, 5])(

@@ -1,0 +1,94 @@
+import type { Block } from '@botgarten/blocks'
+import type { Alignment } from './schema/alignment.ts'
+import type { Card, CardProgram, CardText, Playground, WorldFile } from './schema/cardTypes.ts'
+import type { Item, ItemText } from './schema/itemTypes.ts'
+import type { Question, QuestionText } from './schema/questionTypes.ts'
+import type { Reference } from './schema/references.ts'
+import type { ThingSet } from './schema/thingTypes.ts'
+
+/** By language, as in `content/words`. */
+export type Translated<Text> = { readonly [language: string]: Text }
+
+/** What is known of a card without opening it: this travels with every page. */
+export interface CardHead extends Pick<Card, 'id' | 'code' | 'group'> {
+  /** Where it lies on the home page: the folder above its own. */
+  readonly bed: Playground
+  /** Number of its start poses. */
+  readonly starts: number
+  /** The first line of its texts. */
+  readonly title: Translated<string>
+}
+
+/** A card with all that the lab shows and runs. */
+export interface LoadedCard {
+  readonly card: Card
+  readonly bed: Playground
+  readonly world: WorldFile
+  readonly start: CardProgram
+  readonly text: Translated<CardText>
+}
+
+export interface Cards {
+  readonly cards: readonly CardHead[]
+  /** Null where no card has this id. */
+  readonly card: (id: string) => LoadedCard | null
+  /** What a lab without a card begins with. */
+  readonly freeLab: () => { readonly world: WorldFile; readonly start: CardProgram }
+}
+
+export interface Programs {
+  /** A card's `start`, `solution` or `wrong/<name>`; null where it has none. A page has those that an item shows. */
+  readonly program: (card: string, file: string) => CardProgram | null
+  /** The blocks that stand on the front of each card, by its id. */
+  readonly newBlocks: () => { readonly [card: string]: readonly Block[] | undefined }
+}
+
+export interface Worlds {
+  readonly worlds: readonly string[]
+  readonly world: (id: string) => WorldFile | null
+}
+
+export interface Maps {
+  readonly maps: readonly string[]
+  /** The drawing of a map, as SVG. */
+  readonly map: (id: string) => string | null
+}
+
+export interface Sets {
+  /** Sets of things to sort. */
+  readonly sets: readonly ThingSet[]
+}
+
+/** An item and the number of its folder, among those of its kind. */
+export type NumberedItem = Item & { readonly number: number }
+
+/** Learning materials. */
+export interface Items {
+  readonly items: readonly NumberedItem[]
+  readonly questions: readonly Question[]
+  /** The words of all items by `kind/id`, and of all questions by id. */
+  readonly itemTexts: (language: string) => ItemTexts
+  readonly alignment: () => Alignment
+  readonly references: () => readonly Reference[]
+}
+
+export interface ItemTexts {
+  readonly items: { readonly [item: string]: ItemText | undefined }
+  readonly questions: { readonly [id: string]: QuestionText | undefined }
+}
+
+/**
+ * What there is in content/, every list in the order of its folders. Files are read at once, a page loads what it asks
+ * for: `Lazy`.
+ */
+export interface Catalogue extends Cards, Programs, Worlds, Maps, Sets, Items {
+  /** Folders of words. */
+  readonly languages: readonly string[]
+}
+
+/** The same part of the catalogue on a page: lists are there, what is opened comes by a promise. */
+export type Lazy<Part> = {
+  readonly [Name in keyof Part]: Part[Name] extends (...args: infer Args) => infer Result
+    ? (...args: Args) => Promise<Result>
+    : Part[Name]
+}

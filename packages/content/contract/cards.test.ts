@@ -1,0 +1,82 @@
+import { addBlocks } from '@botgarten/blocks'
+import { learning } from '@botgarten/blocks/learning'
+import { createLab, type CheckResult } from '@botgarten/lab'
+import { withLearnedWay } from '@botgarten/maps'
+import { check, parseProject } from '@botgarten/programs'
+import { TICKS_PER_SECOND } from '@botgarten/simulation'
+import { describe, expect, it } from 'vitest'
+import { content } from '../files.ts'
+import { cardDocument, cardProject } from '../index.ts'
+import { filesOf } from './there.ts'
+
+addBlocks(learning)
+
+// Every card is held to the same rules merely because it is there.
+const ids = content.cards.map(({ id }) => id)
+
+function runOf(id: string, file: string, start: number): readonly CheckResult[] {
+  const { card, world } = content.card(id)!
+  const document = withLearnedWay(
+    cardDocument(world, card, content.program(id, file)!, start),
+    content.mapFile,
+  )
+  const lab = createLab()
+  lab.load(document, content.floorOf(document.world), { seed: 1, checks: card.checks })
+  lab.start()
+  const seconds = Math.max(
+    card.playground === 'q-learning' ? 180 : 60,
+    ...card.checks.map((one) => one.seconds),
+  )
+  lab.advance(seconds * TICKS_PER_SECOND)
+  return lab.view().checks
+}
+
+describe.each(content.cards)('the card $id', ({ id, title }) => {
+  const { card, world, text } = content.card(id)!
+  const starts = card.starts.map((_, start) => start)
+  const wrong = content.wrongAnswers(id)
+
+  it('leads to a card that is there', () => {
+    if (card.next !== null) expect(ids).toContain(card.next)
+  })
+
+  it('a card beside it is its equal in blocks; its weights solve it, from where its robot starts', () => {
+    if (!card.beside) return
+    const { programs, brains } = content.program(card.beside.card, 'solution')!
+    expect(programs).toEqual(content.program(id, 'solution')!.programs)
+    const weights = Object.entries(brains).map(([id, brain]) => [id, brain.weights])
+    expect(card.beside.weights).toEqual(Object.fromEntries(weights))
+    expect(card.beside.pose).toEqual(content.card(card.beside.card)!.card.starts[0])
+  })
+
+  it('has a picture on its front', () => expect(content.pictureOfCard(id)).not.toBeNull())
+
+  it.each(content.languages)('has all its words in "%s"', (language) => {
+    const { hints, checks, ...words } = text[language]!
+    expect(words.title).toMatch(/\S/)
+    expect(title[language]).toBe(words.title)
+    expect(hints).toHaveLength(3)
+    expect(Object.keys(checks)).toEqual(card.checks.map(({ id }) => id))
+  })
+
+  it.each(filesOf(id))('%s is a project that can run', (file) => {
+    const project = cardProject(world, card, content.program(id, file)!, card.id)
+    expect(parseProject(JSON.parse(JSON.stringify(project)) as unknown)).toMatchObject({ card: card.id })
+    const robot = project.world.robots[0]!
+    expect(check(project.programs[robot.program]!, robot.config).filter(({ stops }) => stops)).toEqual([])
+  })
+
+  it.each(starts)('the solution passes every check from start pose %i', (start) => {
+    expect(runOf(id, 'solution', start).filter(({ passed }) => !passed)).toEqual([])
+  })
+
+  it('has at least three typical wrong answers', () => expect(wrong.length).toBeGreaterThanOrEqual(3))
+
+  it.each(wrong)('the wrong answer %s is refused: already from the first start pose', (name) => {
+    expect(runOf(id, `wrong/${name}`, 0).every(({ passed }) => passed)).toBe(false)
+  })
+
+  it('the start is not solved yet', () => {
+    for (const start of starts) expect(runOf(id, 'start', start).every(({ passed }) => passed)).toBe(false)
+  })
+})

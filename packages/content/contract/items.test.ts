@@ -1,0 +1,188 @@
+import { basename, dirname } from 'node:path'
+import { learningIn } from '@botgarten/programs'
+import { describe, expect, it } from 'vitest'
+import { content } from '../files.ts'
+import { cardWords } from '../items/cardWords.ts'
+import { gradeOf } from '../items/readability.ts'
+import { missingIn } from '../items/resolve.ts'
+import { embedsOf, nodesOf, shapeOf, wordsOf } from '../items/walk.ts'
+import { readAlignment } from '../schema/alignment.ts'
+import { readItemText } from '../schema/itemText.ts'
+import { plainOf } from '../schema/markdown.ts'
+import { readReferences } from '../schema/references.ts'
+import { textOf, there as thereIn } from './there.ts'
+
+const { languages } = content
+/** The words of an item as they stand in its folder. */
+const itemText = (id: string, language: string) =>
+  readItemText(textOf(content.itemFolder(id), `${language}.md`))
+
+// Every item is held to the same rules merely because it is there.
+const there = thereIn()
+const alignment = content.alignment()
+const competences = new Map(alignment.competences.map((one) => [one.id, one]))
+
+/** What each card has learned, by its map. */
+const tasks = new Map(
+  content.cards.flatMap(({ id }) => {
+    const { programs } = content.program(id, 'solution')!
+    const outline = Object.values(programs).flatMap((program) => learningIn(program) ?? [])[0]
+    if (!outline) return []
+    const { map, start, goal, closed } = outline
+    return [[map, { start, goal, closed: closed.map((road) => road.join('-')) }] as const]
+  }),
+)
+
+/** Words that a page in German has another word for. */
+const english =
+  /\b(Button|Slider|Click|klicke?n? auf den Button|Play|Reset|Save|Load|Settings|Learning|Training|Agent|Reward|Exploration|Loop|Step|Episode(?!n?\b)|Worksheet|Handout|Feedback|Tool|Output|Input|Level|Team|Teamwork|Highlight|Basics|Task|Quiz|Puzzle|Link|Screen|Laptop)\b/
+
+describe.each(content.items)('the item $kind/$id', (item) => {
+  const texts = languages.map((language) => itemText(item.id, language))
+  const pictures = new Set(content.picturesOf(item.id))
+
+  it('is of the kind of the folder above', () => {
+    expect(basename(dirname(content.itemFolder(item.id)))).toBe(item.kind)
+  })
+
+  it('has the same sections, lists, tables, pictures, embeds and links in every language', () => {
+    for (const text of texts) expect(shapeOf(text)).toEqual(shapeOf(texts[0]!))
+    for (const text of texts) expect(text.title).toMatch(/\S/)
+  })
+
+  it.each(languages)('names nothing in "%s" that is not there', (language) => {
+    expect(missingIn(itemText(item.id, language), there, pictures)).toEqual([])
+  })
+
+  it('sets the task of a map as its card does', () => {
+    for (const embed of embedsOf(texts[0]!)) {
+      if (embed.kind !== 'map' || embed.start === undefined) continue
+      const { start, goal, closed } = embed
+      expect({ start, goal, closed }).toEqual(tasks.get(embed.id))
+    }
+  })
+
+  it('uses all the pictures beside it', () => {
+    const used = [...nodesOf(texts[0]!)].flatMap((node) => (node.type === 'image' ? [node.file] : []))
+    expect([...pictures].filter((file) => !used.includes(file))).toEqual([])
+  })
+
+  it('names competences of both frameworks', () => {
+    const named = item.competences.map((id) => competences.get(id)?.framework)
+    expect(new Set(named)).toEqual(new Set(['ai4k12', 'unesco']))
+  })
+
+  it('speaks German in German', () => {
+    const text = itemText(item.id, 'de')
+    // Links to elsewhere are names: they stay as they are.
+    const names = [...nodesOf(text)].filter((node) => node.type === 'link' && node.href.startsWith('https:'))
+    const words = names.reduce((all, name) => all.replace(plainOf(name), ''), wordsOf(text))
+    expect(english.exec(words)?.[0]).toBeUndefined()
+  })
+
+  it.each(languages)('is not harder to read in "%s" than a grade above its youngest reader', (language) => {
+    if (item.audience === 'teachers') return
+    // No lower bound: short sentences are wanted, and both formulas were made for grades from 4 and from 1 on.
+    const grade = gradeOf(wordsOf(itemText(item.id, language), false), language)
+    const { upTo } = item.harder?.[language] ?? { upTo: item.grades[0] + 1 }
+    if (grade !== null) expect(grade).toBeLessThanOrEqual(upTo)
+  })
+})
+
+describe.each(content.cards)('the card $id', ({ id }) => {
+  it.each(languages)('is not harder to read in "%s" than a grade above its youngest reader', (language) => {
+    const { card, text } = content.card(id)!
+    expect(gradeOf(cardWords(text[language]!), language)).toBeLessThanOrEqual(card.grades[0] + 1)
+  })
+})
+
+describe('the printed set', () => {
+  const ids = content.cards.filter(({ bed }) => bed === 'network').map(({ id }) => id)
+  const embeds = (item: string) => embedsOf(itemText(item, 'de'))
+
+  it('has both sides of every network card, in their order', () => {
+    const printed = embeds('network-cards').flatMap((one) =>
+      one.kind === 'card' ? [`${one.id} ${one.side}`] : [],
+    )
+    expect(printed).toEqual(ids.flatMap((id) => [`${id} front`, `${id} back`]))
+  })
+
+  it('has the solution of every network card, in their order', () => {
+    const solved = embeds('solutions-network').flatMap((one) =>
+      one.kind === 'program' && one.file === 'solution' ? [one.card] : [],
+    )
+    expect(solved).toEqual(ids)
+  })
+})
+
+describe('slides', () => {
+  const decks = content.items.filter(({ kind }) => kind === 'slides')
+
+  it('are four decks, one a module', () => {
+    expect(decks.map(({ module }) => module)).toEqual([1, 2, 3, 4])
+  })
+
+  it.each(decks)('$id: 12 to 18 slides, each with notes, and something to work with', ({ id }) => {
+    for (const language of languages) {
+      const { sections } = itemText(id, language)
+      expect(sections.length).toBeGreaterThanOrEqual(12)
+      expect(sections.length).toBeLessThanOrEqual(18)
+      expect(sections.filter(({ notes }) => notes.length === 0).map(({ title }) => title)).toEqual([])
+    }
+  })
+})
+
+describe('the alignment', () => {
+  it('names every module and every card, and nothing that is not there', () => {
+    expect(Object.keys(alignment.modules)).toEqual(['1', '2', '3', '4'])
+    expect(Object.keys(alignment.cards).sort()).toEqual([...there.cards.keys()].sort())
+    const named = [...Object.values(alignment.modules), ...Object.values(alignment.cards)].flat()
+    expect(named.filter((id) => !competences.has(id))).toEqual([])
+  })
+
+  it('has every competence once, by name in every language, numbered as its framework does, with a source', () => {
+    expect(competences.size).toBe(alignment.competences.length)
+    for (const { framework, ref, name } of alignment.competences) {
+      expect(ref).toMatch(
+        framework === 'unesco' ? /^4\.[1-3]\.[1-4]$/ : /^[1-5](-[A-D](-(i|ii|iii|iv|v|vi))?)?$/,
+      )
+      expect(Object.keys(name).sort()).toEqual([...languages].sort())
+      expect(alignment.sources[framework]?.address).toMatch(/^https:/)
+    }
+  })
+
+  it('was looked up, number by number, where the framework is published or quoted by those who wrote it', () => {
+    const places = /^https:\/\/(ai4k12\.org|github\.com\/touretzkyds\/ai4k12|doi\.org|unesdoc\.unesco\.org)\//
+    const at = alignment.competences.map(({ checked }) => (checked === 'not checked' ? checked : checked.at))
+    expect(at.filter((one) => !places.test(one))).toEqual([])
+  })
+
+  it('refuses a competence that does not say where it was looked up', () => {
+    const [{ checked: _, ...unmarked }, ...others] = alignment.competences as [
+      (typeof alignment.competences)[0],
+    ]
+    expect(() => readAlignment({ ...alignment, competences: [unmarked, ...others] })).toThrow('checked')
+  })
+})
+
+describe('what others made', () => {
+  const references = content.references()
+  const addresses = references.map(({ address }) => address)
+
+  it('stands once in the list of references, with a mark', () => {
+    expect(new Set(addresses).size).toBe(addresses.length)
+    const [{ checked: _, ...unmarked }] = references as [(typeof references)[0]]
+    expect(() => readReferences([unmarked])).toThrow('checked')
+    expect(() => readReferences([{ ...unmarked, checked: 'surely' }])).toThrow()
+  })
+
+  it.each(languages)('is in that list wherever an item leads to it, in %s', (language) => {
+    const links = content.items.flatMap(({ id }) =>
+      [...nodesOf(itemText(id, language))].flatMap((node) =>
+        node.type === 'link' && node.href.startsWith('https:') ? [node.href] : [],
+      ),
+    )
+    expect(links.length).toBeGreaterThan(5)
+    expect(links.filter((link) => !addresses.includes(link))).toEqual([])
+  })
+})

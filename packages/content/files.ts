@@ -1,0 +1,105 @@
+// The catalogue as files, for all that runs in Node: the command line, scripts, tests, benchmarks, the build of the page.
+import { globSync, readFileSync } from 'node:fs'
+import { join } from 'node:path'
+import { readMap, type MapFile } from '@botgarten/maps'
+import type { Project } from '@botgarten/programs'
+import { paintFloor, readPng, type Floor, type World } from '@botgarten/simulation'
+import type { Catalogue } from './catalogue.ts'
+import { cardsIn } from './files/cards.ts'
+import { folderAt, idOf, named, once } from './files/folder.ts'
+import { itemsIn } from './files/items.ts'
+import { readAlignment } from './schema/alignment.ts'
+import { readReferences } from './schema/references.ts'
+import { readThings } from './schema/things.ts'
+
+/** The catalogue, and what only they ask who have files. */
+export interface ContentFiles extends Catalogue {
+  /** Absolute path of what lies below content/. */
+  readonly path: (...below: string[]) => string
+  /** Paths of all its files but words. */
+  readonly filesBelow: () => readonly string[]
+  /** Folder of a card below content/: `cards/network/05-friendship`. @throws RangeError where there is no such card */
+  readonly cardFolder: (id: string) => string
+  /** Names of a card's typical wrong answers, in order. */
+  readonly wrongAnswers: (card: string) => readonly string[]
+  /** Path of the picture on the front of a card; null for what is no card or has none. */
+  readonly pictureOfCard: (id: string) => string | null
+  /** A map, read; null where there is none. */
+  readonly mapFile: (id: string) => MapFile | null
+  /** Folder of an item or a question below content/. */
+  readonly itemFolder: (id: string) => string
+  /** Names of the pictures beside the text of an item. */
+  readonly picturesOf: (item: string) => readonly string[]
+  /** Path of the picture of a thing of a set. */
+  readonly pictureOf: (set: string, thing: string) => string
+  /** The floor of a world whose picture is in content/ or among a project's assets. */
+  readonly floorOf: (world: World, assets?: Project['assets']) => Floor
+}
+
+/** What lies in a folder that is built like content/. @throws where a file breaks the rules of its kind, when it is asked for */
+export function contentIn(root: string): ContentFiles {
+  const folder = folderAt(root)
+  const cards = cardsIn(folder)
+  const items = itemsIn(folder)
+  const maps = once(() => folder.foldersWith('maps/*/map.svg').map(idOf))
+  const map = (id: string) => (maps().includes(id) ? folder.text('maps', id, 'map.svg') : null)
+  const setFolders = once(() => folder.foldersWith('things/*/things.json'))
+  const sets = once(() => setFolders().map((one) => named(one, readThings(folder.json(one, 'things.json')))))
+
+  function floorOf(world: World, assets: Project['assets'] = {}): Floor {
+    if (!('asset' in world.floor)) return paintFloor(world)
+    const { asset } = world.floor
+    // Only names that the product ships: a project file must not read other files of this machine.
+    const shipped = /^content:(worlds\/[a-z0-9-]+\/floor\.png)$/.exec(asset)?.[1]
+    if (shipped) return paintFloor(world, readPng(readFileSync(folder.path(shipped))))
+    const own = Object.hasOwn(assets, asset) ? assets[asset] : undefined
+    return paintFloor(world, own && readPng(Buffer.from(own.base64, 'base64')))
+  }
+
+  return {
+    get languages() {
+      return folder.languages()
+    },
+    get cards() {
+      return cards.heads()
+    },
+    get worlds() {
+      return cards.worlds()
+    },
+    get maps() {
+      return maps()
+    },
+    get sets() {
+      return sets()
+    },
+    get items() {
+      return items.items()
+    },
+    get questions() {
+      return items.questions()
+    },
+    ...{ map, floorOf, path: folder.path, cardFolder: cards.folderOf },
+    ...{ card: cards.card, program: cards.program, world: cards.world },
+    pictureOfCard: cards.pictureOfCard,
+    filesBelow: () =>
+      globSync('{cards,free-lab,maps,materials,things,worlds}/**/*.*', { cwd: root }).map((file) =>
+        folder.path(file),
+      ),
+    ...{ freeLab: cards.freeLab, newBlocks: cards.newBlocks, wrongAnswers: cards.wrongAnswers },
+    ...{ itemTexts: items.itemTexts, itemFolder: items.folderOf, picturesOf: items.picturesOf },
+    pictureOf: (set, thing) =>
+      folder.path(
+        setFolders().find((one) => idOf(one) === set)!,
+        `${thing}.svg`,
+      ),
+    mapFile(id) {
+      const svg = map(id)
+      return svg === null ? null : readMap(svg).map
+    },
+    alignment: () => readAlignment(folder.json('materials/alignment.json')),
+    references: () => readReferences(folder.json('materials/references.json')),
+  }
+}
+
+/** The product's own content/. */
+export const content: ContentFiles = contentIn(join(import.meta.dirname, '../../content'))

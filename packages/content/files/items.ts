@@ -1,0 +1,59 @@
+import { readdirSync } from 'node:fs'
+import type { ItemTexts, NumberedItem } from '../catalogue.ts'
+import { readItem } from '../schema/item.ts'
+import { readItemText } from '../schema/itemText.ts'
+import type { ItemNode, ItemText } from '../schema/itemTypes.ts'
+import { readQuestion, readQuestionText } from '../schema/question.ts'
+import type { Question } from '../schema/questionTypes.ts'
+import { named, numberOf, once, type Folder } from './folder.ts'
+
+/** Learning materials and the questions about what Bo will do. */
+export function itemsIn(content: Folder) {
+  const items = once(() =>
+    content
+      .foldersWith('materials/*/*/item.json')
+      .map((folder): readonly [string, NumberedItem] => [
+        folder,
+        { ...named(folder, readItem(content.json(folder, 'item.json'))), number: numberOf(folder) },
+      ]),
+  )
+  const questions = once(() =>
+    content
+      .foldersWith('materials/*/*/question.json')
+      .map((folder): readonly [string, Question] => [
+        folder,
+        named(folder, readQuestion(content.json(folder, 'question.json'))),
+      ]),
+  )
+  const folderOf = (id: string): string => [...items(), ...questions()].find(([, one]) => one.id === id)![0]
+
+  const itemTexts = (language: string): ItemTexts => ({
+    items: Object.fromEntries(
+      items().map(([folder, { kind, id }]) => [
+        `${kind}/${id}`,
+        withPaths(folder, readItemText(content.text(folder, `${language}.md`))),
+      ]),
+    ),
+    questions: Object.fromEntries(
+      questions().map(([folder, { id }]) => [id, readQuestionText(content.text(folder, `${language}.md`))]),
+    ),
+  })
+
+  return {
+    ...{ itemTexts, folderOf },
+    items: once(() => items().map(([, item]) => item)),
+    questions: once(() => questions().map(([, question]) => question)),
+    picturesOf: (id: string) =>
+      readdirSync(content.path(folderOf(id))).filter((file) => /\.(svg|png)$/.test(file)),
+  }
+}
+
+/** A picture lies beside its text: its path below `content/materials` tells it from others of its name. */
+function withPaths(folder: string, text: ItemText): ItemText {
+  const below = folder.replace('materials/', '')
+  return JSON.parse(
+    JSON.stringify(text, (_, node: ItemNode | null) =>
+      node?.type === 'image' ? { ...node, file: `${below}/${node.file}` } : node,
+    ),
+  ) as ItemText
+}

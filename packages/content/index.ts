@@ -1,0 +1,5 @@
+export type * from './schema/cardTypes.ts'
+export { readCard } from './schema/card.ts'
+export { cardDocument, cardProject, worldAt } from './cardDocument.ts'
+export { readCardText } from './schema/cardText.ts'
+export { readFreeText } from './schema/freeText.ts'

@@ -1,0 +1,51 @@
+// What the modules hold that `vite.ts` writes. Lists are there, what is opened comes by a promise.
+declare module 'content:cards' {
+  import type { Cards, Lazy } from '@botgarten/content/catalogue'
+  const part: Lazy<Cards> & {
+    /** Address of the picture on its front; null for what is no card or has none. */
+    readonly pictureOfCard: (id: string) => string | null
+  }
+  export default part
+}
+
+declare module 'content:worlds' {
+  import type { WorldFile } from '@botgarten/content'
+  import type { Lazy, Worlds } from '@botgarten/content/catalogue'
+  const part: Lazy<Worlds> & {
+    /** Address of the picture of a floor; null for a floor without one. */
+    readonly floorAddress: (world: Pick<WorldFile, 'floor'>) => string | null
+    /** Address of its pixels, for the robot's sensors. */
+    readonly pixelsAddress: (world: Pick<WorldFile, 'floor'>) => string | null
+  }
+  export default part
+}
+
+declare module 'content:maps' {
+  import type { Lazy, Maps } from '@botgarten/content/catalogue'
+  const part: Lazy<Maps>
+  export default part
+}
+
+declare module 'content:sets' {
+  import type { Lazy, Sets } from '@botgarten/content/catalogue'
+  const part: Lazy<Sets> & {
+    /** Address of the picture of a thing. */
+    readonly pictureOf: (set: string, thing: string) => string
+  }
+  export default part
+}
+
+declare module 'content:items' {
+  import type { Items, Lazy } from '@botgarten/content/catalogue'
+  const part: Lazy<Items> & {
+    /** Address of a picture by its path below `content/materials`. */
+    readonly pictureAt: (file: string) => string
+  }
+  export default part
+}
+
+declare module 'content:programs' {
+  import type { Lazy, Programs } from '@botgarten/content/catalogue'
+  const part: Lazy<Programs>
+  export default part
+}

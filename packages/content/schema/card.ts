@@ -1,0 +1,59 @@
+import { kinds, type Check } from '@botgarten/lab'
+import * as v from 'valibot'
+import type { Card, Playground } from './cardTypes.ts'
+
+const pose = v.strictObject({ x: v.number(), y: v.number(), heading: v.number() })
+
+const check: v.GenericSchema<unknown, Check> = v.pipe(
+  v.strictObject({
+    id: v.string(),
+    kind: v.picklist(Object.keys(kinds)),
+    numbers: v.record(v.string(), v.union([v.number(), v.string()])),
+    seconds: v.pipe(v.number(), v.minValue(0)),
+  }),
+  v.check(
+    ({ kind, numbers }) => kinds[kind]!.needs.every((name) => Object.hasOwn(numbers, name)),
+    'A number that this kind of check needs is missing.',
+  ),
+)
+
+const playground = v.picklist(['network', 'drive', 'q-learning', 'sorting'])
+
+const card = v.strictObject({
+  id: v.pipe(v.string(), v.regex(/^[a-z][a-z0-9-]*$/)),
+  code: v.string(),
+  playground,
+  group: v.exactOptional(v.picklist(['repair'])),
+  grades: v.tuple([v.number(), v.number()]),
+  minutes: v.number(),
+  starts: v.pipe(v.array(pose), v.minLength(1)),
+  needs: v.array(
+    v.picklist([
+      'distanceSensors',
+      'colourSensor',
+      'motors',
+      'lamp',
+      'blueSquare',
+      'wall',
+      'flag',
+      'speaker',
+      'display',
+    ]),
+  ),
+  world: v.string(),
+  checks: v.pipe(v.array(check), v.minLength(1)),
+  next: v.nullable(v.string()),
+  beside: v.exactOptional(
+    v.strictObject({
+      card: v.string(),
+      pose,
+      weights: v.record(v.string(), v.record(v.string(), v.record(v.string(), v.number()))),
+    }),
+  ),
+})
+
+/** A folder of cards is called like a playground. @throws ValiError for another name */
+export const readBed = (folder: string): Playground => v.parse(playground, folder)
+
+/** Reads `card.json`. @throws ValiError that names the place where the file is wrong. */
+export const readCard = (json: unknown): Card => v.parse(card, json)

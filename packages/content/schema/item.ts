@@ -1,0 +1,42 @@
+import * as v from 'valibot'
+import type { Item, ItemKind } from './itemTypes.ts'
+
+/** What kinds of items there are: each has its folder under `content/materials`. */
+const itemKinds: readonly ItemKind[] = [
+  'curriculum',
+  'slides',
+  'card',
+  'observation',
+  'sheet',
+  'kit',
+  'worksheet',
+  'observer',
+  'checklist',
+  'solution',
+  'links',
+]
+
+const grade = v.pipe(v.number(), v.integer(), v.minValue(1), v.maxValue(13))
+
+const harder = v.strictObject({ upTo: v.number(), reason: v.pipe(v.string(), v.minLength(20)) })
+
+const item: v.GenericSchema<unknown, Item> = v.strictObject({
+  id: v.pipe(v.string(), v.regex(/^[a-z][a-z0-9-]*$/)),
+  kind: v.picklist(itemKinds),
+  audience: v.picklist(['pupils', 'teachers']),
+  grades: v.pipe(
+    v.tuple([grade, grade]),
+    v.check(([from, to]) => from <= to, 'The youngest grade comes first.'),
+  ),
+  minutes: v.pipe(v.number(), v.minValue(1)),
+  way: v.picklist(['supervised', 'unsupervised', 'reinforcement', 'all']),
+  social: v.picklist(['alone', 'pairs', 'groups', 'class']),
+  module: v.pipe(v.number(), v.integer(), v.minValue(0), v.maxValue(4)),
+  paper: v.picklist(['a4', 'a5', '16:9']),
+  competences: v.pipe(v.array(v.string()), v.minLength(1)),
+  unplugged: v.boolean(),
+  harder: v.exactOptional(v.record(v.string(), harder)),
+})
+
+/** Reads `item.json`. @throws ValiError that names the place where the file is wrong. */
+export const readItem = (json: unknown): Item => v.parse(item, json)
