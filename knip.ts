@@ -14,6 +14,8 @@ const config: KnipConfig = {
       // Named by its path in project.inlang/settings.json; `content:…` is what vite.config makes of content/.
       ignoreDependencies: ['@inlang/plugin-message-format', 'content'],
     },
+    // The contract test finds them by the folder they lie in.
+    'packages/learning': { entry: ['*/testing/example.ts'] },
     benchmarks: { entry: ['*.bench.ts'] },
     e2e: { entry: ['saved-work.ts', 'tests/**/*.{spec,touch}.ts', 'walk/*.walk.ts'] },
   },

@@ -8,7 +8,7 @@ import {
   layOutWorld,
   run,
   step,
-  type Learner,
+  type QLearner,
   type QWorld,
   type Settings,
 } from '@botgarten/learning/q-learning'
@@ -24,7 +24,7 @@ function city(): QWorld {
 
 const fresh = (world: QWorld) => createLearner(world, settings, [1, 2, 3, 4])
 
-function perSecond(world: QWorld, count: number, work: (learner: Learner) => void): number {
+function perSecond(world: QWorld, count: number, work: (learner: QLearner) => void): number {
   const learner = fresh(world)
   const before = process.threadCpuUsage()
   work(learner)

@@ -3,7 +3,7 @@ import {
   planOf,
   type Decay,
   type LearnedWay,
-  type Learner,
+  type QLearner,
   type Plan,
   type Settings,
 } from '@botgarten/learning/q-learning'
@@ -29,7 +29,7 @@ interface PlanIn {
 }
 
 /** Null where every move leads where it is meant to. */
-export function planIn(learner: Learner): PlanIn | null {
+export function planIn(learner: QLearner): PlanIn | null {
   const { world } = learner
   if (!world.isSlippery) return null
   const plan = planOf(learner)
@@ -41,7 +41,7 @@ export function planIn(learner: Learner): PlanIn | null {
   return { said, doubt: { reason: doubtAt(learner, plan.doubt)!, station: plan.doubt } }
 }
 
-const policyOf = ({ policy }: Plan, { world, q }: Learner): PlanSaid['policy'] =>
+const policyOf = ({ policy }: Plan, { world, q }: QLearner): PlanSaid['policy'] =>
   Object.fromEntries(
     policy.flatMap((move, station) =>
       move >= 0 && world.terminal[station] === 0 && q[move] !== 0

@@ -6,7 +6,7 @@ import {
   learnWatching,
   planOf,
   shortestWay,
-  type Learner,
+  type QLearner,
   type Plan,
   type Settings,
   type Task,
@@ -80,7 +80,7 @@ export function rowOf(job: Job, setting: Setting): Row {
   }
 }
 
-function judge(learner: Learner) {
+function judge(learner: QLearner) {
   const way = learnedWay(learner)
   const plan = learner.world.isSlippery ? planOf(learner) : null
   const isLearned = way.stations !== null || (plan?.doubt === null && learner.goals > 0)

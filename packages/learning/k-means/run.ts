@@ -2,6 +2,7 @@ import type { StreamState } from '@botgarten/numbers'
 import { flat } from './distances.ts'
 import { LARGEST } from './points.ts'
 import { roundsOver } from './round.ts'
+import { listOf, rowsOf } from './rows.ts'
 import { plusPlusStart, randomStart } from './starts.ts'
 import type { Clustering, Distance, Points } from './types.ts'
 
@@ -34,13 +35,6 @@ export function cluster(
   }
 }
 
-/** As `[...labels]`, ten times as fast. */
-function listOf(labels: Int32Array): number[] {
-  const list = new Array<number>(labels.length)
-  for (let point = 0; point < list.length; point++) list[point] = labels[point]!
-  return list
-}
-
 /** The best of several starts: the smallest inertia at the end, of equal ones the first. */
 export function bestOf(
   points: Points,
@@ -62,12 +56,6 @@ export function bestOf(
   }
   if (best === null) throw new RangeError('One start is the least.')
   return best
-}
-
-export function rowsOf(centres: Float64Array, features: number): number[][] {
-  return Array.from({ length: centres.length / features }, (_, group) => [
-    ...centres.subarray(group * features, (group + 1) * features),
-  ])
 }
 
 function refuse({ count, features }: Points, start: readonly (readonly number[])[]): void {

@@ -1,4 +1,4 @@
-import type { Learner } from './learner.ts'
+import type { QLearner } from './learner.ts'
 
 /** The way that always takes the best action; without one, an honest reason. Stations are in the order walked. */
 export type BestWay =
@@ -11,7 +11,7 @@ export type BestWay =
     }
 
 /** Of equally good moves the first: what is drawn must not change from look to look. */
-export function bestMove({ world: { first }, q }: Pick<Learner, 'world' | 'q'>, station: number): number {
+export function bestMove({ world: { first }, q }: Pick<QLearner, 'world' | 'q'>, station: number): number {
   const end = first[station + 1]!
   let best = first[station]!
   if (best === end) return -1
@@ -20,11 +20,11 @@ export function bestMove({ world: { first }, q }: Pick<Learner, 'world' | 'q'>, 
 }
 
 /** By station the move it would take now; −1: there is none. */
-export const policy = (learner: Learner): number[] =>
+export const policy = (learner: QLearner): number[] =>
   Array.from({ length: learner.world.stations }, (_, station) => bestMove(learner, station))
 
 /** Walks the best way from start to goal, as far as it is known. Slippery moves are walked as they are meant. */
-export function bestWay(learner: Learner): BestWay {
+export function bestWay(learner: QLearner): BestWay {
   const { world, tries, goals } = learner
   const walked = [world.start]
   if (world.start === world.goal) return { stations: walked, reason: 'startIsGoal' }

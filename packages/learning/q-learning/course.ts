@@ -1,5 +1,5 @@
 import { stream } from '@botgarten/numbers'
-import { createLearner, restoreLearner, saveLearner, type Learner } from './learner.ts'
+import { createLearner, restoreLearner, saveLearner, type QLearner } from './learner.ts'
 import { learnedWay, type LearnedWay } from './learned.ts'
 import { run, step } from './step.ts'
 import type { QState, QTrace, Settings } from './types.ts'
@@ -41,7 +41,7 @@ export const courseStream = (seed: number) => stream(seed, 'learn/playground')
  * course, bit for bit: what lies behind the move that is shown is not lost when one goes back.
  */
 export class Course {
-  readonly learner: Learner
+  readonly learner: QLearner
   readonly limits: Limits
   /** All episodes that have ended so far. */
   readonly episodes: Episode[] = []
@@ -175,14 +175,14 @@ export class Course {
 const nameOf = ({ stations }: LearnedWay) => stations?.join('-') ?? null
 
 /** 0..5: how good a move is beside the best one that is known. */
-export function starsOf({ q }: Pick<Learner, 'q'>, value: number): number {
+export function starsOf({ q }: Pick<QLearner, 'q'>, value: number): number {
   let highest = 0
   for (const other of q) if (other > highest) highest = other
   return highest > 0 && value > 0 ? Math.min(5, Math.round((5 * value) / highest)) : 0
 }
 
 /** Has the robot been there? */
-export function visited({ world, tries, moves }: Learner): boolean[] {
+export function visited({ world, tries, moves }: QLearner): boolean[] {
   const seen = Array.from({ length: world.stations }, (_, station) => moves > 0 && station === world.start)
   for (let move = 0; move < tries.length; move++)
     if (tries[move]! > 0) seen[world.from[move]!] = seen[world.meant[move]!] = true

@@ -1,14 +1,14 @@
-import { longestEpisode, type Learner } from './learner.ts'
+import { longestEpisode, type QLearner } from './learner.ts'
 
 /** Can `fast` carry this learner on? Everything else takes the moves of move.ts. */
-export const isPlain = ({ world, settings }: Learner): boolean =>
+export const isPlain = ({ world, settings }: QLearner): boolean =>
   !world.isSlippery && settings.algorithm === 'q' && settings.alphaDecay?.kind !== 'visits'
 
 /**
  * The moves of move.ts for sure roads and Q-learning, in one loop over local variables: four times as fast, equal to the
  * last bit. `learner.last` stays as it is.
  */
-export function fast(learner: Learner, lastMove: number, lastEpisode: number): void {
+export function fast(learner: QLearner, lastMove: number, lastEpisode: number): void {
   const { world, settings, q, tries, stream, alphaFactor, rhoFactor } = learner
   const { first, to: targets, reward, terminal, open, start, goal } = world
   const { gamma, nu } = settings

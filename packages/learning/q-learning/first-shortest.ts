@@ -1,5 +1,5 @@
 import { bestMove, bestWay } from './best-way.ts'
-import type { Learner } from './learner.ts'
+import type { QLearner } from './learner.ts'
 import { move } from './move.ts'
 import type { QWorld } from './world.ts'
 
@@ -24,7 +24,7 @@ export function shortestWay({ start, goal, first, meant, stations }: QWorld): nu
  * Learns until so many moves or episodes are done. Returns the first move after which the best way was a shortest one,
  * counted from 1; null: none was. Looks only after moves that change what is best somewhere.
  */
-export function learnWatching(learner: Learner, moves: number, episodes = Infinity): number | null {
+export function learnWatching(learner: QLearner, moves: number, episodes = Infinity): number | null {
   const { world, tries, last } = learner
   const shortest = shortestWay(world)
   const lastMove = learner.moves + moves

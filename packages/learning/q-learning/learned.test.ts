@@ -9,7 +9,7 @@ import {
   layOutWorld,
   learnedWay,
   run,
-  type Learner,
+  type QLearner,
   type Settings,
   type Task,
 } from './index.ts'
@@ -26,7 +26,7 @@ const railway: Task = {
 }
 
 /** Sets what a learner knows: by road its value and how often it was tried. */
-function knows(learner: Learner, known: { readonly [road: string]: readonly [q: number, tries: number] }) {
+function knows(learner: QLearner, known: { readonly [road: string]: readonly [q: number, tries: number] }) {
   for (const [road, [q, tries]] of Object.entries(known)) {
     const move = learner.world.names.indexOf(road)
     learner.q[move] = q

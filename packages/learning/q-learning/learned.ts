@@ -1,5 +1,5 @@
 import { bestMove, bestWay, type BestWay } from './best-way.ts'
-import type { Learner } from './learner.ts'
+import type { QLearner } from './learner.ts'
 
 /** Why the values of a station do not tell yet which of its roads is the best one. */
 export type Doubt =
@@ -23,7 +23,7 @@ export type LearnedWay =
  * Do the values of a station tell which of its roads to take? They do where the best road was tried, is not worth
  * exactly 0, and no road that was never tried is worth as much. One road alone needs no values.
  */
-export function doubtAt({ world: { first }, q, tries }: Learner, station: number): Doubt | null {
+export function doubtAt({ world: { first }, q, tries }: QLearner, station: number): Doubt | null {
   const [from, end] = [first[station]!, first[station + 1]!]
   if (end - from < 2) return null
   const values = q.subarray(from, end)
@@ -39,7 +39,7 @@ export function doubtAt({ world: { first }, q, tries }: Learner, station: number
  * The best way, if it counts as learned. `bestWay` takes the first of equal roads, so that it may show a way where
  * nothing but their numbers has decided: after one try all roads of the start are still worth 0.
  */
-export function learnedWay(learner: Learner): LearnedWay {
+export function learnedWay(learner: QLearner): LearnedWay {
   const way = bestWay(learner)
   if (way.reason === 'neverReached' || way.reason === 'startIsGoal') return way
   const walked = way.stations ?? way.walked
@@ -51,7 +51,7 @@ export function learnedWay(learner: Learner): LearnedWay {
   return way
 }
 
-function isByChance(learner: Learner, station: number): boolean {
+function isByChance(learner: QLearner, station: number): boolean {
   const { outcome } = learner.world
   const move = bestMove(learner, station)
   return move >= 0 && outcome[move + 1]! - outcome[move]! > 1

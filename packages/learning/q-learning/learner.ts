@@ -1,9 +1,11 @@
 import { fastStream, type FastStream } from '@botgarten/numbers'
+import { refuseOutside } from '../parameters.ts'
+import { parameters } from './settings.ts'
 import type { Decay, Ending, QState, Settings } from './types.ts'
 import type { QWorld } from './world.ts'
 
 /** A learner at work. Its typed arrays and numbers are written by move.ts alone. */
-export interface Learner {
+export interface QLearner {
   readonly world: QWorld
   readonly settings: Settings
   readonly q: Float64Array
@@ -54,10 +56,10 @@ export const longestEpisode = ({ stations }: QWorld) => 20 * stations
 /**
  * A learner that knows nothing: Q = 0.
  * @param stream 4 words of a random stream of its own: `stream(seed, 'learn/…')`
- * @throws RangeError for a parameter outside its range
+ * @throws RangeError for a parameter outside the schema
  */
-export function createLearner(world: QWorld, settings: Settings, stream: readonly number[]): Learner {
-  refuseNonsense(settings)
+export function createLearner(world: QWorld, settings: Settings, stream: readonly number[]): QLearner {
+  refuseOutside(parameters, settings)
   return {
     ...{ world, settings },
     q: new Float64Array(world.meant.length),
@@ -72,7 +74,7 @@ export function createLearner(world: QWorld, settings: Settings, stream: readonl
 }
 
 /** The learner's state as plain data (running.md 2). */
-export function saveLearner(learner: Learner): QState {
+export function saveLearner(learner: QLearner): QState {
   const { q, tries, station, chosen, stream } = learner
   return {
     ...{ q: [...q], tries: [...tries], stream: [...stream], ...countsOf(learner) },
@@ -82,7 +84,7 @@ export function saveLearner(learner: Learner): QState {
 }
 
 /** Goes on from a saved state. @throws RangeError where it does not fit this world */
-export function restoreLearner(learner: Learner, state: QState): void {
+export function restoreLearner(learner: QLearner, state: QState): void {
   const { length } = learner.q
   if (state.q.length !== length || state.tries.length !== length)
     throw new RangeError(`This state knows ${state.q.length} moves, the map has ${length}.`)
@@ -104,15 +106,3 @@ const countsOf = (from: Pick<QState, Count>): Pick<QState, Count> => {
 }
 
 const factorOf = (decay: Decay | undefined) => (decay?.kind === 'episodes' ? decay.factor : 1)
-
-function refuseNonsense(settings: Settings): void {
-  for (const name of ['alpha', 'gamma', 'nu', 'rho'] as const) refuse(name, settings[name])
-  refuse('alphaDecay', factorOf(settings.alphaDecay))
-  refuse('rhoDecay', factorOf(settings.rhoDecay))
-  if (settings.rhoDecay?.kind === 'visits') throw new RangeError('rhoDecay: only alpha falls with visits.')
-}
-
-function refuse(name: string, value: number): void {
-  if (!(value >= 0 && value <= 1))
-    throw new RangeError(`${name} is ${value}; it must be a number from 0 to 1.`)
-}

@@ -1,5 +1,5 @@
 import { fastDraw } from '@botgarten/numbers'
-import { longestEpisode, type Learner } from './learner.ts'
+import { longestEpisode, type QLearner } from './learner.ts'
 import type { Ending } from './types.ts'
 
 /**
@@ -7,7 +7,7 @@ import type { Ending } from './types.ts'
  * both always; the station if it is drawn; the action if it explores, or one of several best by the standard rules; the
  * outcome of a slippery move; for SARSA the ρ of the next action and that action.
  */
-export function move(learner: Learner): void {
+export function move(learner: QLearner): void {
   const { world, settings, q, stream, last } = learner
   const rho = (last.draws[0] = fastDraw(stream))
   const nu = (last.draws[1] = fastDraw(stream))
@@ -44,7 +44,7 @@ export function move(learner: Learner): void {
 }
 
 /** Settles where this move starts. Returns whether it was put somewhere by teleporting. */
-function findStart(learner: Learner, nu: number, isStudy: boolean): boolean {
+function findStart(learner: QLearner, nu: number, isStudy: boolean): boolean {
   const { world, stream } = learner
   const targets = isStudy ? world.stations : world.open.length
   const teleports = nu < learner.settings.nu && targets > 0
@@ -59,7 +59,7 @@ function findStart(learner: Learner, nu: number, isStudy: boolean): boolean {
 }
 
 /** A move of this station: any of them, or one of the best. */
-function choose({ world, settings, q, stream }: Learner, station: number, explores: boolean): number {
+function choose({ world, settings, q, stream }: QLearner, station: number, explores: boolean): number {
   const first = world.first[station]!
   const end = world.first[station + 1]!
   if (explores) return first + Math.floor(fastDraw(stream) * (end - first))
@@ -76,7 +76,7 @@ function choose({ world, settings, q, stream }: Learner, station: number, explor
   for (let other = best; ; other++) if (q[other] === q[best] && skip-- === 0) return other
 }
 
-function outcomeOf({ world, stream }: Learner, taken: number): number {
+function outcomeOf({ world, stream }: QLearner, taken: number): number {
   let end = world.outcome[taken]!
   if (world.outcome[taken + 1]! - end === 1) return end
   const drawn = fastDraw(stream)
@@ -84,7 +84,7 @@ function outcomeOf({ world, stream }: Learner, taken: number): number {
   return end
 }
 
-function bestValue({ world: { first }, q }: Learner, station: number): number {
+function bestValue({ world: { first }, q }: QLearner, station: number): number {
   const end = first[station + 1]!
   let best = q[first[station]!]!
   for (let other = first[station]! + 1; other < end; other++) if (q[other]! > best) best = q[other]!
@@ -92,21 +92,21 @@ function bestValue({ world: { first }, q }: Learner, station: number): number {
 }
 
 /** SARSA settles here what it will do next. */
-function valueOfNext(learner: Learner, station: number): number {
+function valueOfNext(learner: QLearner, station: number): number {
   learner.chosenExplores = fastDraw(learner.stream) < learner.rho
   learner.chosen = choose(learner, station, learner.chosenExplores)
   return learner.q[learner.chosen]!
 }
 
 /** An episode that ends by its length alone goes on in value: only here does it stop (Pardo et al. 2018). */
-function endingAt(learner: Learner, to: number, isStudy: boolean): Ending | null {
+function endingAt(learner: QLearner, to: number, isStudy: boolean): Ending | null {
   const { world } = learner
   if (!isStudy && world.terminal[to] === 1) return to === world.goal ? 'goal' : 'terminal'
   if (world.first[to] === world.first[to + 1]) return 'deadEnd'
   return !isStudy && learner.episodeMoves >= longestEpisode(world) ? 'limit' : null
 }
 
-function stayStuck(learner: Learner): void {
+function stayStuck(learner: QLearner): void {
   const { last } = learner
   last.move = -1
   last.explores = false
@@ -115,7 +115,7 @@ function stayStuck(learner: Learner): void {
   endEpisode(learner, -1)
 }
 
-function endEpisode(learner: Learner, station: number): void {
+function endEpisode(learner: QLearner, station: number): void {
   learner.station = station
   if (station < 0) learner.chosen = -1
   learner.episodes++

@@ -1,6 +1,6 @@
 import { policy } from './best-way.ts'
 import { doubtAt } from './learned.ts'
-import type { Learner } from './learner.ts'
+import type { QLearner } from './learner.ts'
 import type { QWorld } from './world.ts'
 
 /**
@@ -25,7 +25,7 @@ const EXACT = 1e-13
 const MOST_SWEEPS = 100_000
 
 /** An attempt ends at the goal, as in the standard rules; nothing explores and nothing teleports. */
-export function planOf(learner: Learner): Plan {
+export function planOf(learner: QLearner): Plan {
   const { world, settings } = learner
   const moves = policy(learner)
   const reached = reachedBy(world, moves)

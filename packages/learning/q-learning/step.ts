@@ -1,12 +1,17 @@
 import { fast, isPlain } from './fast.ts'
-import type { Learner } from './learner.ts'
+import type { QLearner } from './learner.ts'
 import { move } from './move.ts'
 import type { QTrace } from './types.ts'
 
 /** One move, opened. */
-export function step(learner: Learner): QTrace {
+export function step(learner: QLearner): QTrace {
   const episode = learner.episodes + 1
   move(learner)
+  return lastMove(learner, episode)
+}
+
+/** The last move that was made, opened. `episode`: the one that it belonged to. */
+export function lastMove(learner: QLearner, episode: number): QTrace {
   const { last, world } = learner
   const [rho, nu] = last.draws as unknown as [number, number]
   const { from, teleported, move: taken, to, reward, before, bestNext, after, alpha, ends } = last
@@ -19,9 +24,9 @@ export function step(learner: Learner): QTrace {
 }
 
 /** Many moves, untraced: until so many moves or episodes are done. The same values as by steps, bit for bit. */
-export function run(learner: Learner, moves: number, episodes = Infinity): void {
-  const lastMove = learner.moves + moves
-  const lastEpisode = learner.episodes + episodes
-  if (isPlain(learner)) fast(learner, lastMove, lastEpisode)
-  while (learner.moves < lastMove && learner.episodes < lastEpisode) move(learner)
+export function run(learner: QLearner, moves: number, episodes = Infinity): void {
+  const untilMove = learner.moves + moves
+  const untilEpisode = learner.episodes + episodes
+  if (isPlain(learner)) fast(learner, untilMove, untilEpisode)
+  while (learner.moves < untilMove && learner.episodes < untilEpisode) move(learner)
 }

@@ -1,4 +1,4 @@
-import type { Learner } from '@botgarten/learning/q-learning'
+import type { QLearner } from '@botgarten/learning/q-learning'
 import { set } from './svg.ts'
 
 /** A hedge may always be seen through a little, so that nobody loses the map. */
@@ -18,7 +18,7 @@ export function fade(cover: Element, worth: number, isCity: boolean): void {
 
 /** How good each road is, 0..1 beside the best: of both directions the better one. By `a-b`, a < b. */
 export function worthOf(
-  { from, meant }: Learner['world'],
+  { from, meant }: QLearner['world'],
   q: ArrayLike<number>,
 ): ReadonlyMap<string, number> {
   let highest = 0
