@@ -1,6 +1,7 @@
 // The last step of `npm start`: serves the build on all addresses until it is told to stop.
 import { networkInterfaces } from 'node:os'
-import { addresses } from './addresses.ts'
+import root from '../package.json' with { type: 'json' }
+import { addresses, greeting } from './addresses.ts'
 import { whenParentEnds } from './prepare/parent.mjs'
 import { Trouble } from './prepare/run.mjs'
 import { startServer } from './server.ts'
@@ -19,8 +20,7 @@ function explain(error: NodeJS.ErrnoException) {
 
 try {
   const server = await startServer({ port })
-  const open = addresses(server.port, networkInterfaces()).map((address) => `  ${address}`)
-  console.log(['', 'Botgarten is open at', ...open, 'Ctrl+C closes it.'].join('\n'))
+  console.log(greeting(addresses(server.port, networkInterfaces()), root.version))
   const stop = () => void server.close()
   for (const signal of ['SIGINT', 'SIGTERM', 'SIGHUP'] as const) process.once(signal, stop)
   whenParentEnds(stop)

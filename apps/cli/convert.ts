@@ -1,6 +1,6 @@
 import { extname } from 'node:path'
 import { isBlockType, type Block } from '@botgarten/blocks'
-import { writeProject, type Project } from '@botgarten/programs'
+import { writeProjectFile, type Project } from '@botgarten/programs'
 import { fileFrom } from '@botgarten/programs/open-roberta'
 import type { Command } from './commands.ts'
 import { CallError } from './errors.ts'
@@ -21,7 +21,7 @@ function convertFile(args: string[]): string {
     if (!['.xml', '.json'].includes(extname(path).toLowerCase())) throw new CallError('call.ending', { path })
   const project = readProjectFile(from)
   const robot = robotOf(project, values.robot)
-  write(to, isOpenRoberta(to) ? fileFrom(project, robot.id) : writeProject(project))
+  write(to, isOpenRoberta(to) ? fileFrom(project, robot.id) : writeProjectFile(project))
   const blocks = project.programs[robot.program]!.stacks.flatMap((stack) => stack.blocks.flatMap(typesIn))
   const unknown = [...new Set(blocks.filter((type) => !isBlockType(type)))].sort()
   return values.json

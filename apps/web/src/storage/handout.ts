@@ -1,4 +1,4 @@
-import type { Project } from '@botgarten/programs'
+import { writeProjectFile, type Project } from '@botgarten/programs'
 import { rawText } from './raw.ts'
 
 const types = { json: 'application/json', xml: 'application/xml', csv: 'text/csv', zip: 'application/zip' }
@@ -6,11 +6,8 @@ type Ending = 'botgarten.json' | 'brain.json' | keyof typeof types
 
 const nameOfFile = (name: string) => name.replace(/[^\p{L}\p{N} _-]/gu, '').slice(0, 80) || 'botgarten'
 
-/**
- * Hands the project out as a file, through the browser's own download. What is written is what `writeProject` writes,
- * without bringing along what reads.
- */
-export const saveProjectFile = (project: Project): void => handOut(project.name, JSON.stringify(project))
+/** Hands the project out as a file, through the browser's own download. */
+export const saveProjectFile = (project: Project): void => handOut(project.name, writeProjectFile(project))
 
 /** Hands out what lies in a record that cannot be read, as it lies there. */
 export const saveRaw = (name: string, raw: unknown): void => handOut(name, rawText(raw), 'json')
