@@ -340,6 +340,25 @@ describe('two tabs', () => {
     expect(second.autosave.status.state).toBe('saved')
   })
 
+  test('the copy is called saved when it is, and hears what other tabs do with it', async () => {
+    const { autosave, changes, seen, is } = begin()
+    changes('one')
+    await autosave.flush()
+    const before = seen.length
+    await autosave.continueAs('friendship-copy', () => named('copy'))
+    expect(seen.slice(before).map(({ id, state }) => [id, state])).toEqual([
+      ['friendship-copy', 'saving'],
+      ['friendship-copy', 'saved'],
+    ])
+    const tab = await openTab()
+    const { revision } = (await tab.load('friendship-copy'))!
+    await tab.save('friendship-copy', named('theirs'), revision)
+    await is('elsewhere')
+    changes('mine')
+    await autosave.flush()
+    expect(await nameIn('friendship-copy')).toBe('theirs')
+  })
+
   test('a save that is on its way does not disturb the copy', async () => {
     const { autosave, changes } = begin()
     changes('one')

@@ -12,3 +12,8 @@ it('Open Roberta’s files are known by name, or by their beginning', () => {
   expect(isOpenRoberta('a.json', '{"name":"<export>"}')).toBe(false)
   expect(isOpenRoberta('a.json', '<exporter>')).toBe(false)
 })
+
+it('only the first 1000 letters are looked at for that', () => {
+  expect(isOpenRoberta('a.txt', `${' '.repeat(992)}<export>`)).toBe(true)
+  expect(isOpenRoberta('a.txt', `${' '.repeat(993)}<export>`)).toBe(false)
+})

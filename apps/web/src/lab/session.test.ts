@@ -1,0 +1,475 @@
+import type { Card } from '@botgarten/materials'
+import { parseProject, sceneOf, type Program, type Project } from '@botgarten/programs'
+import { paintFloor, type Pose } from '@botgarten/simulation'
+import { readFileSync } from 'node:fs'
+import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest'
+import type { LoadedCard } from '#content/cards.ts'
+import { PAUSE } from '#storage/autosave.ts'
+import { load, save } from '#storage/projects.ts'
+import { fillDisk, freshDevice, openTab, until } from '#storage/testing/device.ts'
+import { friendship, hash, withPicture } from '#storage/testing/sample.ts'
+import type { LabEvent } from './change.ts'
+import { LabSession } from './session.svelte.ts'
+
+// A session as the screen has it: real lab, real undo, real storage. Only the clock is not.
+const open: LabSession[] = []
+beforeEach(async () => {
+  vi.useFakeTimers({ toFake: ['setTimeout', 'clearTimeout', 'Date'] })
+  await freshDevice()
+})
+afterEach(() => {
+  for (const { keeper } of open.splice(0)) keeper.close()
+  vi.useRealTimers()
+})
+
+const path = '../../../../content/cards/network/05-friendship/card.json'
+const card = JSON.parse(readFileSync(new URL(path, import.meta.url), 'utf8')) as Card
+
+function sessionOf(project: Project = friendship, { revision = 0, keeps = true, isCard = true } = {}) {
+  const session = new LabSession({
+    ...{ id: 'friendship', revision, project, keeps, expert: false },
+    card: isCard ? ({ card } as LoadedCard) : null,
+    floor: paintFloor({ ...project.world, floor: { colour: '#FFFFFF' } }),
+    ...{ floorAddress: null, trouble: null, damaged: null },
+  })
+  open.push(session)
+  const events: LabEvent[] = []
+  session.listen((event) => events.push(event))
+  return {
+    session,
+    events,
+    kinds: () => events.map((one) => (one.kind === 'changed' ? one.change.kind : one.kind)),
+  }
+}
+
+const settle = async () => {
+  for (let turns = 0; turns < 30; turns += 1) await new Promise((done) => setImmediate(done))
+}
+const savedProject = async () => (await load('friendship'))?.project ?? null
+const bo = ({ lab }: LabSession) => lab.view.robots[0]!.pose
+const pose = (x: number): Pose => ({ x, y: 300, heading: 0 })
+const weight = ({ weights }: LabSession) => weights.now('net')['eyeLeft']?.['wheelRight'] ?? 0
+const turn = (session: LabSession, to: number, part: 'whole' | 'start' | 'move' | 'end' = 'whole') =>
+  session.weights.turn('net', 'eyeLeft', 'wheelRight', to, part)
+/** Runs for so many ticks and looks at another one of them. */
+function runs(session: LabSession, ticks: number, lookAt = ticks) {
+  session.learnFirst = () => false
+  expect(session.start()).toBeNull()
+  // Time is what a frame would let pass.
+  vi.stubGlobal('requestAnimationFrame', (next: (now: number) => void) => {
+    frame = next
+    return 1
+  })
+  vi.stubGlobal('cancelAnimationFrame', () => {})
+  let frame: (now: number) => void = () => {}
+  session.lab.speed = 16
+  const stop = session.lab.run()
+  session.lab.resume()
+  for (let now = performance.now() + 100; session.lab.view.tick < ticks; now += 100) frame(now)
+  stop()
+  vi.unstubAllGlobals()
+  session.lab.goTo(lookAt)
+}
+
+describe('every change', () => {
+  test('is saved after a pause, and two of them in one save', async () => {
+    const { session } = sessionOf()
+    turn(session, 0.25)
+    session.apply({ kind: 'place', id: 'bo', after: pose(120) })
+    expect(session.keeper.state).toBe('saving')
+    vi.advanceTimersByTime(PAUSE)
+    await until(() => session.keeper.state === 'saved')
+    const project = (await savedProject())!
+    expect(project.brains['net']?.weights['eyeLeft']?.['wheelRight']).toBe(0.25)
+    expect(project.world.robots[0]!.pose.x).toBe(120)
+    expect(session.keeper.storage).toBe('ok')
+    expect(session.keeper.id).toBe('friendship')
+    expect(session.project).toEqual({ ...project, progress: { starts: [], hints: 0 } })
+  })
+
+  test('that could not be saved is said, kept, and saved once there is room', async () => {
+    const { session } = sessionOf()
+    const makeRoom = fillDisk()
+    turn(session, 0.25)
+    await session.keeper.flush()
+    expect([session.keeper.state, session.keeper.storage]).toEqual(['failed', 'full'])
+    expect(session.keeper.status).toMatchObject({ id: 'friendship', state: 'failed', refusal: null })
+    makeRoom()
+    session.keeper.retry()
+    await until(() => session.keeper.state === 'saved')
+    expect(await savedProject()).toEqual(session.project)
+  })
+
+  test('is told to all who listen, after it has happened, until they listen no more', () => {
+    const { session, kinds } = sessionOf()
+    const seen: number[] = []
+    const stop = session.listen(() => seen.push(weight(session)))
+    turn(session, 0.5)
+    stop()
+    turn(session, 0.75)
+    expect(seen).toEqual([0.5])
+    expect(kinds()).toEqual(['brain', 'brain'])
+  })
+
+  test('that changes nothing is none', () => {
+    const { session, kinds } = sessionOf()
+    expect(session.apply({ kind: 'config', id: 'bo', after: session.config })).toBe(false)
+    expect(session.apply({ kind: 'config', id: 'nobody', after: session.config })).toBe(false)
+    session.weights.change('net', (brain) => brain)
+    expect(kinds()).toEqual([])
+    expect(session.undo.canUndo).toBe(false)
+    expect(session.keeper.state).toBe('saved')
+  })
+})
+
+describe('two tabs with one project', () => {
+  test('a session whose project another tab has saved says so and saves nothing over it', async () => {
+    await save('friendship', friendship, 0)
+    const { revision } = (await load('friendship'))!
+    const { session } = sessionOf(friendship, { revision })
+    const tab = await openTab()
+    await tab.save('friendship', { ...friendship, name: 'theirs' }, revision)
+    await until(() => session.keeper.state === 'elsewhere')
+    turn(session, 0.25)
+    vi.advanceTimersByTime(60_000)
+    await settle()
+    expect((await savedProject())?.name).toBe('theirs')
+    await session.continueAsCopy('friendship-copy', 'mine')
+    expect((await load('friendship-copy'))?.project).toEqual(session.project)
+    expect([session.name, session.keeper.id, session.keeper.state]).toEqual([
+      'mine',
+      'friendship-copy',
+      'saved',
+    ])
+    expect((await savedProject())?.name).toBe('theirs')
+  })
+
+  test('a name that another tab gives is the name here too, and is saved with the next change', async () => {
+    await save('friendship', friendship, 0)
+    const { revision } = (await load('friendship'))!
+    const { session } = sessionOf(friendship, { revision })
+    const tab = await openTab()
+    await tab.rename('friendship', 'new name')
+    await until(() => session.name === 'new name')
+    turn(session, 0.25)
+    await session.keeper.flush()
+    expect(session.keeper.state).toBe('saved')
+    expect((await savedProject())?.name).toBe('new name')
+  })
+})
+
+test('what can be kept nowhere is not called saved, not even before the first change', () => {
+  expect(sessionOf(friendship, { keeps: false }).session.keeper.state).toBe('saving')
+  expect(sessionOf().session.keeper.state).toBe('saved')
+})
+
+describe('taken back and done again', () => {
+  test('a pull at a weight is one step, from where it began to where it ended', () => {
+    const { session } = sessionOf()
+    turn(session, 0.1, 'start')
+    turn(session, 0.2, 'move')
+    turn(session, 0.3, 'end')
+    turn(session, 0.9)
+    expect(session.undo.count).toBe(2)
+    session.undo.undo()
+    expect(weight(session)).toBe(0.3)
+    session.undo.undo()
+    expect(weight(session)).toBe(0)
+    expect(session.undo.canUndo).toBe(false)
+    session.undo.redo()
+    session.undo.redo()
+    expect(weight(session)).toBe(0.9)
+    expect(session.undo.canRedo).toBe(false)
+  })
+
+  test('a pull that ends where it began is no step, and is saved all the same', () => {
+    const { session } = sessionOf()
+    turn(session, 0.1)
+    turn(session, 0.1, 'end')
+    expect(session.undo.count).toBe(1)
+    session.weights.reset('net')
+    expect(weight(session)).toBe(0)
+    session.undo.undo()
+    expect(weight(session)).toBe(0.1)
+  })
+
+  test('Bo comes back to where it stood, and its next run begins there', () => {
+    const { session } = sessionOf()
+    const before = bo(session)
+    session.apply({ kind: 'place', id: 'bo', after: pose(100) })
+    expect(bo(session).x).toBe(100)
+    session.undo.undo()
+    expect(bo(session)).toEqual(before)
+    session.lab.reset()
+    expect(bo(session)).toEqual(before)
+    session.undo.redo()
+    expect(bo(session).x).toBe(100)
+  })
+
+  test('a robot is built as it was; a change joined to one before goes with it', () => {
+    const { session } = sessionOf()
+    const { config } = session
+    turn(session, 0.5)
+    session.apply({ kind: 'config', id: 'bo', after: { ...config, wheelDiameter: 8 } }, 'joined')
+    expect(session.config.wheelDiameter).toBe(8)
+    session.undo.undo()
+    expect([session.config.wheelDiameter, weight(session)]).toEqual([5.6, 0])
+    session.undo.redo()
+    expect([session.config.wheelDiameter, weight(session)]).toEqual([8, 0.5])
+  })
+
+  test('a scene comes back with everything where it stood, its picture stays for when it comes again', () => {
+    const { session } = sessionOf()
+    const { assets } = withPicture(8)
+    session.apply({ kind: 'place', id: 'square', after: pose(200) })
+    const scene = { ...sceneOf(session.lab.document.world), floor: { asset: hash }, obstacles: [] }
+    session.apply({ kind: 'scene', after: scene, pictures: assets })
+    expect(session.lab.document.world.obstacles).toEqual([])
+    expect(session.lab.document.world.robots).toHaveLength(1)
+    expect(session.project.assets).toEqual(assets)
+    expect(session.floorUrl).toBe('data:image/png;base64,AAAAAAAA')
+    session.undo.undo()
+    expect(session.lab.view.obstacles.map(({ pose: { x } }) => x)).toEqual([200])
+    // Only the picture that the floor lies on is kept.
+    expect(session.project.assets).toEqual({})
+    expect(session.pictures).toEqual(assets)
+    session.undo.redo()
+    expect(session.project.assets).toEqual(assets)
+  })
+
+  test('robots come and go with their programs', () => {
+    const { session, kinds } = sessionOf()
+    const { document } = session.lab
+    const [first] = document.world.robots
+    const after = {
+      ...document,
+      programs: { ...document.programs, second: document.programs['main']! },
+      world: {
+        ...document.world,
+        robots: [first!, { ...first!, id: 'bo2', program: 'second', pose: pose(80) }],
+      },
+    }
+    session.apply({ kind: 'robots', after })
+    expect(session.lab.view.robots.map(({ id }) => id)).toEqual(['bo', 'bo2'])
+    session.choose('bo2')
+    expect([session.robotId, session.robot.program]).toEqual(['bo2', 'second'])
+    session.undo.undo()
+    expect(session.lab.view.robots.map(({ id }) => id)).toEqual(['bo'])
+    expect(session.robotId).toBe('bo')
+    expect(kinds()).toEqual(['robots', 'robots'])
+  })
+
+  test('blocks are taken back by the editor, where they are seen; not while a hand holds one', () => {
+    const { session } = sessionOf()
+    const asked: string[] = []
+    session.noteBlocks('main')
+    session.undo.undo()
+    expect(session.undo.canUndo).toBe(true)
+    session.moveBlocks = (direction, program) => asked.push(`${direction} ${program}`) > 0
+    session.undo.undo()
+    session.undo.redo()
+    expect(asked).toEqual(['undo main', 'redo main'])
+    // The program that they say then is what is saved.
+    expect(session.keeper.state).toBe('saved')
+  })
+
+  test('the weights that a copied neuron takes along are no step of their own', () => {
+    const { session } = sessionOf()
+    turn(session, 0.5)
+    session.weights.copied([{ from: 'eyeLeft', to: 'eyeRight' }])
+    expect(session.weights.now('net')['eyeRight']?.['wheelRight']).toBe(0.5)
+    expect(session.undo.count).toBe(1)
+  })
+})
+
+describe('a program that has to be mended', () => {
+  const without: Program = {
+    ...friendship.programs['main']!,
+    stacks: friendship.programs['main']!.stacks.map((stack) => ({
+      ...stack,
+      blocks: stack.blocks.filter(({ type }) => type !== 'robControls_start'),
+    })),
+  }
+  const blind = { ...friendship.world.robots[0]!.config, sensors: {} }
+
+  test('does not start, and the finding that stops it is given', () => {
+    const { session } = sessionOf()
+    expect(session.findings.filter(({ stops }) => stops)).toEqual([])
+    session.apply({ kind: 'config', id: 'bo', after: blind })
+    const stopping = session.findings.find(({ stops }) => stops)
+    expect(stopping).toBeDefined()
+    expect(session.start()).toBe(stopping)
+    expect(session.lab.view.phase).toBe('ready')
+    session.undo.undo()
+    session.learnFirst = () => false
+    expect(session.start()).toBeNull()
+    expect(session.lab.view.phase).toBe('running')
+  })
+
+  test('stops when it becomes one while it runs; another change lets it run', () => {
+    const { session } = sessionOf()
+    runs(session, 20)
+    session.lab.goTo(Infinity)
+    session.lab.resume()
+    turn(session, 0.3)
+    expect(session.lab.view.phase).toBe('running')
+    session.apply({ kind: 'config', id: 'bo', after: blind })
+    expect(session.lab.view.phase).not.toBe('running')
+  })
+
+  test('is looked through anew with every edit', () => {
+    const { session } = sessionOf()
+    const before = session.findings
+    session.apply({ kind: 'program', program: 'main', after: without })
+    expect(session.findings).not.toEqual(before)
+    expect(session.program).toEqual(without)
+  })
+})
+
+describe('in a moment of the past (rule 9)', () => {
+  test('a change makes it the present, and the other future comes back as one step', () => {
+    const { session, kinds } = sessionOf()
+    runs(session, 60, 20)
+    expect(session.lab.facts.past).toBe(true)
+    turn(session, 0.5)
+    expect(session.lab.facts).toMatchObject({ past: false, other: true })
+    expect(session.lab.view.time.now).toBe(20)
+    expect(kinds()).toEqual(['begun', 'branched', 'brain'])
+    session.undo.redo()
+    expect(session.lab.view.time.now).toBeGreaterThanOrEqual(60)
+    expect(weight(session)).toBe(0)
+  })
+
+  test('what was done before a run does not belong to a moment of it', () => {
+    const { session } = sessionOf()
+    turn(session, 0.5)
+    runs(session, 60, 20)
+    session.goOn()
+    expect(session.undo.canUndo).toBe(true)
+    session.undo.undo()
+    expect(weight(session)).toBe(0)
+  })
+
+  test('looking alone changes nothing; going on does, and is saved', () => {
+    const { session, kinds } = sessionOf()
+    runs(session, 60, 20)
+    session.lab.goTo(30)
+    expect(kinds()).toEqual(['begun'])
+    expect(session.keeper.state).toBe('saved')
+    session.resume()
+    expect(kinds()).toEqual(['begun', 'branched'])
+    expect(session.keeper.state).toBe('saving')
+    expect(session.lab.view.phase).toBe('running')
+    session.goOn()
+    expect(kinds()).toEqual(['begun', 'branched'])
+  })
+})
+
+describe('how far a child has come', () => {
+  test('a card counts as solved from the start pose that the run began on, once', async () => {
+    const { session, kinds } = sessionOf()
+    session.learnFirst = () => false
+    expect(session.chosenStart).toBe(0)
+    session.start()
+    expect(session.noteSuccess()).toBe(true)
+    expect(session.noteSuccess()).toBe(true)
+    expect(session.progress).toEqual({ starts: [0], hints: 0 })
+    expect(kinds()).toEqual(['begun', 'progress'])
+    session.lab.stop()
+    session.chooseStart(2)
+    expect([session.chosenStart, bo(session)]).toEqual([2, card.starts[2]])
+    session.start()
+    session.noteSuccess()
+    session.lab.stop()
+    session.chooseStart(1)
+    session.start()
+    session.noteSuccess()
+    expect(session.progress.starts).toEqual([0, 1, 2])
+    await session.keeper.flush()
+    expect((await savedProject())?.progress).toEqual({ starts: [0, 1, 2], hints: 0 })
+  })
+
+  test('a run that a hand has helped does not count, nor one from elsewhere', () => {
+    const { session } = sessionOf()
+    session.learnFirst = () => false
+    session.start()
+    session.press('up', false)
+    expect(session.noteSuccess()).toBe(true)
+    session.press('up', true)
+    expect(session.noteSuccess()).toBe(false)
+    session.lab.stop()
+    session.apply({ kind: 'place', id: 'bo', after: pose(333) })
+    expect([session.chosenStart, session.beganElsewhere]).toEqual([-1, false])
+    session.start()
+    expect(session.beganElsewhere).toBe(true)
+    expect(session.noteSuccess()).toBe(false)
+  })
+
+  test('hints that were asked for are never fewer', () => {
+    const { session } = sessionOf()
+    session.askHint(2)
+    session.askHint(1)
+    expect(session.progress).toEqual({ starts: [], hints: 2 })
+    expect(session.keeper.state).toBe('saving')
+  })
+
+  test('there is no start pose where there is none, and without a card', () => {
+    const { session } = sessionOf()
+    const before = bo(session)
+    session.chooseStart(9)
+    expect(bo(session)).toEqual(before)
+    const free = sessionOf(friendship, { isCard: false }).session
+    free.learnFirst = () => false
+    free.start()
+    expect([free.chosenStart, free.beganElsewhere, free.noteSuccess()]).toEqual([-1, false, false])
+  })
+})
+
+describe('what else a project holds', () => {
+  const learned = { seed: 1, moves: 5, key: 'k', noted: false, runs: [] }
+
+  test('what was learned by trying belongs to the chosen robot’s program', async () => {
+    const { session } = sessionOf()
+    expect([session.learned, session.project.q]).toEqual([undefined, undefined])
+    session.apply({ kind: 'learned', program: 'main', after: learned })
+    session.apply({ kind: 'learned', program: 'other', after: { ...learned, seed: 2 } })
+    expect(session.learned).toEqual(learned)
+    await session.keeper.flush()
+    expect((await savedProject())?.q).toEqual({ main: learned, other: { ...learned, seed: 2 } })
+    expect(sessionOf(session.project).session.learned).toEqual(learned)
+    expect(session.undo.count).toBe(0)
+  })
+
+  test('the shelf stays as a child has set it', () => {
+    const { session } = sessionOf()
+    expect([session.showsAll, session.project.shelf]).toEqual([false, undefined])
+    session.apply({ kind: 'shelf', after: 'all' })
+    expect([session.showsAll, session.project.shelf]).toEqual([true, 'all'])
+    expect(sessionOf(session.project).session.showsAll).toBe(true)
+    session.apply({ kind: 'shelf', after: 'plain' })
+    expect(session.showsAll).toBe(false)
+  })
+
+  test('a project can be opened, changed and saved, and is one that can be read', () => {
+    const { session } = sessionOf()
+    turn(session, 0.5)
+    session.askHint(1)
+    expect(parseProject(JSON.parse(JSON.stringify(session.project)))).toEqual(session.project)
+    expect(session.project).toMatchObject({ botgarten: 1, card: 'friendship', name: 'friendship' })
+  })
+
+  test('a program without a map learns nothing by trying, so that Start starts it', () => {
+    const { session } = sessionOf()
+    expect(session.learns).toBe(false)
+    expect(session.start()).toBeNull()
+    expect(session.lab.view.phase).toBe('running')
+  })
+
+  test('where learning comes first Start leaves the running to it', () => {
+    const { session, kinds } = sessionOf()
+    session.learnFirst = () => true
+    expect(session.start()).toBeNull()
+    expect(session.lab.view.phase).toBe('ready')
+    expect(kinds()).toEqual([])
+  })
+})
