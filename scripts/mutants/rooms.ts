@@ -1,0 +1,21 @@
+/** A part of the code whose unit tests are asked. */
+export interface Room {
+  /** Folders and files with what is changed. */
+  readonly code: readonly string[]
+  /** The folders whose tests are asked, as far as they import the changed file. */
+  readonly tests: readonly string[]
+  /** How much of what is tried has to be found, 0..1. */
+  readonly goal: number
+}
+
+export const rooms: { readonly [name: string]: Room } = {
+  storage: {
+    code: ['apps/web/src/storage', 'apps/web/src/lab/keeper.svelte.ts'],
+    tests: ['apps/web/src/storage', 'apps/web/src/lab'],
+    goal: 0.9,
+  },
+  lab: { code: ['apps/web/src/lab'], tests: ['apps/web/src'], goal: 0.8 },
+  learning: { code: ['packages/learning'], tests: ['packages/learning'], goal: 0.8 },
+  programs: { code: ['packages/programs'], tests: ['packages/programs'], goal: 0.8 },
+  simulation: { code: ['packages/simulation'], tests: ['packages/simulation'], goal: 0.8 },
+}

@@ -1,0 +1,81 @@
+// One warm Vitest in a copy of the tree. Its parent sends files with a fault and gets back whether a test has failed.
+import { existsSync, readFileSync, renameSync, writeFileSync } from 'node:fs'
+import { join } from 'node:path'
+import { createVitest, type TestModule, type TestSpecification } from 'vitest/node'
+
+export interface Request {
+  /** Both below the copy's folder. */
+  readonly file: string
+  readonly text: string
+  /** Tests outside of these folders are not asked. */
+  readonly tests: readonly string[]
+}
+
+export type Answer =
+  { readonly kind: 'ready' } | { readonly kind: 'killed' | 'survived' | 'unasked'; readonly by?: string }
+
+const root = process.cwd()
+const say = (answer: Answer) => process.send!(answer)
+
+const vitest = await createVitest('test', {
+  ...{ root, watch: false, run: true, bail: 1, maxWorkers: 1, fileParallelism: false },
+  ...{ reporters: [{}], silent: true, testTimeout: 20_000, passWithNoTests: true, cache: false },
+})
+
+type Tests = readonly (readonly TestSpecification[])[]
+const specs = new Map<string, Promise<Tests>>()
+
+/** The tests of these folders that import a file: those that are called like it, then the others. */
+function testsOf(file: string, folders: readonly string[]): Promise<Tests> {
+  const found = specs.get(file) ?? related(join(root, file), folders)
+  specs.set(file, found)
+  return found
+}
+
+async function related(path: string, folders: readonly string[]): Promise<Tests> {
+  vitest.config.related = [path]
+  const all = await vitest.getRelevantTestSpecifications(folders.map((folder) => join(root, folder, '/')))
+  const name = path.replace(/(\.svelte)?\.ts$/, '.')
+  const isOwn = ({ moduleId }: TestSpecification) => moduleId.startsWith(name)
+  return [all.filter(isOwn), all.filter((one) => !isOwn(one))].filter(({ length }) => length > 0)
+}
+
+async function ask({ file, text, tests }: Request): Promise<Answer> {
+  const path = join(root, file)
+  const before = readFileSync(path, 'utf8')
+  const chosen = await testsOf(file, tests)
+  if (chosen.length === 0) return { kind: 'unasked' }
+  put(path, text)
+  try {
+    for (const some of chosen) {
+      const { testModules, unhandledErrors } = await vitest.runTestSpecifications([...some])
+      // Vitest also gives what failed in runs before and was not asked now.
+      const asked = new Set(some.map(({ moduleId }) => moduleId))
+      const failed = testModules.find((one) => asked.has(one.moduleId) && one.state() === 'failed')
+      if (failed) return { kind: 'killed', by: reasonOf(failed) }
+      if (unhandledErrors.length > 0) return { kind: 'killed' }
+    }
+    return { kind: 'survived' }
+  } finally {
+    put(path, before)
+  }
+}
+
+function reasonOf(failed: TestModule): string {
+  const [test] = failed.children.allTests('failed')
+  const [error] = test?.result().errors ?? failed.errors()
+  return [failed.relativeModuleId, test?.fullName, error?.message].join(': ')
+}
+
+/** The copy may share files with the original: they are replaced, never written into. */
+function put(path: string, text: string): void {
+  const fresh = `${path}.mutant`
+  writeFileSync(fresh, text)
+  renameSync(fresh, path)
+  vitest.invalidateFile(path)
+}
+
+if (!existsSync(join(root, '.mutants'))) throw new Error('This is no copy: it must not be changed.')
+process.on('message', (request: Request) => void ask(request).then(say))
+process.once('disconnect', () => process.exit())
+say({ kind: 'ready' })
