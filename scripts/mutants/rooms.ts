@@ -14,7 +14,7 @@ export const rooms: { readonly [name: string]: Room } = {
     tests: ['apps/web/src/storage', 'apps/web/src/lab'],
     goal: 0.9,
   },
-  lab: { code: ['apps/web/src/lab'], tests: ['apps/web/src'], goal: 0.8 },
+  lab: { code: ['apps/web/src/lab'], tests: ['apps/web/src/lab'], goal: 0.8 },
   learning: { code: ['packages/learning'], tests: ['packages/learning'], goal: 0.8 },
   programs: { code: ['packages/programs'], tests: ['packages/programs'], goal: 0.8 },
   simulation: { code: ['packages/simulation'], tests: ['packages/simulation'], goal: 0.8 },

@@ -1,5 +1,7 @@
-import { expect, test } from 'vitest'
-import { undoKey } from './keys.ts'
+import { afterEach, expect, test, vi } from 'vitest'
+import { isTyping, undoKey } from './keys.ts'
+
+afterEach(() => vi.unstubAllGlobals())
 
 const press = (key: string, ...held: readonly ('ctrlKey' | 'metaKey' | 'shiftKey' | 'altKey')[]) =>
   undoKey({
@@ -24,4 +26,20 @@ test('letters alone, and what belongs to the browser, do nothing', () => {
   expect(press('z', 'ctrlKey', 'metaKey')).toBeNull()
   expect(press('a', 'ctrlKey')).toBeNull()
   expect(press('Y', 'ctrlKey', 'shiftKey')).toBeNull()
+})
+
+test('who writes in a field, or reads a dialog, keeps its keys', () => {
+  class Element extends EventTarget {
+    readonly #inside: string
+    constructor(inside: string) {
+      super()
+      this.#inside = inside
+    }
+    closest = (selector: string) => (selector.split(', ').includes(this.#inside) ? this : null)
+  }
+  vi.stubGlobal('Element', Element)
+  for (const inside of ['input', 'textarea', 'dialog']) expect(isTyping(new Element(inside))).toBe(true)
+  expect(isTyping(new Element('button'))).toBe(false)
+  expect(isTyping(new EventTarget())).toBe(false)
+  expect(isTyping(null)).toBe(false)
 })

@@ -1,46 +1,22 @@
-import type { Card } from '@botgarten/materials'
-import { parseProject, sceneOf, type Program, type Project } from '@botgarten/programs'
-import { paintFloor, type Pose } from '@botgarten/simulation'
-import { readFileSync } from 'node:fs'
+import { parseProject, sceneOf, type Program } from '@botgarten/programs'
+import type { Pose } from '@botgarten/simulation'
 import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest'
-import type { LoadedCard } from '#content/cards.ts'
 import { PAUSE } from '#storage/autosave.ts'
 import { load, save } from '#storage/projects.ts'
 import { fillDisk, freshDevice, openTab, until } from '#storage/testing/device.ts'
 import { friendship, hash, withPicture } from '#storage/testing/sample.ts'
-import type { LabEvent } from './change.ts'
-import { LabSession } from './session.svelte.ts'
+import type { LabSession } from './session.svelte.ts'
+import { card, closeSessions, screen, sessionOf } from './testing/session.ts'
 
 // A session as the screen has it: real lab, real undo, real storage. Only the clock is not.
-const open: LabSession[] = []
 beforeEach(async () => {
   vi.useFakeTimers({ toFake: ['setTimeout', 'clearTimeout', 'Date'] })
   await freshDevice()
 })
 afterEach(() => {
-  for (const { keeper } of open.splice(0)) keeper.close()
+  closeSessions()
   vi.useRealTimers()
 })
-
-const path = '../../../../content/cards/network/05-friendship/card.json'
-const card = JSON.parse(readFileSync(new URL(path, import.meta.url), 'utf8')) as Card
-
-function sessionOf(project: Project = friendship, { revision = 0, keeps = true, isCard = true } = {}) {
-  const session = new LabSession({
-    ...{ id: 'friendship', revision, project, keeps, expert: false },
-    card: isCard ? ({ card } as LoadedCard) : null,
-    floor: paintFloor({ ...project.world, floor: { colour: '#FFFFFF' } }),
-    ...{ floorAddress: null, trouble: null, damaged: null },
-  })
-  open.push(session)
-  const events: LabEvent[] = []
-  session.listen((event) => events.push(event))
-  return {
-    session,
-    events,
-    kinds: () => events.map((one) => (one.kind === 'changed' ? one.change.kind : one.kind)),
-  }
-}
 
 const settle = async () => {
   for (let turns = 0; turns < 30; turns += 1) await new Promise((done) => setImmediate(done))
@@ -55,17 +31,11 @@ const turn = (session: LabSession, to: number, part: 'whole' | 'start' | 'move' 
 function runs(session: LabSession, ticks: number, lookAt = ticks) {
   session.learnFirst = () => false
   expect(session.start()).toBeNull()
-  // Time is what a frame would let pass.
-  vi.stubGlobal('requestAnimationFrame', (next: (now: number) => void) => {
-    frame = next
-    return 1
-  })
-  vi.stubGlobal('cancelAnimationFrame', () => {})
-  let frame: (now: number) => void = () => {}
+  const draw = screen()
   session.lab.speed = 16
   const stop = session.lab.run()
   session.lab.resume()
-  for (let now = performance.now() + 100; session.lab.view.tick < ticks; now += 100) frame(now)
+  while (session.lab.view.tick < ticks) draw()
   stop()
   vi.unstubAllGlobals()
   session.lab.goTo(lookAt)
@@ -273,6 +243,23 @@ describe('taken back and done again', () => {
     expect(session.keeper.state).toBe('saved')
   })
 
+  test('blocks of another robot are taken back where they are seen', () => {
+    const { session } = sessionOf()
+    const { document } = session.lab
+    const [first] = document.world.robots
+    const robots = [first!, { ...first!, id: 'bo2', program: 'second', pose: pose(80) }]
+    const programs = { ...document.programs, second: document.programs['main']! }
+    session.apply({ kind: 'robots', after: { ...document, programs, world: { ...document.world, robots } } })
+    session.moveBlocks = () => true
+    session.noteBlocks('second')
+    session.choose('bo')
+    session.undo.undo()
+    expect(session.robotId).toBe('bo2')
+    session.noteBlocks('gone')
+    session.undo.undo()
+    expect(session.robotId).toBe('bo2')
+  })
+
   test('the weights that a copied neuron takes along are no step of their own', () => {
     const { session } = sessionOf()
     turn(session, 0.5)
@@ -304,6 +291,19 @@ describe('a program that has to be mended', () => {
     session.learnFirst = () => false
     expect(session.start()).toBeNull()
     expect(session.lab.view.phase).toBe('running')
+  })
+
+  test('of several robots the first one is shown', () => {
+    const { session } = sessionOf()
+    const { document } = session.lab
+    const [first] = document.world.robots
+    const robots = ['bo', 'bo2', 'bo3'].map((id, at) => ({ ...first!, id, pose: pose(80 * (at + 1)) }))
+    session.apply({ kind: 'robots', after: { ...document, world: { ...document.world, robots } } })
+    for (const id of ['bo3', 'bo2']) session.apply({ kind: 'config', id, after: blind })
+    session.choose('bo')
+    expect(session.findings.some(({ stops }) => stops)).toBe(false)
+    expect(session.start()?.stops).toBe(true)
+    expect(session.robotId).toBe('bo2')
   })
 
   test('stops when it becomes one while it runs; another change lets it run', () => {

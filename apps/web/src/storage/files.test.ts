@@ -73,6 +73,12 @@ describe('a project file', () => {
     expect((await load(idIn(opened)))?.project.name).toHaveLength(20_000)
   })
 
+  test('of more parts than any project has is not opened in parts', async () => {
+    const text = JSON.stringify({ ...friendship, sorting: { rows: Array<number>(1_000_001).fill(0) } })
+    expect(text.length).toBeLessThan(5_000_000)
+    expect(await opens(text)).toEqual({ problem: 'tooBig', facts: {} })
+  })
+
   test('that finds no room says so, and so does one that is too much for it', async () => {
     fillDisk()
     expect(await opens(friendship)).toEqual({ problem: 'notKept', facts: {} })

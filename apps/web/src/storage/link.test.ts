@@ -48,16 +48,36 @@ test('what a child has reached with a card stays at home', async () => {
   expect(readLink((await writeLink(solved))!)).toEqual(friendship)
 })
 
-test('product.md 8: what is over 8 kB when compressed is no link', async () => {
-  // Digits of a seeded stream do not compress to less than 3.3 bits each.
+/** The project with so many digits of a seeded stream, which do not compress to less than 3.3 bits each. */
+function withNoise(digits: number) {
   let seed = 1
-  const noise = Array.from({ length: 30_000 }, () => (seed = (seed * 48271) % 2147483647) % 10).join('')
+  const noise = Array.from({ length: digits }, () => (seed = (seed * 48271) % 2147483647) % 10).join('')
   const program = Object.values(friendship.programs)[0]!
   const block = (data: string, index: number) => ({ id: `n${index}`, type: 'text', data })
   const stack = { x: 0, y: 0, blocks: [noise.slice(0, 15_000), noise.slice(15_000)].map(block) }
-  const large = { ...friendship, programs: { main: { ...program, stacks: [...program.stacks, stack] } } }
+  return { ...friendship, programs: { main: { ...program, stacks: [...program.stacks, stack] } } }
+}
+
+test('product.md 8: what is over 8 kB when compressed is no link', async () => {
+  const large = withNoise(30_000)
   expect(parseProject(large)).toEqual(large)
   expect(await writeLink(large)).toBeNull()
+})
+
+test('product.md 8: what has exactly 8 kB is one', async () => {
+  const bytesOf = async (digits: number) => {
+    const letters = (await writeLink(withNoise(digits)))?.split('.')[2]
+    return letters === undefined ? Infinity : Math.floor((letters.length * 3) / 4)
+  }
+  // The last size that is a link.
+  let [fits, tooMany] = [0, 30_000]
+  while (tooMany - fits > 1) {
+    const middle = Math.floor((fits + tooMany) / 2)
+    if ((await bytesOf(middle)) === Infinity) tooMany = middle
+    else fits = middle
+  }
+  const sizes = await Promise.all(Array.from({ length: 40 }, (_, at) => bytesOf(fits - 20 + at)))
+  expect(Math.max(...sizes.filter(Number.isFinite))).toBe(8000)
 })
 
 test('a link cut anywhere is refused as cut', () => {

@@ -1,0 +1,68 @@
+import { afterEach, beforeEach, expect, test, vi } from 'vitest'
+import { load, save } from '#storage/projects.ts'
+import { deviceThatKeepsNothing, freshDevice, recordIn } from '#storage/testing/device.ts'
+import { friendship, withPicture } from '#storage/testing/sample.ts'
+import { openLab, ownPictureIn } from './opening.ts'
+
+beforeEach(async () => {
+  await freshDevice()
+  vi.spyOn(console, 'warn').mockImplementation(() => {})
+  vi.stubGlobal('fetch', () => Promise.reject(new TypeError('No network in a test.')))
+})
+afterEach(() => vi.unstubAllGlobals())
+
+test('a card opens fresh where nothing is kept, and says whether anything can be', async () => {
+  const opened = await openLab('friendship', null)
+  expect(opened).toMatchObject({ id: 'friendship', revision: 0, keeps: true, damaged: null, expert: false })
+  expect(opened!.project).toMatchObject({ card: 'friendship', world: friendship.world })
+  expect(opened!.card!.card.id).toBe('friendship')
+  await deviceThatKeepsNothing()
+  expect((await openLab('friendship', null))!.keeps).toBe(false)
+  expect(await openLab('no-such-card', null)).toBeNull()
+})
+
+test('the floor whose picture does not come is white, and that is said', async () => {
+  expect(await openLab('friendship', null)).toMatchObject({ trouble: 'floorMissing' })
+  const coloured = { ...friendship, world: { ...friendship.world, floor: { colour: '#00FF00' } } }
+  await save('friendship', coloured, 0)
+  expect(await openLab('friendship', null)).toMatchObject({ trouble: null, floorAddress: null })
+})
+
+test('what is kept is opened, under the card or under a key of its own', async () => {
+  await save('friendship', { ...friendship, name: 'mine' }, 0)
+  await save('friendship-2', { ...friendship, name: 'second' }, 0)
+  const { revision } = (await load('friendship'))!
+  expect(await openLab('friendship', null)).toMatchObject({
+    project: { name: 'mine' },
+    revision,
+    keeps: true,
+  })
+  const second = await openLab('friendship', 'friendship-2')
+  expect(second).toMatchObject({ id: 'friendship-2', project: { name: 'second' } })
+  expect((await openLab('free', 'friendship-2'))!.card).toBeNull()
+})
+
+test('what is damaged stays where it is; what of it can be opened is a project of its own', async () => {
+  await save('friendship', friendship, 0)
+  const record = (await recordIn('projects', 'friendship')) as { project: object }
+  const project = { ...record.project, name: 'n'.repeat(20_001) }
+  await recordIn('projects', 'friendship', { ...record, project })
+  const opened = await openLab('friendship', null)
+  expect(opened).toMatchObject({ revision: 0, trouble: 'partlyHere' })
+  expect(opened!.id).toMatch(/^friendship-\w+/)
+  expect(opened!.project.name).toHaveLength(20_000)
+  expect(opened!.damaged).toMatchObject({ raw: project })
+  await recordIn('projects', 'friendship', { ...record, project: 'scribble' })
+  expect(await openLab('friendship', null)).toMatchObject({
+    ...{ trouble: 'brokenHere', project: { card: 'friendship' } },
+    damaged: { name: 'friendship', raw: 'scribble' },
+  })
+  expect(((await recordIn('projects', 'friendship')) as { project: unknown }).project).toBe('scribble')
+})
+
+test('of all pictures only the one that the floor lies on is kept', () => {
+  const { world, assets } = withPicture(4)
+  expect(ownPictureIn(world.floor, { ...assets, other: assets[Object.keys(assets)[0]!]! })).toEqual(assets)
+  expect(ownPictureIn(world.floor, {})).toEqual({})
+  expect(ownPictureIn({ colour: '#FFFFFF' }, assets)).toEqual({})
+})

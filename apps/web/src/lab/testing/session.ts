@@ -1,0 +1,54 @@
+import type { Card } from '@botgarten/materials'
+import type { Project } from '@botgarten/programs'
+import { paintFloor } from '@botgarten/simulation'
+import { readFileSync } from 'node:fs'
+import { vi } from 'vitest'
+import type { LoadedCard } from '#content/cards.ts'
+import { friendship } from '#storage/testing/sample.ts'
+import type { LabEvent } from '../change.ts'
+import type { Opened } from '../opening.ts'
+import { LabSession } from '../session.svelte.ts'
+
+const path = '../../../../../content/cards/network/05-friendship/card.json'
+export const card = JSON.parse(readFileSync(new URL(path, import.meta.url), 'utf8')) as Card
+
+const open: LabSession[] = []
+
+/** A session as the screen has it, on the card Friendship or in the free lab. */
+export function sessionOf(
+  project: Project = friendship,
+  { isCard = true, ...more }: Partial<Opened> & { isCard?: boolean } = {},
+) {
+  const session = new LabSession({
+    ...{ id: 'friendship', revision: 0, project, keeps: true, expert: false },
+    card: isCard ? ({ card } as LoadedCard) : null,
+    floor: paintFloor({ ...project.world, floor: { colour: '#FFFFFF' } }),
+    ...{ floorAddress: null, trouble: null, damaged: null },
+    ...more,
+  })
+  open.push(session)
+  const events: LabEvent[] = []
+  session.listen((event) => events.push(event))
+  const kinds = () => events.map((one) => (one.kind === 'changed' ? one.change.kind : one.kind))
+  return { session, kinds }
+}
+
+export function closeSessions(): void {
+  for (const { keeper } of open.splice(0)) keeper.close()
+}
+
+/** Frames of a screen, which come when they are drawn. Returns how to draw one, so many milliseconds later. */
+export function screen(): (milliseconds?: number) => void {
+  let next: ((now: number) => void) | null = null
+  let now = performance.now()
+  vi.stubGlobal('requestAnimationFrame', (frame: (now: number) => void) => {
+    next = frame
+    return 1
+  })
+  vi.stubGlobal('cancelAnimationFrame', () => (next = null))
+  return (milliseconds = 100) => {
+    const frame = next
+    next = null
+    frame?.((now = Math.max(now, performance.now()) + milliseconds))
+  }
+}
