@@ -20,6 +20,19 @@ function outside(schema: ParameterSchema): unknown[] {
   ]
 }
 
+/** The values at the edges of what it may have. */
+function inside(schema: ParameterSchema): unknown[] {
+  if ('enum' in schema) return [...schema.enum]
+  if ('oneOf' in schema)
+    return schema.oneOf.flatMap(({ properties }) =>
+      Object.entries(properties).reduce<object[]>(
+        (all, [name, own]) => all.flatMap((one) => inside(own).map((value) => ({ ...one, [name]: value }))),
+        [{}],
+      ),
+    )
+  return schema.maximum === undefined ? [schema.minimum] : [schema.minimum, schema.maximum]
+}
+
 function inKind({ properties }: Extract<ParameterSchema, { oneOf: unknown }>['oneOf'][number]): object[] {
   const { kind, ...others } = properties
   const start = { kind: kind && 'enum' in kind ? kind.enum[0] : '' }
@@ -124,6 +137,15 @@ describe.each(learnerFolders())('%s', async (folder) => {
     const text = JSON.stringify(saved)
     advance(state, steps)
     expect(JSON.stringify(saved)).toBe(text)
+  })
+
+  test('every value that the schema names is taken, up to its edges', () => {
+    for (const [name, own] of Object.entries(learner.parameters.properties))
+      for (const value of inside(own)) {
+        const state = learner.begin({ ...parameters, [name]: value }, data, seeded(1))
+        advance(state, 20)
+        expect(textOf(state)).not.toContain('null,null')
+      }
   })
 
   test('parameters outside the schema are refused by their name', () => {
