@@ -118,3 +118,12 @@ test('what is no step of a hand is not taken back', () => {
   undo.undo()
   expect(asked).toEqual(['brain net 0'])
 })
+
+test.each(['config', 'scene'] as const)('rule 9: another %s ends the other future, too', (kind) => {
+  const { undo, at, branch } = stack()
+  branch(200)
+  expect(undo.canRedo).toBe(true)
+  const change = { kind, id: 'bo', after: {} } as unknown as Change
+  at(250, { change, back: change })
+  expect(undo.canRedo).toBe(false)
+})
