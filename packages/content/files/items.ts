@@ -27,15 +27,19 @@ export function itemsIn(content: Folder) {
   )
   const folderOf = (id: string): string => [...items(), ...questions()].find(([, one]) => one.id === id)![0]
 
+  /** A text in a language; in English where it has none. */
+  const textIn = (folder: string, language: string) =>
+    content.text(folder, `${content.has(folder, `${language}.md`) ? language : 'en'}.md`)
+
   const itemTexts = (language: string): ItemTexts => ({
     items: Object.fromEntries(
       items().map(([folder, { kind, id }]) => [
         `${kind}/${id}`,
-        withPaths(folder, readItemText(content.text(folder, `${language}.md`))),
+        withPaths(folder, readItemText(textIn(folder, language))),
       ]),
     ),
     questions: Object.fromEntries(
-      questions().map(([folder, { id }]) => [id, readQuestionText(content.text(folder, `${language}.md`))]),
+      questions().map(([folder, { id }]) => [id, readQuestionText(textIn(folder, language))]),
     ),
   })
 

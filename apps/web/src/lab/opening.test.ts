@@ -1,4 +1,5 @@
 import { afterEach, beforeEach, expect, test, vi } from 'vitest'
+import * as packs from '#features/editor/packs.ts'
 import { load, save } from '#storage/projects.ts'
 import { deviceThatKeepsNothing, freshDevice, recordIn } from '#storage/testing/device.ts'
 import { friendship, withPicture } from '#storage/testing/sample.ts'
@@ -12,34 +13,34 @@ beforeEach(async () => {
 afterEach(() => vi.unstubAllGlobals())
 
 test('a card opens fresh where nothing is kept, and says whether anything can be', async () => {
-  const opened = await openLab('friendship', null)
+  const opened = await openLab('friendship', null, packs)
   expect(opened).toMatchObject({ id: 'friendship', revision: 0, keeps: true, damaged: null, expert: false })
   expect(opened!.project).toMatchObject({ card: 'friendship', world: friendship.world })
   expect(opened!.card!.card.id).toBe('friendship')
   await deviceThatKeepsNothing()
-  expect((await openLab('friendship', null))!.keeps).toBe(false)
-  expect(await openLab('no-such-card', null)).toBeNull()
+  expect((await openLab('friendship', null, packs))!.keeps).toBe(false)
+  expect(await openLab('no-such-card', null, packs)).toBeNull()
 })
 
 test('the floor whose picture does not come is white, and that is said', async () => {
-  expect(await openLab('friendship', null)).toMatchObject({ trouble: 'floorMissing' })
+  expect(await openLab('friendship', null, packs)).toMatchObject({ trouble: 'floorMissing' })
   const coloured = { ...friendship, world: { ...friendship.world, floor: { colour: '#00FF00' } } }
   await save('friendship', coloured, 0)
-  expect(await openLab('friendship', null)).toMatchObject({ trouble: null, floorAddress: null })
+  expect(await openLab('friendship', null, packs)).toMatchObject({ trouble: null, floorAddress: null })
 })
 
 test('what is kept is opened, under the card or under a key of its own', async () => {
   await save('friendship', { ...friendship, name: 'mine' }, 0)
   await save('friendship-2', { ...friendship, name: 'second' }, 0)
   const { revision } = (await load('friendship'))!
-  expect(await openLab('friendship', null)).toMatchObject({
+  expect(await openLab('friendship', null, packs)).toMatchObject({
     project: { name: 'mine' },
     revision,
     keeps: true,
   })
-  const second = await openLab('friendship', 'friendship-2')
+  const second = await openLab('friendship', 'friendship-2', packs)
   expect(second).toMatchObject({ id: 'friendship-2', project: { name: 'second' } })
-  expect((await openLab('free', 'friendship-2'))!.card).toBeNull()
+  expect((await openLab('free', 'friendship-2', packs))!.card).toBeNull()
 })
 
 test('what is damaged stays where it is; what of it can be opened is a project of its own', async () => {
@@ -47,13 +48,13 @@ test('what is damaged stays where it is; what of it can be opened is a project o
   const record = (await recordIn('projects', 'friendship')) as { project: object }
   const project = { ...record.project, name: 'n'.repeat(20_001) }
   await recordIn('projects', 'friendship', { ...record, project })
-  const opened = await openLab('friendship', null)
+  const opened = await openLab('friendship', null, packs)
   expect(opened).toMatchObject({ revision: 0, trouble: 'partlyHere' })
   expect(opened!.id).toMatch(/^friendship-\w+/)
   expect(opened!.project.name).toHaveLength(20_000)
   expect(opened!.damaged).toMatchObject({ raw: project })
   await recordIn('projects', 'friendship', { ...record, project: 'scribble' })
-  expect(await openLab('friendship', null)).toMatchObject({
+  expect(await openLab('friendship', null, packs)).toMatchObject({
     ...{ trouble: 'brokenHere', project: { card: 'friendship' } },
     damaged: { name: 'friendship', raw: 'scribble' },
   })

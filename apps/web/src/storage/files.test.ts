@@ -182,7 +182,7 @@ describe('all of a device as a file', () => {
 
   test('a language and comforts that come along are seen at once', async () => {
     const { language } = await import('#words/language.svelte.ts')
-    const { comfort } = await import('#parts/comfort/comfort.svelte.ts')
+    const { comfort } = await import('#storage/comfort.svelte.ts')
     await language.speak('en')
     // As on a device where nobody has chosen one yet.
     drawer.clear()

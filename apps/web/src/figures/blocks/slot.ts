@@ -1,5 +1,5 @@
 import type { Block } from '@botgarten/blocks'
-import type { CardProgram } from '@botgarten/materials'
+import type { CardProgram } from '@botgarten/content'
 import type { Locale } from '#words/language.svelte.ts'
 
 /** Blocks as a drawing; `width`, `height` in px at the scale of the editor's own blocks, 1. */

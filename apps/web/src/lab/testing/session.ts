@@ -1,4 +1,4 @@
-import type { Card } from '@botgarten/materials'
+import type { Card } from '@botgarten/content'
 import type { Project } from '@botgarten/programs'
 import { paintFloor } from '@botgarten/simulation'
 import { readFileSync } from 'node:fs'
