@@ -148,7 +148,7 @@ describe('botgarten learn kmeans', () => {
     ['x,y\n1,2\nNaN,3', 'Row 3, column 1: "NaN" is not a number.'],
     ['name,y\napple,3', 'Row 2, column 1: "apple" is not a number.'],
     ['', 'There are no numbers in it.'],
-    ['1;2\n3', 'Row 2 has 1 cells, the others have 2.'],
+    ['1;2\n3', 'Row 2 has 1 cell, the others have 2.'],
   ])('says what is wrong with the file %j', async (text, words) => {
     const { status, stderr } = await kMeans('--data', file(text), '--k', '1')
     expect(status).toBe(1)
