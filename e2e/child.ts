@@ -1,7 +1,7 @@
 import { expect, type Locator, type Page } from '@playwright/test'
 import { readFile } from 'node:fs/promises'
 import { finger, mouse, type Hand, type Spot } from './hand.ts'
-import { say, sayCheck, type Language } from './words.ts'
+import { say, sayCard, sayCheck, type Language } from './words.ts'
 
 /** A neuron as a child would point at it: what it is, where it is plugged in and where it sits. */
 export interface Sensor {
@@ -40,6 +40,11 @@ export class Child {
   /** The words of a message in the child's language. */
   word(key: string, facts: { readonly [name: string]: string | number } = {}): string {
     return say(this.language, key, facts)
+  }
+
+  /** What a card is called in the child's language. */
+  card(id: string): string {
+    return sayCard(this.language, id)
   }
 
   // ---- going somewhere ----

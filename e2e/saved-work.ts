@@ -149,7 +149,7 @@ async function fillsBin(child: Child) {
   )
   await expect(child.page.getByRole('heading', { level: 1 })).toHaveText('Uno')
   await shelf.opens()
-  const [fear, free] = [child.word('home.fear'), child.word('session.free')]
+  const [fear, free] = [child.card('fear'), child.word('session.free')]
   await shelf.chooses(fear, 'duplicate')
   await shelf.chooses(free, 'duplicate')
   const copies = [fear, free].map((name) => child.word('session.copy', { name }))

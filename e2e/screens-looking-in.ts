@@ -53,7 +53,7 @@ const wide: readonly Screen[] = [
     async show(child) {
       await child.opensLab('fear')
       await child.presses('lab.card')
-      await child.presses('robots.beside', { card: child.word('home.friendship') })
+      await child.presses('robots.beside', { card: child.card('friendship') })
       await child.seesWeight(leftEye, leftWheel, 0.8)
     },
   },

@@ -1,5 +1,4 @@
 import { content } from '@botgarten/content/files'
-import { readFileSync } from 'node:fs'
 import { basename } from 'node:path'
 import { fill, type Facts } from '@botgarten/messages'
 import { languagesIn, wordsOf } from '@botgarten/messages/folder'
@@ -33,4 +32,11 @@ export function sayCheck(language: Language, card: string, id: string): string {
   const said = content.card(card)?.text[language]?.checks[id]
   if (!said) throw new Error(`No word for the check ${id} of ${card} in ${language}`)
   return said
+}
+
+/** What a card is called in a language. Throws where there is no such card. */
+export function sayCard(language: Language, id: string): string {
+  const card = content.cards.find((one) => one.id === id)
+  if (!card) throw new Error(`There is no card ${id}`)
+  return card.title[language]!
 }

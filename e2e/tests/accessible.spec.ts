@@ -109,7 +109,7 @@ for (const language of languagesOf(import.meta.filename))
         await child.seesSaved()
         await child.opensHome()
         await expect(
-          page.getByRole('link', { name: child.word('home.continue', { name: child.word('home.fear') }) }),
+          page.getByRole('link', { name: child.word('home.continue', { name: child.card('fear') }) }),
         ).toBeVisible()
         await findsNothing(page, 'home on the second visit')
         await page.goto('/lab/nosuchcard')

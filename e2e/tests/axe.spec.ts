@@ -17,7 +17,7 @@ const screens: { readonly [name: string]: (child: Child) => Promise<void> } = {
     await child.seesSaved()
     await child.page.goto('/projects')
     await expect(child.page.getByRole('article').first()).toBeVisible()
-    const name = child.word('home.friendship')
+    const name = child.card('friendship')
     await child.presses('projects.more', { name })
   },
   'a project as a link': async (child) => {

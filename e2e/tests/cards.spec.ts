@@ -55,7 +55,7 @@ for (const language of languagesOf(import.meta.filename)) {
       await child.opensHome()
       const repair = page.getByRole('list', { name: child.word('home.repair') }).getByRole('link')
       await expect(repair).toHaveText(['9', '10', '11'])
-      await page.getByRole('link', { name: child.word('home.if-then'), exact: true }).click()
+      await page.getByRole('link', { name: child.card('if-then'), exact: true }).click()
       await child.seesLab()
       const network = page.getByRole('heading', { name: child.word('lab.network'), exact: true })
       await expect(network).toHaveCount(0)

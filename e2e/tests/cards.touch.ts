@@ -16,10 +16,8 @@ for (const language of languagesOf(import.meta.filename)) {
       await child.dragsKnob(leftEye, rightWheel, 0.8)
       await child.dragsKnob(rightEye, leftWheel, 0.8)
       await child.button('lab.card').tap()
-      await child.button('robots.beside', { card: child.word('home.friendship') }).tap()
-      await expect(crew.row.getByRole('button', { pressed: true })).toContainText(
-        child.word('home.friendship'),
-      )
+      await child.button('robots.beside', { card: child.card('friendship') }).tap()
+      await expect(crew.row.getByRole('button', { pressed: true })).toContainText(child.card('friendship'))
       await child.seesWeight(leftEye, leftWheel, 0.8)
       await expect(
         page.getByText(child.word('robots.differ', { name: child.word('world.robot'), count: 4, of: 4 })),

@@ -13,7 +13,7 @@ for (const language of languagesOf(import.meta.filename)) {
       page,
     }) => {
       await child.opensHome()
-      await page.getByRole('link', { name: child.word('home.forward'), exact: true }).click()
+      await page.getByRole('link', { name: child.card('forward'), exact: true }).click()
       await child.seesLab()
       await child.pressesStart()
       await expect(child.button('lab.start').first()).toBeVisible()
@@ -23,9 +23,9 @@ for (const language of languagesOf(import.meta.filename)) {
       await child.pressesStart()
       await child.seesCheck('forward', 'arrives')
       await page
-        .getByRole('link', { name: child.word('lab.successCard', { name: child.word('home.square') }) })
+        .getByRole('link', { name: child.word('lab.successCard', { name: child.card('square') }) })
         .click()
-      await expect(page.getByRole('heading', { level: 1 })).toHaveText(child.word('home.square'))
+      await expect(page.getByRole('heading', { level: 1 })).toHaveText(child.card('square'))
       await child.opensHome()
       const done = child.word('home.level', { passed: 1, of: 1 })
       await expect(page.getByRole('img', { name: done })).toHaveCount(1)

@@ -41,7 +41,7 @@ for (const language of languagesOf(import.meta.filename)) {
 
       await test.step('home', async () => {
         await child.opensHome()
-        await child.tabsTo(page.getByRole('link', { name: child.word('home.friendship'), exact: true }))
+        await child.tabsTo(page.getByRole('link', { name: child.card('friendship'), exact: true }))
         await child.types('Enter')
         await child.seesLab()
       })
@@ -82,7 +82,7 @@ for (const language of languagesOf(import.meta.filename)) {
         await child.tabsAndPresses('lab.menu')
         await child.tabsTo(child.button('lab.saveFile'))
         const [download] = await Promise.all([page.waitForEvent('download'), child.types('Enter')])
-        expect(download.suggestedFilename()).toBe(`${child.word('home.friendship')}.botgarten.json`)
+        expect(download.suggestedFilename()).toBe(`${child.card('friendship')}.botgarten.json`)
         await child.tabsTo(page.getByRole('link', { name: child.word('parts.home') }))
         await child.types('Enter')
         await child.seesTitle()

@@ -15,7 +15,7 @@ for (const language of languagesOf(import.meta.filename)) {
     }) => {
       const learner = new Learner(child)
       await child.opensHome()
-      await page.getByRole('link', { name: child.word('home.railway'), exact: true }).click()
+      await page.getByRole('link', { name: child.card('railway'), exact: true }).click()
       await learner.sees()
       await learner.closes(2, 3)
       await learner.seesClosedRoads(2)

@@ -42,7 +42,7 @@ for (const language of languagesOf(import.meta.filename))
     }) => {
       await child.opensLab('fear')
       await child.presses('lab.card')
-      const card = child.word('home.fear')
+      const card = child.card('fear')
       await page
         .getByRole('dialog', { name: card })
         .getByRole('link', { name: child.word('lab.onPaper'), exact: true })
@@ -100,7 +100,7 @@ for (const language of languagesOf(import.meta.filename))
       page,
     }) => {
       await page.goto('/materials')
-      const name = child.word('home.city')
+      const name = child.card('city')
       await page.getByRole('searchbox').fill(name)
       await child.presses('materials.look', { title: name })
       const aside = page.getByRole('complementary')

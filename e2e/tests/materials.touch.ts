@@ -18,7 +18,7 @@ test('where nothing fits beside the library, what is looked at lies over it and 
   page,
 }) => {
   await page.goto('/materials')
-  const name = child.word('home.city')
+  const name = child.card('city')
   const look = child.button('materials.look', { title: name })
   await look.tap()
   const over = page.getByRole('dialog', { name })

@@ -57,9 +57,7 @@ for (const language of languagesOf(import.meta.filename)) {
       await child.opensHome()
       await child.opensFileAtHome('newer.json', '{"botgarten":7}')
       await isToldWhy(child, 'newerVersion', { version: 7 })
-      expect(
-        (await offered(child)).filter((name) => name.includes(child.word('home.friendship'))),
-      ).toHaveLength(1)
+      expect((await offered(child)).filter((name) => name.includes(child.card('friendship')))).toHaveLength(1)
     })
 
     test('a saved file opens as it was, from the lab and from home', async ({ child }) => {

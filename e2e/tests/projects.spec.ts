@@ -49,7 +49,7 @@ for (const language of languagesOf(import.meta.filename)) {
       await child.seesSaved()
       const shelf = new Shelf(child)
       await shelf.opens()
-      const card = child.word('home.friendship')
+      const card = child.card('friendship')
       await shelf.seesNames(card)
       await expect(shelf.project(card).locator('svg image')).toHaveCount(1)
       await shelf.renames(card, 'Mein bester Versuch')
@@ -79,7 +79,7 @@ for (const language of languagesOf(import.meta.filename)) {
       await child.seesSaved()
       const shelf = new Shelf(child)
       await shelf.opens()
-      const card = child.word('home.friendship')
+      const card = child.card('friendship')
       const copy = child.word('session.copy', { name: card })
       await shelf.chooses(card, 'duplicate')
       await shelf.seesNames(copy, card)
@@ -135,7 +135,7 @@ for (const language of languagesOf(import.meta.filename)) {
     test('a card whose project lies in the bin begins anew, and neither overwrites the other', async ({
       child,
     }) => {
-      const card = child.word('home.friendship')
+      const card = child.card('friendship')
       await child.opensLab('friendship')
       await child.typesWeight(leftEye, leftWheel, 0.4)
       await child.seesSaved()
@@ -176,7 +176,7 @@ for (const language of languagesOf(import.meta.filename)) {
       const other = await otherTab(context, language)
       const shelf = new Shelf(other)
       await shelf.opens()
-      const card = child.word('home.friendship')
+      const card = child.card('friendship')
       await expect(shelf.project(card)).toContainText(child.word('projects.elsewhere'))
       await shelf.chooses(card, 'throw')
       await expect(child.dialog('lab.goneTitle')).toContainText(child.word('lab.goneText'))
@@ -197,8 +197,8 @@ for (const language of languagesOf(import.meta.filename)) {
       const other = await otherTab(context, language)
       const shelf = new Shelf(other)
       await shelf.opens()
-      await shelf.chooses(child.word('home.friendship'), 'throw')
-      await shelf.hears('projects.thrown', { name: child.word('home.friendship') })
+      await shelf.chooses(child.card('friendship'), 'throw')
+      await shelf.hears('projects.thrown', { name: child.card('friendship') })
       // Another project has taken the place meanwhile: an old revision does not meet it by chance.
       await other.opensLab('friendship')
       await other.typesWeight(leftEye, leftWheel, 0.1)
@@ -219,7 +219,7 @@ for (const language of languagesOf(import.meta.filename)) {
       const other = await otherTab(context, language)
       const shelf = new Shelf(other)
       await shelf.opens()
-      await shelf.renames(child.word('home.friendship'), 'Neu')
+      await shelf.renames(child.card('friendship'), 'Neu')
       await expect(heading(child)).toHaveText('Neu')
       await child.typesWeight(rightEye, rightWheel, 0.2)
       await child.seesSaved()
@@ -245,9 +245,9 @@ for (const language of languagesOf(import.meta.filename)) {
       await there.opens()
       await there.opensFile('home.botgarten.json', file)
       await there.isTold('projects.mergedTitle', 'projects.merged', { added: 3, same: 0 })
-      const copy = home.word('session.copy', { name: home.word('home.friendship') })
+      const copy = home.word('session.copy', { name: home.card('friendship') })
       expect((await there.names()).toSorted()).toEqual(
-        [copy, home.word('home.friendship'), 'Uno', 'Due'].toSorted(),
+        [copy, home.card('friendship'), 'Uno', 'Due'].toSorted(),
       )
       await there.opensFile('home.botgarten.json', file)
       await there.isTold('projects.mergedTitle', 'projects.merged', { added: 0, same: 3 })

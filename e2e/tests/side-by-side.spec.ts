@@ -18,10 +18,8 @@ for (const language of languagesOf(import.meta.filename)) {
       await child.typesWeight(leftEye, rightWheel, 0.8)
       await child.typesWeight(rightEye, leftWheel, 0.8)
       await child.presses('lab.card')
-      await child.presses('robots.beside', { card: child.word('home.friendship') })
-      await expect(crew.row.getByRole('button', { pressed: true })).toContainText(
-        child.word('home.friendship'),
-      )
+      await child.presses('robots.beside', { card: child.card('friendship') })
+      await expect(crew.row.getByRole('button', { pressed: true })).toContainText(child.card('friendship'))
       await child.seesWeight(leftEye, leftWheel, 0.8)
       const first = child.word('world.robot')
       await expect(

@@ -21,7 +21,7 @@ async function savesInBoth(child: Child, other: Child) {
   await expect(other.dialog('lab.conflictTitle')).toBeVisible()
 }
 
-const copied = (child: Child) => child.word('session.copy', { name: child.word('home.friendship') })
+const copied = (child: Child) => child.word('session.copy', { name: child.card('friendship') })
 const link = (child: Child, name: string) => child.page.getByRole('link', { name })
 
 for (const language of languagesOf(import.meta.filename)) {

@@ -1,15 +1,21 @@
-import { isSaid, say } from '#words/say.ts'
 import type { Project } from '@botgarten/programs'
-import { placeOf } from './cards.ts'
+import { language } from '#words/language.svelte.ts'
+import { m } from '#words/generated/messages.js'
+import { allCards, placeOf } from './cards.ts'
 
-/** What a card or the free lab is called, in the language of now; null where nobody has named it. */
-export const nameOf = (place: string): string | null =>
-  isSaid(`home.${place}`) ? say(`home.${place}`) : null
+/** What a card is called, in the language of now; its id where there is no such card. */
+export function titleOf(id: string): string {
+  const title = allCards.find((card) => card.id === id)?.title
+  return title?.[language.locale] ?? title?.['en'] ?? id
+}
+
+/** The same of a place: a card or the free lab. */
+const nameOf = (place: string): string => (place === 'free' ? m['home.free']() : titleOf(place))
 
 /** A project that nobody has named bears its card's id, and is called like its card. */
 export function shownName({ project }: { readonly project: Pick<Project, 'name' | 'card'> }): string {
   const place = placeOf(project)
-  return ((project.name === place || project.name === 'free') && nameOf(place)) || project.name
+  return project.name === place || project.name === 'free' ? nameOf(place) : project.name
 }
 
 /** The same for a project of which nothing else can be read; null where even that is missing. */

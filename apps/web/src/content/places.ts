@@ -1,7 +1,7 @@
 import { resolve } from '$app/paths'
 import type { Project } from '@botgarten/programs'
 import { placeOf } from './cards.ts'
-import { nameOf } from './names.ts'
+import { titleOf } from './names.ts'
 
 interface Placed {
   readonly id: string
@@ -11,7 +11,7 @@ interface Placed {
 /** The name of the card a project belongs to, in the language of now; null in the free lab. */
 export function cardName({ project }: Pick<Placed, 'project'>): string | null {
   const place = placeOf(project)
-  return place === 'free' ? null : (nameOf(place) ?? place)
+  return place === 'free' ? null : titleOf(place)
 }
 
 /** Where a project is opened; one under its card's own name is what the card's address opens. */

@@ -1,8 +1,8 @@
+import { titleOf } from '#content/names.ts'
 import { resolve } from '$app/paths'
 import type { LoadedCard } from '#content/cards.ts'
 import { textOf } from '#figures/card/face.ts'
 import { m } from '#words/generated/messages.js'
-import { say } from '#words/say.ts'
 
 export interface Goal {
   readonly id: string
@@ -52,6 +52,6 @@ export function nextStep(card: LoadedCard, passedStarts: readonly number[]): Nex
   if (index >= 0) return { kind: 'start', index }
   const { next } = card.card
   return next
-    ? { kind: 'card', href: resolve('/lab/[card]', { card: next }), name: say(`home.${next}`) }
+    ? { kind: 'card', href: resolve('/lab/[card]', { card: next }), name: titleOf(next) }
     : { kind: 'none' }
 }

@@ -1,6 +1,6 @@
 import { resolve } from '$app/paths'
 import { allCards, pictureOf, placeOf } from '#content/cards.ts'
-import { nameOf, shownName } from '#content/names.ts'
+import { shownName, titleOf } from '#content/names.ts'
 import { addressOf } from '#content/places.ts'
 import type { Listed } from '#storage/projects.ts'
 import type { Playground } from '@botgarten/content'
@@ -31,7 +31,7 @@ export const bedOf = (bed: Playground, kept: readonly Listed[]): BedCard[] =>
     .map(({ id, code, group }) => ({
       href: resolve('/lab/[card]', { card: id }),
       number: /\d+$/.exec(code)?.[0] ?? '',
-      label: nameOf(id) ?? id,
+      label: titleOf(id),
       group: group ?? null,
       level: levelOf(id, kept),
     }))

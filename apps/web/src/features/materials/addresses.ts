@@ -1,3 +1,4 @@
+import { titleOf } from '#content/names.ts'
 import materials from 'content:items'
 import { resolve } from '$app/paths'
 import { allCards } from '#content/cards.ts'
@@ -18,7 +19,7 @@ export function addressOf(href: string): string {
 export function nameOfTarget(target: string): string {
   const [kind, id] = target.split(':') as [string, string]
   const item = itemNamed(id)
-  return kind === 'item' && item ? textOf(item).title : say(`home.${id}`)
+  return kind === 'item' && item ? textOf(item).title : titleOf(id)
 }
 
 /**

@@ -1,7 +1,8 @@
+import { fetchWords } from '#words/say.ts'
+import { titleOf } from '#content/names.ts'
 import materials from 'content:items'
 import { allCards } from '#content/cards.ts'
 import { language, type Locale } from '#words/language.svelte.ts'
-import { say } from '#words/say.ts'
 import type { ItemTexts } from '@botgarten/content/catalogue'
 import type { Item, ItemMarkdown, ItemText } from '@botgarten/content/items'
 import type { Question, QuestionText } from '@botgarten/content/questions'
@@ -12,6 +13,14 @@ const texts = new Map<Locale, ItemTexts>()
 export async function fetchItems(locale: Locale = language.locale): Promise<void> {
   language.needs(fetchItems)
   if (!texts.has(locale)) texts.set(locale, await materials.itemTexts(locale))
+}
+
+/** What materials say, and what they show: networks, tables of trials, groups, worlds. */
+const wordsShown = ['materials', 'network', 'q-learning', 'sorting', 'worlds'] as const
+
+/** All that a page of learning materials needs before it says anything. */
+export const fetchMaterials = async (): Promise<void> => {
+  await Promise.all([fetchItems(), fetchWords(...wordsShown)])
 }
 
 /** All learning materials, in the order of their folders. */
@@ -39,7 +48,7 @@ const bothSides = (id: string): ItemMarkdown => [
 
 /** As the sets of cards are written: its name as a heading, then both sides. */
 function cardText(id: string): ItemText {
-  const title = say(`home.${id}`)
+  const title = titleOf(id)
   return { title, lead: [], sections: [{ title, body: bothSides(id), notes: [] }] }
 }
 

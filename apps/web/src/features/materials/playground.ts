@@ -1,3 +1,4 @@
+import { titleOf } from '#content/names.ts'
 import { load, save } from '#storage/projects.ts'
 import { say } from '#words/say.ts'
 import { cardProject } from '@botgarten/content'
@@ -18,7 +19,7 @@ export async function layOut(card: string, file: string): Promise<LaidOut> {
   const kept = await load(id)
   if (!kept && file === 'start') return { id, asStart: false }
   const { card: loaded, program } = await programOf(card, file)
-  const name = `${say(`home.${card}`)} · ${say('materials.onSlides')}`
+  const name = `${titleOf(card)} · ${say('materials.onSlides')}`
   const project = cardProject(loaded.world, loaded.card, program, name)
   const { kind } = await save(id, project, kept?.revision ?? 0)
   // Another window that shows the same slide has laid out the same.

@@ -15,9 +15,9 @@ export interface BlockPicture {
 
 /** Draws blocks as the editor has them. `letters`: in the clear ones. */
 interface BlocksFigure {
-  drawProgram(program: CardProgram, locale: Locale, letters: boolean): Promise<BlockPicture>
+  readonly drawProgram: (program: CardProgram, locale: Locale, letters: boolean) => Promise<BlockPicture>
   /** A block with what is in it, or one by its type as it lies on the shelf. */
-  drawBlock(block: Block | string, locale: Locale, letters: boolean): Promise<BlockPicture>
+  readonly drawBlock: (block: Block | string, locale: Locale, letters: boolean) => Promise<BlockPicture>
 }
 
 let loading: (() => Promise<BlocksFigure>) | null = null

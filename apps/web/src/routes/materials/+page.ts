@@ -1,6 +1,3 @@
-import { fetchItems } from '#features/materials/library.ts'
-import { fetchWords } from '#words/say.ts'
+import { fetchMaterials } from '#features/materials/library.ts'
 
-export const load = async () => {
-  await Promise.all([fetchItems(), fetchWords('materials')])
-}
+export const load = () => fetchMaterials()

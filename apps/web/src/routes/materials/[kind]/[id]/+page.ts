@@ -1,7 +1,6 @@
 import { error } from '@sveltejs/kit'
 import { allCards } from '#content/cards.ts'
-import { allItems, allQuestions, cardItem, fetchItems, itemNamed } from '#features/materials/library.ts'
-import { fetchWords } from '#words/say.ts'
+import { allItems, allQuestions, cardItem, fetchMaterials, itemNamed } from '#features/materials/library.ts'
 import type { EntryGenerator, PageLoad } from './$types'
 
 // Names that are not among the entries are answered by the server, with the page that says so.
@@ -16,7 +15,7 @@ export const entries: EntryGenerator = () => [
 const modules = [...new Set(allQuestions.map(({ module }) => String(module)))]
 
 export const load: PageLoad = async ({ params }) => {
-  await Promise.all([fetchItems(), fetchWords('materials', 'network', 'q-learning', 'sorting', 'worlds')])
+  await fetchMaterials()
   if (params.kind === 'questions' && modules.includes(params.id))
     return { item: null, module: Number(params.id) }
   const item = itemNamed(params.id) ?? cardItem(params.id)
