@@ -238,7 +238,7 @@ test('printing that is stopped leaves nothing in the temporary folder', async ()
     )
     await expect
       .poll(() => readdirSync(folder), { timeout: 20_000 })
-      .toContainEqual(expect.stringMatching(/^playwright/))
+      .toContainEqual(expect.stringMatching(/^botgarten-browser/))
     printing.kill('SIGINT')
     await once(printing, 'exit')
     expect(readdirSync(folder)).toEqual(['out'])

@@ -6,12 +6,24 @@ import type { Browser } from 'playwright-core'
 import { FileError } from '../errors.ts'
 import { say } from '../words.ts'
 
-/** A folder for what the browser itself lays down: one that is stopped while it starts leaves things there. */
+/** A folder for all that the browser and who starts it lay down: whenever this program ends, it goes. */
 function folderForOnce(): string {
   const folder = mkdtempSync(join(tmpdir(), 'botgarten-browser-'))
   process.once('exit', () => rmSync(folder, { recursive: true, force: true, maxRetries: 3 }))
   return folder
 }
+
+/** Until the browser's own library listens, a signal ends this program as its end is meant: what lies about goes. */
+async function endingWell<Result>(act: () => Promise<Result>): Promise<Result> {
+  const end = () => process.exit(130)
+  for (const signal of signals) process.once(signal, end)
+  try {
+    return await act()
+  } finally {
+    for (const signal of signals) process.off(signal, end)
+  }
+}
+const signals = ['SIGINT', 'SIGTERM'] as const
 
 /** The machine's browser, without a window. @throws FileError that says what to do where there is none */
 export async function openBrowser(): Promise<Browser> {
@@ -20,10 +32,9 @@ export async function openBrowser(): Promise<Browser> {
   // Asked for late: no other verb needs it.
   const { chromium } = await import('playwright-core')
   try {
-    return await chromium.launch({
-      executablePath,
-      args: flags,
-      env: { ...process.env, TMPDIR: folderForOnce() },
+    return await endingWell(() => {
+      process.env['TMPDIR'] = folderForOnce()
+      return chromium.launch({ executablePath, args: flags })
     })
   } catch (error) {
     const [said] = (error as Error).message.split('\n')
