@@ -20,6 +20,7 @@ describe('what has changed', () => {
     ['apps/web/src/storage/bin.ts', 'storage'],
     ['packages/simulation/step.ts', 'simulation'],
     ['apps/cli/run.ts', 'cli'],
+    // eslint-disable-next-line no-restricted-syntax -- a name; nothing is read
     ['content/cards/network/06-fear/card.json', 'content'],
     ['scripts/prepare/run.mjs', 'scripts'],
     ['README.md', null],
@@ -32,6 +33,7 @@ describe('what has changed', () => {
 
   it('leads to the browser tests of its room', () => {
     expect(specsOf(['apps/web/src/features/sorting/hull.ts'], all)).toEqual(['e2e/tests/sorting.spec.ts'])
+    // eslint-disable-next-line no-restricted-syntax -- a name; nothing is read
     expect(specsOf(['content/worlds/maze/world.json'], all)).toEqual(['e2e/tests/cards.spec.ts'])
   })
 

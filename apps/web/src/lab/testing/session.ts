@@ -1,7 +1,6 @@
-import type { Card } from '@botgarten/content'
+import { content } from '@botgarten/content/files'
 import type { Project } from '@botgarten/programs'
 import { paintFloor } from '@botgarten/simulation'
-import { readFileSync } from 'node:fs'
 import { vi } from 'vitest'
 import type { LoadedCard } from '#content/cards.ts'
 import { friendship } from '#storage/testing/sample.ts'
@@ -9,8 +8,7 @@ import type { LabEvent } from '../change.ts'
 import type { Opened } from '../opening.ts'
 import { LabSession } from '../session.svelte.ts'
 
-const path = '../../../../../content/cards/network/05-friendship/card.json'
-export const card = JSON.parse(readFileSync(new URL(path, import.meta.url), 'utf8')) as Card
+export const { card } = content.card('friendship')!
 
 const open: LabSession[] = []
 
