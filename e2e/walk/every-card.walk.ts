@@ -43,14 +43,14 @@ for (const [index, task] of tasks.entries()) {
         })
 
       await test.step('what comes next is offered, and home shows that all is done', async () => {
-        const onTo = child.word('lab.successCard', { name: card.next ? child.word(`home.${card.next}`) : '' })
+        const onTo = child.word('lab.successCard', { name: card.next ? child.card(card.next) : '' })
         const next = page.getByRole('link', { name: onTo, exact: true })
         if (card.next) await expect(next).toHaveAttribute('href', new RegExp(`/lab/${card.next}$`))
         else await expect(next).toHaveCount(0)
         await child.seesSaved()
         if (card.next) {
           await next.click()
-          await expect(page.getByRole('heading', { level: 1 })).toHaveText(child.word(`home.${card.next}`))
+          await expect(page.getByRole('heading', { level: 1 })).toHaveText(child.card(card.next))
         }
         await child.opensHome()
         const full = child.word('home.level', { passed: of, of })
