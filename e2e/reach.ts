@@ -2,9 +2,9 @@ import type { Page } from '@playwright/test'
 
 /**
  * What cannot be reached or read at the size the window has now, each as a sentence for whoever mends it: a control that
- * stays outside of the window or under something else however one scrolls, words that something lies on, and a page or a
- * part that has to be scrolled in both directions. Blockly's own DOM, and what lies on the world's floor, are stages of
- * their own.
+ * stays outside of the window or under something else however one scrolls, words that something lies on, a page or a part
+ * that has to be scrolled in both directions, and a menu that cuts its words. Blockly's own DOM, and what lies on the
+ * world's floor, are stages of their own.
  */
 export const outOfReach = (page: Page): Promise<string[]> =>
   page.evaluate(() => {
@@ -99,6 +99,8 @@ export const outOfReach = (page: Page): Promise<string[]> =>
         box.scrollHeight > box.clientHeight + 1
       )
         faults.add(`${nameOf(box)} scrolls in both directions`)
+      if (box.matches('.menu > .sheet') && box.scrollWidth > box.clientWidth + 1)
+        faults.add(`${nameOf(box)} cuts its words`)
     }
     for (const box of document.querySelectorAll('*'))
       if (box.scrollTop || box.scrollLeft) box.scrollTo({ top: 0, left: 0, behavior: 'instant' })
