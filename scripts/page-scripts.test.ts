@@ -62,6 +62,17 @@ test('of the tables of words only those of the language that is spoken count', (
   expect(files.map(({ name }) => name).sort()).toEqual([tables[1], tables[3], 'page'])
 })
 
+test('small tables of a language, which come together, count as late and in their language', () => {
+  const manifest = {
+    page: chunk('page', [], ['_a.js', '_b.js']),
+    ...{ '_a.js': chunk('words-de'), '_b.js': chunk('words-en') },
+  }
+  const named = (counted: Counted) =>
+    scriptsOf('_app/immutable/page.js', manifest, (file) => file.length, counted).map(({ name }) => name)
+  expect(named({ language: 'de' })).toEqual(['page'])
+  expect(named({ language: 'de', withLater: true }).sort()).toEqual(['page', 'words-de'])
+})
+
 test('what another playground asks for late does not count', () => {
   const later = ['q-learning', 'sorting'].map((name) => `src/features/${name}/later.ts`)
   const parts = Object.fromEntries(later.map((name) => [name, chunk(name)]))

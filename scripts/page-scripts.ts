@@ -19,14 +19,17 @@ const isTableOfPages = (name: string | undefined) => name === 'entry/app'
 // A part of the page that only a click asks for hangs on a file of this name, and has files of words of its own; pages
 // begin with these.
 const atOnce = ['app', 'blockly']
-const isForLater = (key: string) =>
-  /\/later\.ts$/.test(key) || !atOnce.includes(wordsOf(key)?.['file'] ?? 'app')
+const isForLater = (key: string, name: string | undefined) =>
+  /\/later\.ts$/.test(key) ||
+  smallWords(name) !== undefined ||
+  !atOnce.includes(wordsOf(key)?.['file'] ?? 'app')
 // Chunks of cards and worlds: the page loads the one that it shows.
 const isContent = (name: string | undefined) => name?.startsWith('content-') ?? false
 
-// Files of words: the page loads those of the language that it speaks.
+// Files of words: the page loads those of the language that it speaks. Small ones of a language come together.
 const wordsOf = (key: string) => /content:words\/(?<language>\w+)\/(?<file>[\w-]+)$/.exec(key)?.groups
-const languageOf = (key: string) => wordsOf(key)?.['language']
+const smallWords = (name = '') => /^words-(\w+)$/.exec(name)?.[1]
+const languageOf = (key: string, name: string | undefined) => wordsOf(key)?.['language'] ?? smallWords(name)
 
 // Of what comes late a page never asks for another playground; what is seen inside a network belongs to the lab.
 const playgroundOf = (key: string) => /features\/(q-learning|sorting)\/later\.ts$/.exec(key)?.[1]
@@ -63,9 +66,9 @@ export function scriptsOf(
     const lazy = isTableOfPages(chunk.name) ? [] : (chunk.dynamicImports ?? [])
     const comes = (one: string) => {
       const { name } = manifest[one] ?? {}
-      if (language && (languageOf(one) ?? language) !== language) return false
+      if (language && (languageOf(one, name) ?? language) !== language) return false
       if (playground && (playgroundOf(one) ?? playground) !== playground) return false
-      return isContent(name) ? name === `content-${content}` : withLater || !isForLater(one)
+      return isContent(name) ? name === `content-${content}` : withLater || !isForLater(one, name)
     }
     waiting.push(...(chunk.imports ?? []), ...lazy.filter(comes))
   }

@@ -5,7 +5,7 @@ import { contentPlugin } from '@botgarten/content/vite'
 import { examples } from './examples.ts'
 import { notices } from './notices.ts'
 import { webSpace } from './web-space.ts'
-import { words } from './words.ts'
+import { chunkOfWords, words } from './words.ts'
 
 /**
  * The physics library's lists of what it could load from a file and of what can touch what hold all joints, edges and chains;
@@ -61,6 +61,7 @@ const chunks = [
     priority: 2,
   },
   { name: openedOf, priority: 2 },
+  { name: chunkOfWords, priority: 2 },
   {
     name: 'common',
     test: /content:(cards|worlds)$|(src[\\/](content|app[\\/]offline|parts(?![\\/]page[\\/])|words)|node_modules[\\/]svelte)[\\/]|storage[\\/](bin|channel|copy-name|database|endings|handout|projects|refusal|settings)\.ts/,

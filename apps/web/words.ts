@@ -1,3 +1,4 @@
+import { statSync } from 'node:fs'
 import { readFile } from 'node:fs/promises'
 import { createRequire } from 'node:module'
 import { join } from 'node:path'
@@ -37,6 +38,18 @@ const tables = (folder: string): Plugin => ({
     },
   },
 })
+
+/** Messages of one language that are fewer than this many bytes come together: a request costs more than they do. */
+const smallTable = 8_000
+
+/** Name of the chunk of a language's small files; null for what is none of them. */
+export function chunkOfWords(id: string): string | null {
+  const [, language, file] = /^\0content:words\/([^/]+)\/([^/]+)$/.exec(id) ?? []
+  if (!language || !file) return null
+  // A language that lacks the file has what it falls back to; the first fallback has them all.
+  const size = statSync(join(wordsFolder, 'en', `${file}.json`)).size
+  return size < smallTable ? `words-${language}` : null
+}
 
 function indexOf(folder: string): string {
   const languages = languagesIn(folder)
