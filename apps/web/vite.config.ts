@@ -100,7 +100,7 @@ export default defineConfig({
   plugins: [
     contentPlugin,
     ...examples,
-    ...words,
+    words,
     lessPhysics,
     lessXml,
     notices,

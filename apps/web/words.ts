@@ -88,26 +88,7 @@ function comingWithBlockly(language: string): { readonly [key: string]: string }
   }
 }
 
-/**
- * A message as Paraglide compiles it is a module with its words in every language; a page speaks one. Paraglide keeps the types;
- * in what is built a message is its key, and its words come from the table of the language.
- */
-const messagesByKey: Plugin = {
-  name: 'messages-by-key',
-  enforce: 'pre',
-  transform: {
-    filter: { code: /from '#words\/generated\/messages\.js'/ },
-    handler: (code) => ({
-      code: code.replace(
-        /import (?:\* as m|\{ m \}) from '#words\/generated\/messages\.js'/,
-        "import { m } from '#words/say.ts'",
-      ),
-      map: null,
-    }),
-  },
-}
-
 /** The words of a folder such as `content/words`, as the screens ask for them. */
-export const wordsFrom = (folder: string): Plugin[] => [tables(folder), messagesByKey]
+export const wordsFrom = tables
 
 export const words = wordsFrom(wordsFolder)

@@ -1,6 +1,6 @@
 import type { Project } from '@botgarten/programs'
 import { language } from '#words/language.svelte.ts'
-import { m } from '#words/generated/messages.js'
+import { m } from '#words/say.ts'
 import { allCards, placeOf } from './cards.ts'
 
 /** What a card is called, in the language of now; its id where there is no such card. */

@@ -1,4 +1,4 @@
-import { m } from '#words/generated/messages.js'
+import { m } from '#words/say.ts'
 
 /** The name without what says that it is a copy, in the language of now. */
 function original(name: string): string {

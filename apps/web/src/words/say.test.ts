@@ -1,7 +1,7 @@
 import { fill } from '@botgarten/messages'
 import { filesIn, languagesIn, ownTableOf } from '@botgarten/messages/folder'
 import { expect, test, vi } from 'vitest'
-import * as m from '#words/generated/messages.js'
+import { m } from '#words/say.ts'
 import { language } from './language.svelte.ts'
 import { isSaid, say, wordsIn } from './say.ts'
 

@@ -14,7 +14,7 @@ async function pageWith(folder: string) {
   const server = await createServer({
     configFile: false,
     root: join(import.meta.dirname, '../..'),
-    plugins: [...wordsFrom(folder), svelte()],
+    plugins: [wordsFrom(folder), svelte()],
     server: { middlewareMode: true, hmr: false, ws: false, watch: null },
     optimizeDeps: { noDiscovery: true },
     appType: 'custom',

@@ -1,7 +1,7 @@
 import * as Blockly from 'blockly/core'
 import { isBotBlock } from './bot-block.ts'
 import { registerNotes, toggleNote } from './note-icon.ts'
-import { m } from '#words/generated/messages.js'
+import { m } from '#words/say.ts'
 import { readSetting, writeSetting } from '#storage/settings.ts'
 
 type CopyData = Blockly.clipboard.BlockCopyData

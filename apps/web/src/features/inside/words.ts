@@ -1,5 +1,4 @@
-import { m } from '#words/generated/messages.js'
-import { say } from '#words/say.ts'
+import { m, say } from '#words/say.ts'
 import { language } from '#words/language.svelte.ts'
 import { formatNumber } from '#drawing/numbers.ts'
 import type { Neuron } from '#figures/network/neurons.ts'

@@ -2,8 +2,7 @@ import { titleOf } from '#content/names.ts'
 import materials from 'content:items'
 import { resolve } from '$app/paths'
 import { allCards } from '#content/cards.ts'
-import { m } from '#words/generated/messages.js'
-import { say } from '#words/say.ts'
+import { m, say } from '#words/say.ts'
 import { itemNamed, textOf } from './library.ts'
 
 /** Where a link of an item leads: `card:<id>` to the lab, `item:<id>` to the item, everything else elsewhere. */

@@ -1,5 +1,5 @@
 import type { Embed } from '@botgarten/content/items'
-import { m } from '#words/generated/messages.js'
+import { m } from '#words/say.ts'
 import { flows } from './drawn/flow/flows.ts'
 import { flowWords } from './drawn/flow/words.ts'
 import { allQuestions, questionText } from './library.ts'

@@ -1,7 +1,7 @@
 // What writes Open Roberta's files: only one who asks for such a file waits for it.
 import { strToU8, zipSync } from 'fflate'
 import { handOut } from '#storage/handout.ts'
-import * as m from '#words/generated/messages.js'
+import { m } from '#words/say.ts'
 import type { Project } from '@botgarten/programs'
 import { filesOf, outgoingOf, type Outgoing } from './outgoing.ts'
 import { save } from './save.ts'

@@ -8,7 +8,7 @@ import { nameOfCopy } from '#storage/copy-name.ts'
 import { freshId, list, load, open, rename, save, type Listed } from '#storage/projects.ts'
 import type { Damaged } from '#storage/records.ts'
 import { wordsOfRefusal } from '#storage/refusal.ts'
-import * as m from '#words/generated/messages.js'
+import { m } from '#words/say.ts'
 import type { Project } from '@botgarten/programs'
 import { shownName } from '#content/names.ts'
 

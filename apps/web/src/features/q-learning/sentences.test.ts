@@ -1,6 +1,6 @@
 import { Course, gridMap, layOutWorld, type Settings, type Task } from '@botgarten/learning/q-learning'
 import { describe, expect, test } from 'vitest'
-import { m } from '#words/generated/messages.js'
+import { m } from '#words/say.ts'
 import { reasonOf } from './sentences.ts'
 import { shownOf } from './shown.ts'
 

@@ -1,5 +1,5 @@
 import type { Plan } from '@botgarten/learning/q-learning'
-import { m } from '#words/generated/messages.js'
+import { m } from '#words/say.ts'
 import { number } from './numbers.ts'
 import type { Learning } from './learning.svelte.ts'
 import type { Shown } from './shown.ts'

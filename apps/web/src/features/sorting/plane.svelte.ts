@@ -1,5 +1,5 @@
 import { distancesOf } from '@botgarten/learning/k-means'
-import * as m from '#words/generated/messages.js'
+import { m } from '#words/say.ts'
 import type { Desk } from './desk.svelte.ts'
 import type { Drawing } from './draw.ts'
 import { apart, fieldIn, spotOf, under, type Room } from './geometry.ts'

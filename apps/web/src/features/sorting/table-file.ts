@@ -1,6 +1,6 @@
 import { LARGEST } from '@botgarten/learning/k-means'
 import type { Encoding, Table, TableError } from '@botgarten/content/tables'
-import * as m from '#words/generated/messages.js'
+import { m } from '#words/say.ts'
 import { MOST_COLUMNS, MOST_POINTS } from './work.ts'
 
 const limits = { rows: MOST_POINTS, columns: MOST_COLUMNS, largest: LARGEST }

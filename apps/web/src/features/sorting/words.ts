@@ -1,7 +1,7 @@
 import type { Column, ThingSet } from '@botgarten/content/things'
 import { formatNumber } from '#drawing/numbers.ts'
 import { language } from '#words/language.svelte.ts'
-import * as m from '#words/generated/messages.js'
+import { m } from '#words/say.ts'
 
 type Message = () => string
 

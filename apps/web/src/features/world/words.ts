@@ -1,5 +1,5 @@
 import type { Obstacle } from '@botgarten/simulation'
-import { m } from '#words/generated/messages.js'
+import { m } from '#words/say.ts'
 
 const names: { readonly [look: string]: () => string } = {
   block: m['world.thing.block'],

@@ -1,4 +1,4 @@
-import { m } from '#words/generated/messages.js'
+import { m } from '#words/say.ts'
 
 /** What a child calls a robot, by its place in the crew (from 0). */
 export const robotName = (index: number): string =>

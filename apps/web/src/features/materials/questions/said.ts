@@ -1,6 +1,6 @@
 import type { ItemMarkdown, ItemNode } from '@botgarten/content/items'
 import type { QuestionText } from '@botgarten/content/questions'
-import { m } from '#words/generated/messages.js'
+import { m } from '#words/say.ts'
 import { sayable } from '../sayable.ts'
 
 const sentence = (value: string): ItemNode => ({ type: 'paragraph', children: [{ type: 'text', value }] })

@@ -1,4 +1,4 @@
-import { m } from '#words/generated/messages.js'
+import { m } from '#words/say.ts'
 import { thingName } from '../words.ts'
 import type { Item } from './edits.ts'
 

@@ -1,5 +1,4 @@
-import { m } from '#words/generated/messages.js'
-import { say } from '#words/say.ts'
+import { m, say } from '#words/say.ts'
 import type { Flow } from './flow.ts'
 
 /** Boxes that say all in one sentence. */
