@@ -1,53 +1,92 @@
-// `npm run check:sizes`: the JavaScript that a page may load, as brotli on the wire.
+// `npm run check:sizes`: the JavaScript that a page may load and that a feature may add to it, as brotli on the wire.
 import { readFileSync } from 'node:fs'
 import { join } from 'node:path'
-import { scriptsOf } from './page-scripts.ts'
-import type { Manifest, Script } from './page-scripts.ts'
+import { scriptsFrom, scriptsOf, type Asks, type Manifest, type Script } from './page-scripts.ts'
 import { inHouse } from './prepare/house.mjs'
 
-export interface PageSize {
-  readonly page: string
+export interface Size {
+  /** A page, or the lazy part of a feature: what it adds to its page. */
+  readonly what: string
   readonly scripts: readonly Script[]
-  /** Brotli bytes of all scripts, and how many the page may have. */
+  /** Brotli bytes of all scripts, and how many there may be. */
   readonly bytes: number
   readonly budget: number
 }
 
+/** What a feature says of itself in its door. */
+interface Feature {
+  readonly id: string
+  readonly route?: string
+  readonly budget: { readonly page?: number; readonly part?: number }
+}
+
 const web = inHouse('apps', 'web')
 const kB = 1000
+/** The language whose words are longest. */
+const language = 'de'
 
-const budgets = [
-  { page: 'home', file: 'index.html', budget: 100 * kB },
-  { page: 'lab', file: 'lab/friendship.html', budget: 450 * kB, content: 'friendship' },
-  {
-    page: 'lab, all of it',
-    file: 'lab/friendship.html',
-    budget: 600 * kB,
-    content: 'friendship',
-    playground: 'neural-network',
-    withLater: true,
-  },
-]
+const readJson = (...path: string[]) => JSON.parse(readFileSync(join(web, ...path), 'utf8')) as unknown
 
-/** Pages of the present build, in the language whose words are longest. */
-export function measurePages(): PageSize[] {
-  const manifestFile = join(web, '.svelte-kit', 'output', 'client', '.vite', 'manifest.json')
-  const manifest = JSON.parse(readFileSync(manifestFile, 'utf8')) as Manifest
-  return budgets.map(({ page, file, budget, ...counted }) => {
-    const html = readFileSync(join(web, 'build', 'prerendered', file), 'utf8')
-    const scripts = scriptsOf(
-      html,
-      manifest,
-      (script) => readFileSync(join(web, 'build', 'client', `${script}.br`)).length,
-      { language: 'de', ...counted },
-    )
-    return { page, scripts, bytes: scripts.reduce((sum, { bytes }) => sum + bytes, 0), budget }
-  })
+const featureOf = (source: string) => /^src\/features\/([^/]+)\//.exec(source)?.[1]
+const wordsOf = (source: string) => /content:words\/(\w+)\/([\w-]+)$/.exec(source)
+/** Words that every page and the blocks say. */
+const wordsAtOnce = ['app', 'blockly']
+
+/** What a page with this card asks for by itself: its words, its card, parts of these features. */
+const atOnce =
+  (card: string | null, features: readonly string[]): Asks =>
+  (source, { name }) => {
+    const [, locale, file = ''] = wordsOf(source) ?? []
+    if (locale) return locale === language && wordsAtOnce.includes(file)
+    return name === `content-${card}` || features.some((id) => source === `src/features/${id}/lazy.ts`)
+  }
+
+/** Everything that the lab may ask for, but the parts of pages of their own, other languages and cards. */
+const inLab =
+  (card: string, pages: readonly string[]): Asks =>
+  (source, { name = '' }) => {
+    const [, locale] = wordsOf(source) ?? /^(?:words)-(\w+)$/.exec(name) ?? []
+    if (locale) return locale === language
+    if (name.startsWith('content-')) return name === `content-${card}`
+    return !pages.includes(featureOf(source) ?? '')
+  }
+
+/** Sizes of the present build. */
+export function measure(): Size[] {
+  const manifest = readJson('.svelte-kit', 'output', 'client', '.vite', 'manifest.json') as Manifest
+  const features = readJson('build', 'prerendered', 'features.json') as Feature[]
+  const htmlOf = (page: string) =>
+    readFileSync(join(web, 'build', 'prerendered', `${page || 'index'}.html`), 'utf8')
+  const sizeOf = (file: string) => readFileSync(join(web, 'build', 'client', `${file}.br`)).length
+  const sized = (what: string, scripts: readonly Script[], budget: number): Size => {
+    return { what, scripts, bytes: scripts.reduce((sum, { bytes }) => sum + bytes, 0), budget }
+  }
+  /** What `load` of a feature's door imports. */
+  const lazyOf = (id: string) =>
+    Object.keys(manifest).filter((source) => new RegExp(`^src/features/${id}/[^/]+$`).test(source))
+  const card = 'friendship'
+  const labOf = (asks: Asks) => scriptsOf(htmlOf(`lab/${card}`), manifest, sizeOf, asks)
+  const lab = labOf(atOnce(card, ['editor']))
+  const withPages = features.flatMap(({ id, route }) => (route === undefined ? [] : [id]))
+  const pages = [
+    sized('lab', lab, 450 * kB),
+    sized('lab, all of it', labOf(inLab(card, [...withPages, 'q-learning'])), 600 * kB),
+  ]
+  for (const { id, route, budget } of features) {
+    const own = route === undefined ? [] : scriptsOf(htmlOf(route), manifest, sizeOf, atOnce(null, []))
+    if (budget.page) pages.push(sized(`page of ${id}`, own, budget.page))
+    if (!budget.part) continue
+    const asking = route !== undefined ? own : id === 'editor' ? labOf(atOnce(card, [])) : lab
+    const there = new Set(asking.map(({ file }) => file))
+    const added = scriptsFrom(lazyOf(id), manifest, sizeOf).filter(({ file }) => !there.has(file))
+    pages.push(sized(`part of ${id}`, added, budget.part))
+  }
+  return pages
 }
 
 function report() {
-  for (const { page, scripts, bytes, budget } of measurePages()) {
-    const line = `${page}: ${(bytes / kB).toFixed(1)} of ${budget / kB} kB brotli JavaScript in ${scripts.length} files`
+  for (const { what, scripts, bytes, budget } of measure()) {
+    const line = `${what}: ${(bytes / kB).toFixed(1)} of ${budget / kB} kB brotli JavaScript in ${scripts.length} files`
     if (bytes <= budget) console.log(line)
     else {
       console.error(`${line}: too much. The largest:`)

@@ -6,7 +6,7 @@ import { languagesOf } from '../words.ts'
 
 const built = new URL('../../apps/web/.svelte-kit/output/client/.vite/manifest.json', import.meta.url)
 const manifest = JSON.parse(readFileSync(built, 'utf8')) as { readonly [source: string]: { file: string } }
-const part = `**/${manifest['src/app/lab-screen/later.ts']!.file}`
+const part = `**/${manifest['src/features/share/ShareDialog.svelte']!.file}`
 
 for (const language of languagesOf(import.meta.filename))
   test.describe(`a part of the lab that does not come, in ${language}`, () => {
@@ -23,13 +23,17 @@ for (const language of languagesOf(import.meta.filename))
       const note = page.getByRole('status').filter({ hasText: child.word('offline.partLost') })
       const close = note.getByRole('button', { name: child.word('parts.close') })
       await page.route(part, (route) => route.abort())
-      for (const press of ['lab.card', 'lab.card', 'lab.menu', 'lab.menu']) {
-        await child.presses(press)
+      const share = async () => {
+        await child.presses('lab.menu')
+        await child.presses('parts.share')
+      }
+      for (let press = 0; press < 2; press++) {
+        await share()
         await close.click()
         await expect(note).toBeHidden()
       }
 
-      await child.presses('lab.card')
+      await share()
       await page.route('**/lab/friendship*', (route) => route.abort())
       await child.presses('parts.again')
       await expect(note).toBeVisible()
@@ -40,7 +44,7 @@ for (const language of languagesOf(import.meta.filename))
       await expect(note).toBeHidden()
       await child.seesLab()
       await child.seesWeight(leftEye, leftWheel, 0.4)
-      await child.presses('lab.card')
+      await share()
       await expect(page.getByRole('dialog')).toBeVisible()
     })
   })

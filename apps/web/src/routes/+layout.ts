@@ -1,4 +1,3 @@
-import { fillBlocks } from '#figures/blocks/slot.ts'
 import { fetchWords } from '#words/say.ts'
 
 // The lab lives in the browser; pages are shells that start with the network cable pulled.
@@ -6,7 +5,5 @@ export const ssr = false
 export const prerender = true
 // A web space answers with the index.html of a folder, and only with that.
 export const trailingSlash = __WEB_SPACE__ ? 'always' : 'never'
-
-fillBlocks(() => import('#features/editor/pictures/later.ts'))
 
 export const load = () => fetchWords('app')

@@ -1,5 +1,5 @@
 import type { Facts } from '@botgarten/blocks'
-import { parseProject, ProjectError, salvageProject, type Project } from '@botgarten/programs'
+import { parseProject, ProjectError, salvageProject, type Project } from '@botgarten/programs/project'
 import { loadFreeLab, placeOf } from '#content/cards.ts'
 import { shownName } from '#content/names.ts'
 import { m } from '#words/say.ts'

@@ -1,4 +1,4 @@
-import { writeProjectFile, type Project } from '@botgarten/programs'
+import { writeProjectFile, type Project } from '@botgarten/programs/project'
 import { rawText } from './raw.ts'
 
 const types = { json: 'application/json', xml: 'application/xml', csv: 'text/csv', zip: 'application/zip' }

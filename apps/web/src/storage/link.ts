@@ -1,4 +1,10 @@
-import { parseProject, ProjectError, refusalOf, writeProject, type Project } from '@botgarten/programs'
+import {
+  parseProject,
+  ProjectError,
+  refusalOf,
+  writeProject,
+  type Project,
+} from '@botgarten/programs/project'
 import { Inflate, strFromU8, strToU8 } from 'fflate'
 
 /** Why a link was refused, as the words `problem.<reason>.title` and `.text`. */

@@ -1,4 +1,4 @@
-import { refusalOf, type Project, type ProjectError } from '@botgarten/programs'
+import { refusalOf, type Project, type ProjectError } from '@botgarten/programs/project'
 import { announce } from './channel.ts'
 import { database, reading, troubleOf, writing, type Kept, type Trouble, type Writing } from './database.ts'
 import {

@@ -1,4 +1,4 @@
-import { parseProject, ProjectError, type Project } from '@botgarten/programs'
+import { parseProject, ProjectError, type Project } from '@botgarten/programs/project'
 import type { Kept, ProjectRecord, Reading, Writing } from './database.ts'
 
 // A project and the records that it is made of. Everything that is read here may be damaged.

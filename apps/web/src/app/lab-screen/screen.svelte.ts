@@ -1,25 +1,26 @@
 import { createContext } from 'svelte'
 import type { Difference } from '@botgarten/programs/open-roberta'
 import { textOf } from '#figures/card/face.ts'
-import { Crew } from '#features/crew/robots.svelte.ts'
+import { Crew } from '#features/crew/feature.ts'
 import type { Held } from '#lab/blocks.ts'
-import type { Learner } from '#features/q-learning/later.ts'
-import { addNeuron, mend } from '#features/robot/plug.ts'
-import { RobotTools } from '#features/robot/tools.svelte.ts'
-import { Guide } from '#features/tour/guide.svelte.ts'
-import { sightOf } from '#features/tour/tour.ts'
-import { BuildMode } from '#features/world/build-mode.svelte.ts'
+import { inside } from '#features/inside/feature.ts'
+import type { Learner } from '#features/q-learning/feature.ts'
+import { addNeuron, mend } from '#features/robot/feature.ts'
+import { Guide, sightOf } from '#features/tour/feature.ts'
+import { BuildMode, world } from '#features/world/feature.ts'
 import { Glow } from '#figures/glow.svelte.ts'
 import type { Opened } from '#lab/opening.ts'
 import { LabSession } from '#lab/session.svelte.ts'
 import { TimeMachine } from '#lab/time.svelte.ts'
 import { LabUi } from '#lab/ui.svelte.ts'
+import { bring } from '#parts/feature.ts'
 import { saveProjectFile } from '#storage/handout.ts'
-import { m, withWords } from '#words/say.ts'
+import { m } from '#words/say.ts'
 import { againFrom, nextStep, taskOf } from './card.ts'
-import type { saveForOpenRoberta } from './doors/later.ts'
+import * as doors from './doors/doors.ts'
 import { saidAtOnce, stoppingBlocks, wordsOf, wordsOfDifferences } from './findings.ts'
 import { Layout } from './layout.svelte.ts'
+import { RobotTools } from './robot-tools.svelte.ts'
 import type { Blocks } from '#lab/blocks.ts'
 
 /** Everything that the parts of the lab's screen share: they take it from the context, and no property relays it. */
@@ -42,12 +43,16 @@ export class LabScreenState {
   /** What may end the program here and not in Open Roberta; said once, when the file was opened. */
   differences = $state.raw<readonly Difference[]>([])
   /** What to ask before the program goes to Open Roberta. */
-  saving = $state.raw<Awaited<ReturnType<typeof saveForOpenRoberta>>>(null)
+  saving = $state.raw<Awaited<ReturnType<typeof doors.saveForOpenRoberta>>>(null)
 
   constructor(opened: Opened) {
     this.session = new LabSession(opened)
     this.ui = new LabUi(this.session)
-    this.build = new BuildMode(this.session, this.ui)
+    this.build = new BuildMode(
+      this.session,
+      this.ui,
+      async (failed) => (await bring(world, failed)).openWorkshop,
+    )
     this.time = new TimeMachine(this.session)
     this.crew = new Crew(this.session)
     this.glow = new Glow(
@@ -175,14 +180,12 @@ export class LabScreenState {
   }
 
   /** What is seen inside the network comes with the first question. */
-  inside = () => withWords(import('#features/inside/later.ts'), ['inside', 'network'])
+  inside = () => bring(inside)
 
-  /** Ways out of this project and into another one. */
-  doors = () => withWords(import('./doors/later.ts'), ['files', 'open-roberta'])
-  openFile = async (file: File): Promise<void> => (await this.doors()).openFile(file, this.ui)
+  openFile = (file: File): Promise<void> => doors.openFile(file, this.ui)
   saveFile = (): void => saveProjectFile({ ...this.session.project, name: this.title })
   async saveForOpenRoberta(): Promise<void> {
-    this.saving = await (await this.doors()).saveForOpenRoberta(this.session, this.title)
+    this.saving = await doors.saveForOpenRoberta(this.session, this.title)
   }
 }
 

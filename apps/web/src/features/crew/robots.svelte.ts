@@ -1,3 +1,5 @@
+import { weightsFor, withBeside } from './beside.ts'
+import { withoutRobot, withRobot } from './crew.ts'
 import type { LabSession } from '#lab/session.svelte.ts'
 import { most } from '@botgarten/programs'
 import type { NewRobot } from '#figures/robots/looks.ts'
@@ -32,9 +34,8 @@ export class Crew {
     this.#session.choose(id)
   }
 
-  async add(kind: NewRobot): Promise<void> {
+  add(kind: NewRobot): void {
     this.asking = false
-    const { withRobot } = await import('./later.ts')
     if (this.full) return
     const { id, document } = withRobot(this.#session.lab.document, this.chosen, kind)
     this.#session.apply({ kind: 'robots', after: document })
@@ -51,7 +52,6 @@ export class Crew {
     const { beside } = this
     if (!beside) return
     this.asking = false
-    const { weightsFor, withBeside } = await import('./later.ts')
     const weights = await weightsFor(beside)
     if (!this.beside) return
     const { id, document } = withBeside(this.#session.lab.document, { ...beside, weights }, name)
@@ -60,8 +60,7 @@ export class Crew {
   }
 
   /** The first robot stays: a card's goals look at it. */
-  async remove(): Promise<void> {
-    const { withoutRobot } = await import('./later.ts')
+  remove(): void {
     if (this.chosen === this.ids[0]) return
     const after = withoutRobot(this.#session.lab.document, this.chosen)
     this.#session.apply({ kind: 'robots', after })

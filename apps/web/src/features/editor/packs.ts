@@ -1,4 +1,5 @@
 import {
+  addBlocks,
   definitions,
   isOfLearning,
   optionFor,
@@ -8,9 +9,10 @@ import {
 } from '@botgarten/blocks'
 import type { Brain } from '@botgarten/learning/neural-network'
 import { holesOf, statementNames, type Project } from '@botgarten/programs'
-import { withWords } from '#words/say.ts'
+import { learning, learningToolbox } from '@botgarten/blocks/learning'
+import { fetchWords, withWords } from '#words/say.ts'
 
-type Expert = Pick<typeof import('./expert/later.ts'), 'expertShelf' | 'everything'>
+type Expert = Pick<typeof import('./expert/expert.ts'), 'expertShelf' | 'everything'>
 
 /** Words of the blocks for deeper networks, for maps and groups. */
 const ofPacks = ['blocks-network', 'blocks-q-learning', 'blocks-sorting'] as const
@@ -24,7 +26,7 @@ export const expertParts = (): Expert | null => expert
 
 /** Brings the whole language with its words; programs may hold all of it from then on. */
 export async function bringExpert(): Promise<Expert> {
-  const { learn, expertShelf, everything } = await withWords(import('./expert/later.ts'), [
+  const { learn, expertShelf, everything } = await withWords(import('./expert/expert.ts'), [
     'expert',
     ...ofPacks,
   ])
@@ -33,8 +35,10 @@ export async function bringExpert(): Promise<Expert> {
 }
 
 /** Brings the blocks for deeper networks, for maps and groups. */
-export const bringLearning = async (): Promise<void> =>
-  (await withWords(import('./learning/later.ts'), ofPacks)).learn()
+export async function bringLearning(): Promise<void> {
+  await fetchWords(...ofPacks)
+  addBlocks(learning, learningToolbox)
+}
 
 /** Brings what a project's programs and brains hold and is not there yet. Returns whether its programs hold more than the plain language. */
 export async function bringFor({ programs, brains }: Pick<Project, 'programs' | 'brains'>): Promise<boolean> {

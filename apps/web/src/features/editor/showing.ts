@@ -1,7 +1,7 @@
 import type * as Blockly from 'blockly/core'
 import type { Finding } from '@botgarten/blocks'
 import type { Words } from '#words/say.ts'
-import type { Marks } from './debug/marks.ts'
+import { showMarks, type Marks } from './debug/marks.ts'
 import { showFindings } from './finding-icon.ts'
 
 /** What is shown at blocks and is no part of the program: what runs, what belongs together, what is wrong, stop points. */
@@ -43,11 +43,11 @@ export class Showing {
     this.#glow = ids
   }
 
-  /** Stop points, and values at their blocks. What draws them comes when there are any. */
+  /** Stop points, and values at their blocks. */
   marks(marks: Marks): void {
     if (!this.#marks && marks.stops.length === 0 && marks.values.size === 0) return
     this.#marks = marks
-    void import('./debug/marks.ts').then(({ showMarks }) => showMarks(this.#workspace, marks))
+    showMarks(this.#workspace, marks)
   }
 
   /** All of it once more, on blocks that were built anew. */

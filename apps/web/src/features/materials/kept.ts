@@ -1,6 +1,6 @@
 import type { LoadedCard } from '#content/cards.ts'
 import { load, open, save } from '#storage/projects.ts'
-import { cardProject } from '@botgarten/content'
+import { cardProject } from '@botgarten/content/document'
 import type { Progress } from '@botgarten/programs'
 
 const none: Progress = { starts: [], hints: 0 }

@@ -1,7 +1,7 @@
 import { titleOf } from '#content/names.ts'
 import { load, save } from '#storage/projects.ts'
 import { say } from '#words/say.ts'
-import { cardProject } from '@botgarten/content'
+import { cardProject } from '@botgarten/content/document'
 import { programOf } from './programs.ts'
 
 /** A project laid out, by its key. `asStart`: the device keeps nothing, so the lab opens the card with its start program. */

@@ -144,7 +144,7 @@ export class Shelf {
   async openFile(
     file: File,
   ): Promise<{ readonly id: string; readonly project: Project; readonly lost?: boolean } | null> {
-    const { openProjectFile } = await import('#storage/later.ts')
+    const { openProjectFile } = await import('#storage/files.ts')
     const outcome = await openProjectFile(file)
     if ('problem' in outcome) this.#refuse(outcome.problem, outcome.facts)
     else if ('merged' in outcome) this.tellMerged(outcome.merged)
@@ -170,7 +170,7 @@ export class Shelf {
   }
 
   async takeHome(): Promise<void> {
-    const { homeFiles } = await import('#storage/later.ts')
+    const { homeFiles } = await import('#storage/files.ts')
     const files = await homeFiles()
     if (files.length === 0) return this.#refuse('nothingToTake')
     if (files.length === 1) return files[0]!.save()

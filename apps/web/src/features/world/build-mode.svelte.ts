@@ -1,6 +1,5 @@
 import type { Phase } from '#drawing/nudge.ts'
 import type { Pose } from '@botgarten/simulation'
-import { withWords } from '#words/say.ts'
 import type { LabUi } from '#lab/ui.svelte.ts'
 import type { LabSession } from '#lab/session.svelte.ts'
 import { Eye } from '#figures/world/eye.svelte.ts'
@@ -13,12 +12,14 @@ export class BuildMode {
   readonly ui: LabUi
   readonly eye: Eye
   readonly hand: Hand
+  readonly #bringTools: BringTools
   #shop = $state.raw<Opened | null>(null)
   #on = $state(false)
 
-  constructor(session: LabSession, ui: LabUi) {
+  constructor(session: LabSession, ui: LabUi, bringTools: BringTools) {
     this.session = session
     this.ui = ui
+    this.#bringTools = bringTools
     this.eye = new Eye(
       () => this.shop?.world ?? session.lab.document.world,
       () => session.robotId,
@@ -58,14 +59,13 @@ export class BuildMode {
 
   async #open(): Promise<Opened> {
     if (this.#shop) return this.#shop
-    const { openWorkshop } = await withWords(
-      import('./building/later.ts'),
-      ['world-building', 'worlds', 'files'],
-      () => (this.#on = false),
-    )
-    this.#shop ??= await openWorkshop(this)
+    const open = await this.#bringTools(() => (this.#on = false))
+    this.#shop ??= await open(this)
     return this.#shop
   }
 }
 
 type Opened = Workshop & { take(file: File): Promise<void> }
+
+/** Loads the tools for building; `failed` is called where they cannot come. */
+type BringTools = (failed: () => void) => Promise<(mode: BuildMode) => Promise<Opened>>

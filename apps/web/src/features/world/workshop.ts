@@ -13,7 +13,7 @@ export interface LayerProps {
   readonly ondown: (event: PointerEvent, id: string, pose: Pose, kind: 'move' | 'turn') => void
 }
 
-/** Build mode as the world sees it. All of it comes with a click (building/later.ts). */
+/** Build mode as the world sees it. All of it comes with a click. */
 export interface Workshop {
   /** The world with what is in the hand, as it is to be drawn. */
   readonly world: World

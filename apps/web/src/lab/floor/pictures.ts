@@ -1,6 +1,6 @@
 import { pixelsAddress } from '#content/cards.ts'
 import type { Project } from '@botgarten/programs'
-import type { Picture, World } from '@botgarten/simulation'
+import { readPng, type Picture, type World } from '@botgarten/simulation'
 
 /**
  * The picture that a world lies on, unpacked: a child's own from the project, ours from the pixels that the build has made
@@ -11,10 +11,7 @@ export async function pictureIn(
   world: Pick<World, 'floor'>,
   own: Project['assets'][string] | undefined,
 ): Promise<Picture | null> {
-  if (own) {
-    const { readPng } = await import('./later.ts')
-    return readPng(Uint8Array.fromBase64(own.base64))
-  }
+  if (own) return readPng(Uint8Array.fromBase64(own.base64))
   const address = pixelsAddress(world)
   return address === null ? null : unpack(await fetch(address))
 }

@@ -1,3 +1,3 @@
-import { fetchMaterials } from '#features/materials/library.ts'
+import { library } from '#features/materials/feature.ts'
 
-export const load = () => fetchMaterials()
+export const load = () => library.fetchMaterials()

@@ -2,11 +2,14 @@ import type { Difference } from '@botgarten/programs/open-roberta'
 import { goto, replaceState } from '$app/navigation'
 import { resolve } from '$app/paths'
 import { placeOf } from '#content/cards.ts'
-import type { SortingDoor } from '#features/sorting/later.ts'
+import { openRoberta } from '#features/open-roberta/feature.ts'
+import { sorting, type SortingDoor } from '#features/sorting/feature.ts'
 import type { LabUi } from '#lab/ui.svelte.ts'
 import type { LabSession } from '#lab/session.svelte.ts'
 import { freshId } from '#storage/projects.ts'
 import { nameOfCopy } from '#storage/copy-name.ts'
+import { bring } from '#parts/feature.ts'
+import { fetchWords } from '#words/say.ts'
 
 const addressOf = (card: string, id: string) => resolve(`/lab/[card]?p=${encodeURIComponent(id)}`, { card })
 const show = (card: string, id: string, state: App.PageState = {}) =>
@@ -14,9 +17,10 @@ const show = (card: string, id: string, state: App.PageState = {}) =>
 
 /** Opens a project file in place of this project, which stays on the device. */
 export async function openFile(file: File, ui: LabUi): Promise<void> {
-  const { openProjectFile } = await import('#storage/later.ts')
+  const { openProjectFile } = await import('#storage/files.ts')
   const outcome = await openProjectFile(file)
   if ('problem' in outcome) {
+    await fetchWords('files')
     const { problem, facts } = outcome
     ui.say(`problem.${problem}.title`, `problem.${problem}.text`, facts)
   } else if ('merged' in outcome) await goto(resolve('/projects'), { state: { merged: outcome.merged } })
@@ -28,7 +32,7 @@ export async function openFile(file: File, ui: LabUi): Promise<void> {
  * does not know all of it.
  */
 export async function saveForOpenRoberta(session: LabSession, name: string) {
-  const { saveOpenRobertaFile, SaveDialog } = await import('#features/open-roberta/later.ts')
+  const { saveOpenRobertaFile, SaveDialog } = await bring(openRoberta)
   const outgoing = saveOpenRobertaFile({ ...session.project, name }, session.robotId)
   return outgoing && { SaveDialog, outgoing }
 }
@@ -36,7 +40,7 @@ export async function saveForOpenRoberta(session: LabSession, name: string) {
 /** What may end the robot's program here and not in Open Roberta, where the program comes from there. */
 export async function foreignDifferences(session: LabSession): Promise<readonly Difference[]> {
   if (!session.program.raw) return []
-  const { differencesOf } = await import('#features/open-roberta/later.ts')
+  const { differencesOf } = await bring(openRoberta)
   return differencesOf(session.program, session.config)
 }
 
@@ -71,5 +75,5 @@ export async function sortingDoors(session: LabSession): Promise<readonly Sortin
   const readings = thread?.sorting.readings ?? []
   const sorts = session.opened.card?.card.playground === 'sorting' || session.project.sorting
   if (!sorts && readings.length === 0) return []
-  return (await import('#features/sorting/later.ts')).doorsOf(session, readings)
+  return (await bring(sorting)).doorsOf(session, readings)
 }

@@ -7,7 +7,7 @@ import { toProgram, toWorkspace } from '../program.ts'
 import { defineBlocks } from '../shape.ts'
 import { defineUnknownBlocks } from '../unknown.ts'
 import { wordsIn } from '#words/say.ts'
-import { learn } from './later.ts'
+import { learn } from './expert.ts'
 
 const folder = new URL('../../../../../../packages/programs/testing/open-roberta/programs/', import.meta.url)
 

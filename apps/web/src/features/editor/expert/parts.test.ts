@@ -3,7 +3,7 @@ import * as Blockly from 'blockly/core'
 import { beforeAll, expect, it } from 'vitest'
 import { wordsIn } from '#words/say.ts'
 import { defineBlocks } from '../shape.ts'
-import { learn } from './later.ts'
+import { learn } from './expert.ts'
 
 beforeAll(() => {
   learn()

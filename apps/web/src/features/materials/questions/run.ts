@@ -1,5 +1,5 @@
 import { createLab } from '@botgarten/lab'
-import { cardDocument } from '@botgarten/content'
+import { cardDocument } from '@botgarten/content/document'
 import { learningIn } from '@botgarten/programs'
 import { paintFloor, TICKS_PER_SECOND, type LedColour, type Pose, type World } from '@botgarten/simulation'
 import { pictureIn } from '#lab/floor/pictures.ts'

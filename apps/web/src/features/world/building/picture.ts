@@ -1,5 +1,5 @@
 import { sha256, writeProject, type Project } from '@botgarten/programs'
-import type { Picture } from '@botgarten/simulation'
+import { readPng, type Picture } from '@botgarten/simulation'
 import { readPictureHead } from './picture-file.ts'
 
 /** A picture for the floor, as it is kept. */
@@ -53,7 +53,6 @@ async function smallEnough(bitmap: ImageBitmap, project: Project): Promise<Floor
     const base64 = png.toBase64()
     if (base64.length + rest > MOST_PROJECT) continue
     const asset = sha256(png)
-    const { readPng } = await import('#lab/floor/later.ts')
     return { asset, assets: { [asset]: { type: 'image/png', base64 } }, picture: readPng(png) }
   }
   return refused('pictureNoRoom')

@@ -1,6 +1,5 @@
 import { error } from '@sveltejs/kit'
-import { fetchBlocklyWords } from '#features/editor/blockly-words.ts'
-import * as packs from '#features/editor/packs.ts'
+import { fetchBlocklyWords, packs } from '#features/editor/feature.ts'
 import { allCards } from '#content/cards.ts'
 import { openLab } from '#lab/opening.ts'
 import type { EntryGenerator, PageLoad } from './$types'

@@ -1,3 +1,4 @@
+import { projects } from '#features/projects/feature.ts'
 import { fetchWords } from '#words/say.ts'
 
-export const load = () => fetchWords('projects', 'files')
+export const load = () => fetchWords(...projects.words)

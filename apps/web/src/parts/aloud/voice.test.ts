@@ -1,5 +1,5 @@
 import { afterEach, expect, test, vi } from 'vitest'
-import { speak, voiceFor } from './later.ts'
+import { speak, voiceFor } from './voice.ts'
 
 afterEach(() => vi.unstubAllGlobals())
 

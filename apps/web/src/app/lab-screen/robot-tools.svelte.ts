@@ -1,11 +1,11 @@
-import { withWords } from '#words/say.ts'
+import { robot } from '#features/robot/feature.ts'
+import { bring } from '#parts/feature.ts'
 
-type Parts = typeof import('./later.ts')
 export type RobotTool = 'build' | 'senses' | 'panel'
 
 /** What of the robot is open on the screen: one thing at a time, so that the world is still seen. It comes with the first click that asks for any of it. */
 export class RobotTools {
-  #parts = $state.raw<Parts | null>(null)
+  #parts = $state.raw<Awaited<ReturnType<typeof robot.load>> | null>(null)
   #open = $state.raw<RobotTool | null>(null)
 
   get parts() {
@@ -17,6 +17,6 @@ export class RobotTools {
   async show(tool: RobotTool, open: boolean): Promise<void> {
     if (open) this.#open = tool
     else if (this.#open === tool) this.#open = null
-    if (open) this.#parts ??= await withWords(import('./later.ts'), ['robot'], () => (this.#open = null))
+    if (open) this.#parts ??= await bring(robot, () => (this.#open = null))
   }
 }

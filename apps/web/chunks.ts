@@ -1,0 +1,103 @@
+import type { Plugin } from 'vite'
+import { chunkOfWords } from './words.ts'
+
+// Which scripts come together. Nothing here names a file, a feature or a card: what a page needs follows from its imports.
+
+interface Modules {
+  getModuleIds(): IterableIterator<string>
+  getModuleInfo(id: string): {
+    readonly code: string | null
+    readonly importedIds: readonly string[]
+    readonly dynamicallyImportedIds: readonly string[]
+  } | null
+}
+
+const page = /[\\/]src[\\/]routes(.*)[\\/]\+(?:page|layout|error)\.(?:svelte|ts)$/
+/** Letters of code that are not worth a request of their own. */
+const few = 16_000
+
+/** Pages that bring a module along at once, by their folder; the frame of all pages is the first page's. */
+const pagesOf = new Map<string, Set<string>>()
+/** Modules that come with a part that is asked for later. */
+const isInLazyPart = new Set<string>()
+/** Modules of the first page's chunk. */
+let first: ReadonlySet<string> = new Set()
+
+/** Calls `see` for a module and for all that it imports, directly or through others, until `see` says that it knows one. */
+function follow(modules: Modules, start: string, see: (id: string) => boolean): void {
+  const waiting = [start]
+  for (let id = waiting.pop(); id !== undefined; id = waiting.pop())
+    if (see(id)) waiting.push(...(modules.getModuleInfo(id)?.importedIds ?? []))
+}
+
+function followAll(modules: Modules): void {
+  for (const start of modules.getModuleIds()) {
+    const name = page.exec(start)?.[1]
+    if (name !== undefined)
+      follow(modules, start, (id) => {
+        const pages = pagesOf.get(id) ?? new Set()
+        pagesOf.set(id, pages)
+        return !pages.has(name) && pages.add(name) !== undefined
+      })
+    for (const lazy of modules.getModuleInfo(start)?.dynamicallyImportedIds ?? [])
+      // SvelteKit asks for every page so.
+      if (!modules.getModuleInfo(lazy)?.importedIds.some((id) => page.test(id)))
+        follow(modules, lazy, (id) => !isInLazyPart.has(id) && isInLazyPart.add(id) !== undefined)
+  }
+}
+
+const nameOf = (id: string) =>
+  `${isInLazyPart.has(id) ? 'parts' : 'pages'}${[...pagesOf.get(id)!].sort().join('').replace(/\W+/g, '-')}`
+
+/** What the first page imports, and the little that only some other pages share, as far as it needs nothing large. */
+function modulesOfFirst(modules: Modules): Set<string> {
+  const lengths = new Map<string, number>()
+  const lengthOf = (id: string) => modules.getModuleInfo(id)?.code?.length ?? 0
+  for (const id of pagesOf.keys()) lengths.set(nameOf(id), (lengths.get(nameOf(id)) ?? 0) + lengthOf(id))
+  const isShared = (id: string) => pagesOf.get(id)!.size > 1 || isInLazyPart.has(id)
+  const own = (id: string) => pagesOf.get(id)!.has('')
+  const found = new Set(
+    [...pagesOf.keys()].filter((id) => own(id) || (isShared(id) && lengths.get(nameOf(id))! < few)),
+  )
+  const imports = (id: string) => modules.getModuleInfo(id)?.importedIds ?? []
+  for (let before = 0; before !== found.size;) {
+    before = found.size
+    for (const id of found)
+      if (!own(id) && imports(id).some((one) => pagesOf.has(one) && !found.has(one))) found.delete(id)
+  }
+  return found
+}
+
+/** Learns which pages need what, before chunks are made. */
+export const pagesOfModules: Plugin = {
+  name: 'pages-of-modules',
+  buildEnd(error) {
+    if (error || this.environment.name !== 'client') return
+    followAll(this)
+    first = modulesOfFirst(this)
+  },
+}
+
+/**
+ * What the first page shares with others is a chunk, and what the same other pages share is one: who has been on one of them
+ * has it. What lazy parts need besides stands apart, so that they do not bring a page along. Null for what no page imports.
+ */
+function chunkOfPages(id: string): string | null {
+  if (first.has(id)) return 'first'
+  return pagesOf.has(id) ? nameOf(id) : null
+}
+
+export const chunks = [
+  // SvelteKit's first script imports it and must not pull anything else in before the page is set up.
+  { name: 'preload', test: /preload-helper|runtime[\\/]client[\\/]payload\.js/, priority: 4 },
+  { name: chunkOfWords, debugName: 'words', priority: 3 },
+  {
+    name: chunkOfPages,
+    debugName: 'pages',
+    priority: 2,
+    minShareCount: 2,
+    includeDependenciesRecursively: false,
+  },
+  // What lazy parts share and no page needs.
+  { name: 'parts', priority: 1, minShareCount: 2, entriesAware: true, entriesAwareMergeThreshold: 4_000 },
+]

@@ -1,1 +1,0 @@
-export { default as Offline } from './Offline.svelte'

@@ -1,0 +1,12 @@
+import type { Feature } from '#parts/feature.ts'
+
+export { fonts, libraries } from './notices.ts'
+export { default as Operator } from './Operator.svelte'
+
+/** Who runs this lab, which version it is, and whose work it stands on. */
+export const about = {
+  id: 'about',
+  words: ['about'],
+  route: 'about',
+  budget: { page: 100_000 },
+} satisfies Feature

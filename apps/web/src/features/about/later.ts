@@ -1,1 +1,0 @@
-export { readFreeText } from '@botgarten/content'

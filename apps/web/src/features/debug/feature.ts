@@ -1,0 +1,9 @@
+import type { Feature } from '#parts/feature.ts'
+
+/** What a child needs who looks closely at a program that runs. */
+export const debug = {
+  id: 'debug',
+  words: ['debug'],
+  load: () => import('./lazy.ts'),
+  budget: { part: 4_000 },
+} satisfies Feature

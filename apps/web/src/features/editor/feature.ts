@@ -1,0 +1,13 @@
+import type { Feature } from '#parts/feature.ts'
+
+export { fetchBlocklyWords } from './blockly-words.ts'
+export * as packs from './packs.ts'
+export type { default as EditorPane } from './Editor.svelte'
+
+/** The blocks: the heaviest part of the lab, which comes once the screen stands. Packs of blocks come when a program needs them. */
+export const editor = {
+  id: 'editor',
+  words: [],
+  load: () => import('./lazy.ts'),
+  budget: { part: 190_000 },
+} satisfies Feature

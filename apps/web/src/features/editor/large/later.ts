@@ -1,3 +1,0 @@
-// What a program of many hundred blocks needs besides.
-
-export { fillSlowly } from './fill.ts'

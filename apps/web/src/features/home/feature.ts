@@ -1,0 +1,12 @@
+import type { Feature } from '#parts/feature.ts'
+
+export { default as Home } from './Home.svelte'
+export { bedOf, recentOf } from './kept.ts'
+
+/** The garden: all cards, the child's newest projects. */
+export const home = {
+  id: 'home',
+  words: [],
+  route: '',
+  budget: { page: 100_000 },
+} satisfies Feature

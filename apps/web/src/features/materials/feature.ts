@@ -1,0 +1,22 @@
+import type { Feature } from '#parts/feature.ts'
+
+export { default as ItemWays } from './ItemWays.svelte'
+export * as library from './library.ts'
+export { choiceIn, queryOf } from './library/address.ts'
+export type { Choice } from './library/choice.ts'
+export { default as Library } from './library/Library.svelte'
+export { default as Material } from './Material.svelte'
+export { default as MaterialsBar } from './MaterialsBar.svelte'
+export { default as PaperButton } from './PaperButton.svelte'
+export { default as PrintPage } from './print/PrintPage.svelte'
+export { default as Questions } from './questions/Questions.svelte'
+export { default as Deck } from './slides/Deck.svelte'
+
+/** Cards, lessons, slides and sheets to read, to show and to print. What draws with the lab's own hands comes later. */
+export const materials = {
+  id: 'materials',
+  words: ['materials', 'network', 'q-learning', 'sorting', 'worlds'],
+  route: 'materials',
+  load: () => import('./lazy.ts'),
+  budget: { page: 200_000, part: 300_000 },
+} satisfies Feature

@@ -1,0 +1,11 @@
+// What draws with the lab's own hands: sheets of words alone go without it.
+export { worldAt } from '@botgarten/content/document'
+export { default as Back } from './card/Back.svelte'
+export { default as Front } from './card/Front.svelte'
+export { default as Blocks } from './drawn/Blocks.svelte'
+export { rideOf, taskOf } from './questions/run.ts'
+export { default as Map } from './drawn/Map.svelte'
+export { default as Net } from './drawn/Net.svelte'
+export { default as Playground } from './Playground.svelte'
+export { default as Robot } from './drawn/Robot.svelte'
+export { default as World } from './drawn/World.svelte'

@@ -1,0 +1,17 @@
+import type { Feature } from '#parts/feature.ts'
+
+export type { Deed } from './deeds.ts'
+export { default as KeptNotice } from './KeptNotice.svelte'
+export { default as Outcome } from './Outcome.svelte'
+export { default as ProjectGrid } from './ProjectGrid.svelte'
+export { default as ProjectPicture } from './ProjectPicture.svelte'
+export { default as RenameDialog } from './RenameDialog.svelte'
+export { Shelf } from './shelf.svelte.ts'
+
+/** The projects of this device. */
+export const projects = {
+  id: 'projects',
+  words: ['projects', 'files', 'open-roberta', 'share'],
+  route: 'projects',
+  budget: { page: 250_000 },
+} satisfies Feature

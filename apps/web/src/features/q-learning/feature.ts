@@ -1,0 +1,11 @@
+import type { Feature } from '#parts/feature.ts'
+
+export type { Learner } from './lazy.ts'
+
+/** The Q-learning Playground: it comes when a program first learns by trying. */
+export const qLearning = {
+  id: 'q-learning',
+  words: ['q-learning', 'blocks-q-learning'],
+  load: () => import('./lazy.ts'),
+  budget: { part: 60_000 },
+} satisfies Feature

@@ -1,0 +1,9 @@
+import type { Feature } from '#parts/feature.ts'
+
+/** A project as a link. */
+export const share = {
+  id: 'share',
+  words: ['share'],
+  load: () => import('./ShareDialog.svelte'),
+  budget: { part: 6_000 },
+} satisfies Feature

@@ -1,0 +1,13 @@
+import type { Feature } from '#parts/feature.ts'
+
+export type { SortingDoor } from './doors.ts'
+export { default as Sorting } from './Sorting.svelte'
+
+/** The Sorting Playground. */
+export const sorting = {
+  id: 'sorting',
+  words: ['sorting'],
+  route: 'sorting',
+  load: () => import('./lazy.ts'),
+  budget: { page: 120_000, part: 200_000 },
+} satisfies Feature

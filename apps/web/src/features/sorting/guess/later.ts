@@ -1,1 +1,0 @@
-export { default as Guess } from './Guess.svelte'

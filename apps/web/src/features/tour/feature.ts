@@ -1,0 +1,12 @@
+import type { Feature } from '#parts/feature.ts'
+
+export { Guide } from './guide.svelte.ts'
+export { sightOf } from './tour.ts'
+
+/** Three moves that show what belongs together. */
+export const tour = {
+  id: 'tour',
+  words: ['tour'],
+  load: () => import('./Tour.svelte'),
+  budget: { part: 4_000 },
+} satisfies Feature

@@ -1,1 +1,0 @@
-export { default as ComfortDialog } from './ComfortDialog.svelte'

@@ -1,0 +1,4 @@
+import { editor } from '#features/editor/feature.ts'
+import { fillBlocks } from '#figures/blocks/slot.ts'
+
+fillBlocks(editor.load)

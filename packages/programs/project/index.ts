@@ -1,0 +1,11 @@
+// The project as a document: read with care, checked against its limits, written. Nothing here runs a program.
+export { ProjectError } from './error.ts'
+export type { Limit, ProjectReason } from './error.ts'
+export { most } from './limits.ts'
+export { parseProject } from './project.ts'
+export { refusalOf } from './refusal.ts'
+export { salvageProject } from './salvage.ts'
+export type { Salvaged } from './salvage.ts'
+export { sha256 } from './sha256.ts'
+export { writeProject, writeProjectFile } from './write.ts'
+export type * from '../types.ts'
