@@ -1,3 +1,5 @@
+import { clamp } from './points.ts'
+
 const channels = (colour: string): readonly [number, number, number] => {
   const value = Number.parseInt(colour.slice(1), 16)
   return [(value >> 16) & 255, (value >> 8) & 255, value & 255]
@@ -19,4 +21,17 @@ export function isPale(colour: string): boolean {
     return share <= 0.04045 ? share / 12.92 : ((share + 0.055) / 1.055) ** 2.4
   }) as [number, number, number]
   return 0.2126 * r + 0.7152 * g + 0.0722 * b > 0.5
+}
+
+const POSITIVE = ['#FFF6D8', '#F5C64A', '#6DBE76'] as const
+const NEGATIVE = ['#FFF6D8', '#C3D0D8', '#8DA1B0'] as const
+
+/**
+ * Colour of a value 0..100: pale, gold, green; the higher the darker, so that it can be read in grey, and always with its
+ * number. Below 0 blue-grey. @returns `#RRGGBB`
+ */
+export function heatOf(value: number): string {
+  const scale = value < 0 ? NEGATIVE : POSITIVE
+  const share = clamp(Math.abs(value) / 100, 0, 1) * 2
+  return share <= 1 ? mix(scale[0], scale[1], share) : mix(scale[1], scale[2], share - 1)
 }

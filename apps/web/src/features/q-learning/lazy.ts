@@ -1,9 +1,9 @@
 import type { LabUi } from '#lab/ui.svelte.ts'
 import type { LabSession } from '#lab/session.svelte.ts'
 import { fetchWords } from '#words/say.ts'
-import type { Blocks } from './hands.ts'
-import { Learning } from './learning.svelte.ts'
-import QPlayground from './QPlayground.svelte'
+import type { Blocks } from './model/hands.ts'
+import { Learning } from './model/learning.svelte.ts'
+import QPlayground from './view/QPlayground.svelte'
 
 /** A session that learns, with what shows it. */
 export interface Learner {

@@ -1,0 +1,37 @@
+export const pages = ['map', 'inside', 'curves', 'trials'] as const
+export type Page = (typeof pages)[number]
+
+/** starter: words and stars · explorer: values too · expert: parameters as numbers, decay, rules, the formula. */
+export const levels = ['starter', 'explorer', 'expert'] as const
+export type Level = (typeof levels)[number]
+
+/** What a hand has tapped: a station or a road of the map, or start and goal beside it. */
+export type Chosen =
+  | { readonly kind: 'station'; readonly station: number }
+  | { readonly kind: 'road'; readonly a: number; readonly b: number }
+  | { readonly kind: 'ends' }
+
+/** Where a reward is paid, as blocks name it: a road pays in both directions. */
+export function placesOf(chosen: Chosen): readonly string[] {
+  if (chosen.kind === 'ends') return []
+  if (chosen.kind === 'station') return [String(chosen.station)]
+  return [`${chosen.a}-${chosen.b}`, `${chosen.b}-${chosen.a}`]
+}
+
+/** What a hand points at, on the map or in the table: both show it. And what it has tapped. */
+export class Marked {
+  #road = $state.raw<readonly [number, number] | null>(null)
+  chosen = $state.raw<Chosen | null>(null)
+
+  get road() {
+    return this.#road
+  }
+
+  point(road: readonly [number, number] | null): void {
+    this.#road = road
+  }
+
+  is(from: number, to: number): boolean {
+    return this.#road?.[0] === from && this.#road[1] === to
+  }
+}

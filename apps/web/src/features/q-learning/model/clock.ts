@@ -1,0 +1,84 @@
+/** Time that one frame can be late for: a page that slept does not catch up. */
+const LONGEST = 250
+
+/** Milliseconds of a frame that learning may take in turbo. The rest is for drawing: after a late frame there is more of it. */
+export const budgetFor = (passed: number): number => (passed > 20 ? 4 : 7)
+
+/** Calls once a frame while it runs, with the milliseconds that have passed. */
+export class Clock {
+  readonly #turn: (passed: number, now: number) => void
+  #frame = 0
+  #before = 0
+
+  constructor(turn: (passed: number, now: number) => void) {
+    this.#turn = turn
+  }
+
+  start(): void {
+    this.#before = performance.now()
+    if (this.#frame === 0) this.#frame = requestAnimationFrame(this.#tick)
+  }
+
+  stop(): void {
+    cancelAnimationFrame(this.#frame)
+    this.#frame = 0
+  }
+
+  #tick = (now: number): void => {
+    this.#frame = requestAnimationFrame(this.#tick)
+    const passed = Math.min(LONGEST, Math.max(0, now - this.#before))
+    this.#before = now
+    this.#turn(passed, now)
+  }
+}
+
+/** Resolves when a frame has been drawn: what follows is a task of its own. */
+export const nextFrame = (): Promise<unknown> =>
+  new Promise((done) => requestAnimationFrame(() => setTimeout(done)))
+
+/** Pauses what plays when the page is hidden or Escape is pressed. Returns how to end it. */
+export function pauseWhenAway(pause: () => void): () => void {
+  const away = () => document.hidden && pause()
+  const escape = ({ key }: KeyboardEvent) => key === 'Escape' && pause()
+  document.addEventListener('visibilitychange', away)
+  window.addEventListener('keydown', escape)
+  return () => {
+    document.removeEventListener('visibilitychange', away)
+    window.removeEventListener('keydown', escape)
+  }
+}
+
+/**
+ * Mascots beside the playground hold still: nothing moves beside what is to be seen, and an animation would be worked out
+ * anew with every frame. Returns how to let them go on.
+ */
+export function holdStill(playground: Element): () => void {
+  const held = document.getAnimations().filter(({ effect }) => {
+    const target = effect instanceof KeyframeEffect ? effect.target : null
+    return target && effect?.getTiming().iterations === Infinity && !playground.contains(target)
+  })
+  for (const one of held) one.pause()
+  return () => {
+    for (const one of held) if (one.playState === 'paused') one.play()
+  }
+}
+
+/** Shows the last of many values with the next frame; the frame after that one is for the words. */
+export function onNextFrame(show: (value: number) => void): (value: number) => void {
+  let wanted: number | null = null
+  let waiting = false
+
+  function go() {
+    waiting = wanted !== null
+    if (wanted === null) return
+    show(wanted)
+    wanted = null
+    requestAnimationFrame(() => requestAnimationFrame(go))
+  }
+
+  return (value) => {
+    wanted = value
+    if (!waiting) requestAnimationFrame(go)
+    waiting = true
+  }
+}

@@ -1,0 +1,71 @@
+import {
+  bestWay,
+  planOf,
+  policy,
+  starsOf,
+  visited,
+  type Course,
+  type LearnedWay,
+  type Plan,
+  type QTrace,
+  type QWorld,
+} from '@botgarten/learning/q-learning'
+
+/** What the screen shows of a course at the move that is shown. Made anew for every move, never written to. */
+export interface Shown {
+  readonly world: QWorld
+  readonly t: number
+  readonly made: number
+  /** Counted from 1: the one that is on. */
+  readonly episode: number
+  readonly trace: QTrace | null
+  readonly q: Float64Array
+  readonly tries: Uint32Array
+  readonly visited: readonly boolean[]
+  /** By station the best move; −1: none. */
+  readonly policy: readonly number[]
+  readonly way: LearnedWay
+  /** By the study's rules: the way that the first of equal roads gives where none is learned yet. */
+  readonly firstOfEqual: readonly number[] | null
+  /** Where moves are by chance: what Bo would do, and what that may expect. */
+  readonly plan: Plan | null
+  readonly found: number | null
+  /** The move at which it was found. */
+  readonly foundAt: number | null
+  readonly over: Course['over']
+  /** All tries that have ended, however far back the move is that is shown. */
+  readonly episodes: Course['episodes']
+  /** 0..5 of the move that was made: before and after. */
+  readonly stars: { readonly before: number; readonly after: number }
+}
+
+export function shownOf(course: Course): Shown {
+  const { learner, trace } = course
+  const { world, settings } = learner
+  const way = course.way()
+  return {
+    world,
+    ...{ t: course.shown, made: course.made, trace, over: course.over },
+    episodes: course.episodes,
+    episode: trace?.episode ?? learner.episodes + 1,
+    q: learner.q.slice(),
+    tries: learner.tries.slice(),
+    visited: visited(learner),
+    policy: policy(learner),
+    way,
+    firstOfEqual: settings.rules === 'study' && !way.stations ? bestWay(learner).stations : null,
+    plan: world.isSlippery ? planOf(learner) : null,
+    found: course.foundIn(),
+    foundAt: course.foundAt(),
+    stars: {
+      before: trace ? starsOf(learner, trace.before) : 0,
+      after: trace ? starsOf(learner, trace.after) : 0,
+    },
+  }
+}
+
+/** The moves of a station by where they lead. */
+export function movesFrom({ first, meant }: QWorld, station: number): ReadonlyMap<number, number> {
+  const [begin, end] = [first[station]!, first[station + 1]!]
+  return new Map(Array.from(meant.subarray(begin, end), (to, index) => [to, begin + index]))
+}

@@ -1,0 +1,69 @@
+import { Course, gridMap, layOutWorld, type Settings, type Task } from '@botgarten/learning/q-learning'
+import { describe, expect, test } from 'vitest'
+import { m } from '#words/say.ts'
+import { shownOf } from '../model/shown.ts'
+import { reasonOf } from './messages.ts'
+
+const preset: Settings = { rules: 'standard', algorithm: 'q', alpha: 0.5, gamma: 0.8, nu: 0, rho: 0.5 }
+const roads = [[1, 5], [0, 2], [1, 3], [2, 4, 5], [3, 5], [0, 3, 4]] // prettier-ignore
+const railway: Task = {
+  ...{ map: { moves: roads.map((list) => list.map((to) => ({ to }))) }, start: 3, goal: 1 },
+}
+
+function courseOf(task: Task, episodes: number, settings: Partial<Settings> = {}) {
+  const course = new Course(layOutWorld(task), { ...preset, ...settings }, 1, { episodes, moves: 1e6 })
+  course.advance(1e6)
+  return course
+}
+const reason = (course: Course, shortest: number | null = 2) => reasonOf({ shown: shownOf(course), shortest })
+
+describe('why there is no way yet is said', () => {
+  test('after one try: where all roads are still alike, and no try is named in which it was found', () => {
+    const course = courseOf(railway, 1)
+    expect(reason(course)).toBe(m['q.alike']({ station: 3 }))
+    expect(shownOf(course)).toMatchObject({ found: null, foundAt: null })
+  })
+
+  test('after many tries: nothing, and the try in which it was found is named', () => {
+    const course = courseOf(railway, 100)
+    expect(reason(course)).toBe('')
+    expect(shownOf(course).way.stations).toEqual([3, 2, 1])
+    expect(shownOf(course).found).toBeGreaterThan(1)
+  })
+
+  test('by the rules of the study with the way that the first of equal roads gives, and that it is not learned', () => {
+    // Nothing is learned with α = 0; every road has been tried.
+    const course = courseOf(railway, 500, { rules: 'study', nu: 0.9, rho: 0.9, alpha: 0 })
+    expect(reason(course)).toBe(
+      `${m['q.alike']({ station: 3 })} ${m['q.firstOfEqual']({ way: '3 → 2 → 1' })}`,
+    )
+  })
+
+  test('of a road that was never tried where all others cost', () => {
+    const course = courseOf({ ...railway, stepCost: 1, goalReward: 0 }, 2, { rho: 0 })
+    expect([m['q.untried'], m['q.unknown']].map((say) => say({ station: 3 }))).toContain(reason(course))
+  })
+
+  test('of a circle that pays', () => {
+    const map = { moves: [[{ to: 1 }, { to: 2 }], [{ to: 0 }], []], rewards: { 1: 60 } }
+    const course = courseOf({ map, start: 0, goal: 2 }, 300, { gamma: 0.9, rho: 0.9 })
+    expect(reason(course)).toBe(m['q.circle']({ station: 0, circle: '0 → 1 → 0' }))
+  })
+})
+
+test('on the slippery lake what Bo would do is judged by what it is worth: no circle is spoken of', () => {
+  const { map, start, goal } = gridMap(['SFFF', 'FHFH', 'FFFH', 'HFFG'], { surefooted: 1 / 3 })
+  const settings: Partial<Settings> = {
+    alpha: 1,
+    gamma: 0.95,
+    nu: 0.5,
+    rho: 1,
+    alphaDecay: { kind: 'visits' },
+  }
+  const course = courseOf({ map, start, goal, goalReward: 1 }, 100_000, settings)
+  const { plan, way } = shownOf(course)
+  expect(way).toMatchObject({ stations: null, reason: 'chance' })
+  // Gymnasium's FrozenLake-v1 with γ = 0.95: value iteration gives 0.1805, and 32 of 41 rides get to the goal.
+  expect(plan!.best).toBeCloseTo(0.180471578397, 9)
+  expect(reason(course, 6)).toBe(m['q.chance']({ value: '0.18', best: '0.18', rides: '78' }))
+})

@@ -1,0 +1,129 @@
+import type { Plan } from '@botgarten/learning/q-learning'
+import type { LearnedRun } from '@botgarten/programs'
+import { language } from '#words/language.svelte.ts'
+import { isSaid, m, say } from '#words/say.ts'
+import type { Level } from '../model/choices.svelte.ts'
+import type { Learning } from '../model/learning.svelte.ts'
+import type { Shown } from '../model/shown.ts'
+
+const formats = new Map<string, Intl.NumberFormat>()
+
+/** A number in the language of now, with its groups of thousands. */
+export function number(value: number, places = 0): string {
+  const key = `${language.locale} ${places}`
+  let format = formats.get(key)
+  if (!format)
+    formats.set(key, (format = new Intl.NumberFormat(language.locale, { maximumFractionDigits: places })))
+  return format.format(value)
+}
+
+/** The stations of a circle, or of a walk: `4 → 6 → 4`. */
+const walk = (stations: readonly number[]) => stations.join(' → ')
+
+/** Why there is no best way yet: what has not been learned; where moves are by chance, what the plan is worth. */
+export function reasonOf({ shown, shortest }: Pick<Learning, 'shown' | 'shortest'>): string {
+  if (!shown || shown.way.stations) return ''
+  const { way, plan, firstOfEqual } = shown
+  if (shortest === null) return m['q.noWay']()
+  if (shown.t === 0) return m['q.nothingYet']()
+  if (way.reason === 'neverReached') return m['q.neverReached']()
+  if (plan) return planSentence(plan)
+  const reason = whyNot(way.reason, way.walked)
+  return firstOfEqual ? `${reason} ${m['q.firstOfEqual']({ way: walk(firstOfEqual) })}` : reason
+}
+
+function whyNot(reason: Shown['way']['reason'], walked: readonly number[]): string {
+  const station = walked.at(-1)!
+  switch (reason) {
+    case 'circle':
+      return m['q.circle']({ station, circle: walk(walked.slice(walked.indexOf(station))) })
+    case 'alike':
+      return m['q.alike']({ station })
+    case 'unpaid':
+      return m['q.unpaid']({ station })
+    case 'untried':
+      return m['q.untried']({ station })
+    case 'deadEnd':
+      return m['q.deadEnd']({ station })
+    default:
+      return m['q.unknown']({ station })
+  }
+}
+
+function planSentence({ doubt, expected, best, reaches }: Plan): string {
+  const worth = (value: number | null) => (value === null ? '–' : number(value, 3))
+  const facts = { value: worth(expected), best: worth(best), rides: number(100 * reaches) }
+  const sure = doubt === null ? '' : ` ${m['q.chanceDoubt']({ station: doubt })}`
+  return m['q.chance'](facts) + sure
+}
+
+/** Which limit stopped it and what came of it; '' while it goes on. */
+export function endOf(learning: Learning): string {
+  const { shown, state, outline } = learning
+  if (!shown || !outline || (state !== 'over' && state !== 'stopped')) return ''
+  const by =
+    state === 'stopped'
+      ? m['q.byHand']()
+      : shown.over === 'episodes'
+        ? m['q.byEpisodes']({ count: outline.episodes })
+        : m['q.byTime']({ count: outline.moves })
+  const { stations } = shown.way
+  if (!stations && shown.plan?.doubt === null) return by
+  if (!stations) return `${by} ${m['q.notYet']()}`
+  return learning.isShortest(stations) ? `${by} ${m['q.isShortest']()}` : `${by} ${m['q.isLonger']()}`
+}
+
+/** A move as a sentence, for whoever does not see it. */
+function moveSentence({ shown }: Learning): string {
+  const trace = shown?.trace
+  if (!shown || !trace) return ''
+  if (trace.decision === null) return m['q.said.stuck']({ from: trace.from })
+  const how = trace.decision === 'explore' ? m['q.said.explored']() : m['q.said.exploited']()
+  const facts = { move: number(trace.t), from: trace.from, to: trace.to, how, stars: shown.stars.after }
+  const jump = trace.teleported ? `${m['q.said.teleported']({ from: trace.from })} ` : ''
+  const goal = trace.ends === 'goal' ? ` ${m['q.said.goal']()}` : ''
+  return jump + m['q.said.move'](facts) + goal
+}
+
+/** Tells each move that is played at ×1 or stepped, and how it ended. What a hand only scrubs over is not told. */
+export function liveSentence(learning: Learning): string {
+  const { state, shown, speed } = learning
+  const ended = state === 'over' || state === 'stopped'
+  if (!ended || shown?.t !== shown?.made)
+    return state === 'playing' && speed > 1 ? '' : moveSentence(learning)
+  const stations = shown?.way.stations
+  const best = stations ? `${m['q.bestWay']()} ${stations.join(', ')}` : ''
+  return `${endOf(learning)} ${reasonOf(learning)} ${best}`.trim()
+}
+
+// ---- the table of trials ----
+
+/** What can be set, in the order of the card's table. */
+export const settings = ['alpha', 'gamma', 'nu', 'rho'] as const
+type Setting = (typeof settings)[number]
+
+const choices: { readonly [name in Setting]: { readonly [value: string]: string } } = {
+  alpha: { 0.1: 'slowly', 0.5: 'medium', 0.9: 'fast' },
+  gamma: { 0.8: 'aLot', 0.2: 'aLittle' },
+  nu: { 0.1: 'rarely', 0.9: 'often' },
+  rho: { 0.9: 'rarely', 0.5: 'sometimes', 0.1: 'often' },
+}
+
+/** A setting as its block says it; a number where no block says it so, and for experts. */
+export function settingOf(run: LearnedRun, name: Setting, level: Level): string {
+  const key = choices[name][String(run[name])]
+  return level === 'expert' || key === undefined ? number(run[name], 4) : say(`choice.${key}`)
+}
+
+export const wayOf = (text: string) => text.replaceAll('-', ' → ')
+
+/** What was guessed, with a tick where it was right; '' where nothing was. */
+export const guessOf = ({ guess, way }: LearnedRun) =>
+  way !== '' && guess.match(/\d+/g)?.join('-') === way ? `${guess} ✓` : guess
+
+/** Start and goal, on which map where it has a name. */
+export function taskOf(run: LearnedRun): string {
+  const name = `choice.MAP_${run.map.toUpperCase()}`
+  const task = m['q.task'](run)
+  return isSaid(name) ? `${say(name)}: ${task}` : task
+}
