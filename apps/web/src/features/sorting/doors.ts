@@ -1,7 +1,9 @@
 import { goto } from '$app/navigation'
 import { resolve } from '$app/paths'
 import type { LabSession } from '#lab/session.svelte.ts'
-import { writtenReadings } from './kept.ts'
+import { open } from '#storage/projects.ts'
+import { writtenReadings } from './model/kept.ts'
+import type { OpenedForSorting } from './model/steps.svelte.ts'
 
 /** A way from the lab into the sorting playground. */
 export interface SortingDoor {
@@ -17,17 +19,23 @@ export function doorsOf(
 ): readonly SortingDoor[] {
   const playground = {
     word: 'sorting',
-    go: () => void open(session, session.project.sorting),
+    go: () => void enter(session, session.project.sorting),
   } as const
   if (readings.length === 0) return [playground]
-  const collected = () => void open(session, writtenReadings(readings, session.project.sorting))
+  const collected = () => void enter(session, writtenReadings(readings, session.project.sorting))
   return [{ word: 'collected', go: collected }, playground]
 }
 
 /** Keeps the project first: the playground opens what is kept. */
-async function open(session: LabSession, sorting: LabSession['project']['sorting']): Promise<void> {
+async function enter(session: LabSession, sorting: LabSession['project']['sorting']): Promise<void> {
   const { keeper, project } = session
   keeper.changed(() => (sorting ? { ...project, sorting } : project))
   await keeper.flush()
   if (keeper.state === 'saved') await goto(resolve(`/sorting?p=${encodeURIComponent(keeper.id)}`))
+}
+
+/** A kept project, read as carefully as a stranger's file; null where there is none, or none that can be read. */
+export async function openForSorting(id: string): Promise<OpenedForSorting | null> {
+  const kept = await open(id)
+  return kept && { id, revision: kept.revision, project: kept.project }
 }

@@ -1,7 +1,7 @@
 import type { Feature } from '#parts/feature.ts'
 
 export type { SortingDoor } from './doors.ts'
-export { default as Sorting } from './Sorting.svelte'
+export { default as Sorting } from './view/Sorting.svelte'
 
 /** The Sorting Playground. */
 export const sorting = {

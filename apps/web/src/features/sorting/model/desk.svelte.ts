@@ -1,0 +1,298 @@
+import { startAt, stepOne, stepPhase, type Distance } from '@botgarten/learning/k-means'
+import { LONGEST_NAME } from './kept.ts'
+import { deviceShelf, Steps, type Shelf } from './steps.svelte.ts'
+import {
+  isFresh,
+  MOST_POINTS,
+  placed,
+  pointsIn,
+  thrown,
+  withAxis,
+  withDistance,
+  withFeature,
+  withFlags,
+  withName,
+  withoutPoints,
+  withoutReadings,
+  withReadings,
+  withRows,
+  withTable,
+  workOfFile,
+  workOfSet,
+  workOfTrap,
+  type Source,
+  type Start,
+  type Work,
+} from './work.ts'
+
+const beats = [1400, 700, 350] as const
+
+/** What is sorted, and what a child's hand does to it. Everything that changes it is a step on a line that leads back. */
+export class Desk {
+  readonly #steps: Steps
+  #timer: ReturnType<typeof setInterval> | undefined
+  #speed = $state(1)
+  #playing = $state(false)
+  /** The thing or point that a finger is on. */
+  touched = $state<number | null>(null)
+
+  constructor(shelf: Shelf = deviceShelf()) {
+    this.#steps = new Steps(shelf)
+  }
+
+  get unread(): boolean {
+    return this.#steps.unread
+  }
+
+  get work(): Work {
+    return this.#steps.work
+  }
+
+  get at(): number {
+    return this.#steps.at
+  }
+
+  get last(): number {
+    return this.#steps.last
+  }
+
+  get playing(): boolean {
+    return this.#playing
+  }
+
+  get speed(): number {
+    return this.#speed
+  }
+
+  nameOf(group: number): string {
+    return this.work.names[group] ?? ''
+  }
+
+  get done(): boolean {
+    return this.work.state?.phase === 'done'
+  }
+
+  // ---- what is sorted ----
+
+  /** To another page, as it was left. */
+  turnTo(source: Source): void {
+    if (source === this.work.source) return
+    this.#leave()
+    const left = this.#steps.leftOn(source)
+    if (left) this.#do(left)
+    else if (source === 'things') this.takeSet('vessels')
+    else if (source === 'points') this.takeTrap('heaps')
+    else this.clearReadings()
+  }
+
+  #leave(): void {
+    this.endCollecting()
+    this.pause()
+    this.touched = null
+    this.#steps.leave()
+  }
+
+  takeSet(id: string): void {
+    this.#begin(workOfSet(this.work, id))
+  }
+
+  takeTrap(name: string): void {
+    this.#begin(workOfTrap(this.work, name))
+  }
+
+  takeTable(names: readonly string[], rows: readonly (readonly number[])[]): void {
+    this.#begin(workOfFile(this.work, names, rows))
+  }
+
+  clearPoints(): void {
+    this.#begin(withoutPoints(this.work))
+  }
+
+  clearReadings(): void {
+    this.#begin(withoutReadings(this.work))
+  }
+
+  #begin(work: Work): void {
+    this.pause()
+    this.touched = null
+    this.#do(work)
+  }
+
+  count(feature: string, on: boolean): void {
+    this.#do(withFeature(this.work, feature, on))
+  }
+
+  addPoint(x: number, y: number): void {
+    const { columns, rows } = this.work.table
+    if (rows.length >= MOST_POINTS || columns.length !== 2) return
+    this.touched = null
+    this.#do(withRows(this.work, [...rows, [x, y]]))
+  }
+
+  removePoint(point: number): void {
+    const rows = this.work.table.rows.filter((_, index) => index !== point)
+    this.touched = null
+    this.#do(withRows(this.work, rows))
+  }
+
+  /**
+   * What Bo's sensor reads while it drives, rows of red, green and blue, 0 to 255: it lies on the plane at once, and a whole
+   * drive is one step. Flags come when it ends.
+   */
+  collect(readings: readonly (readonly number[])[]): void {
+    if (this.work.source !== 'readings') return
+    this.touched = null
+    this.pause()
+    this.#steps.extend(withReadings(this.work, readings), 'readings')
+    this.#keep()
+  }
+
+  /** Does what Bo reads still belong to the step that is shown? */
+  get collecting(): boolean {
+    return this.#steps.isOpenFor('readings')
+  }
+
+  endCollecting(): void {
+    if (!this.collecting) return
+    this.#steps.end()
+    this.#steps.replace(withTable(this.work, this.work.table))
+    this.#keep()
+  }
+
+  // ---- flags ----
+
+  setFlags(flags: number): void {
+    this.#change(withFlags(this.work, flags))
+  }
+
+  throwFlags(start: Start): void {
+    this.endCollecting()
+    this.#do(thrown(this.work, start))
+  }
+
+  /** The step before, where only sorting lies between. */
+  get before(): Work | null {
+    const { before } = this.#steps
+    return before?.table === this.work.table && !isFresh(this.work) ? before : null
+  }
+
+  /** `live`: the hand still holds it; a whole drag is one step. */
+  placeFlag(flag: number, centre: readonly number[], live: boolean): void {
+    const { work } = this
+    if (!work.state) return
+    const isNew = this.#steps.extend(placed(work, work.state.centres.with(flag, centre)), 'flag')
+    if (isNew) this.#keep()
+    if (!live) this.#steps.end()
+  }
+
+  letGo(): void {
+    this.#steps.end()
+    this.#keep()
+  }
+
+  setDistance(distance: Distance): void {
+    this.#change(withDistance(this.work, distance))
+  }
+
+  setAxis(axis: 0 | 1, column: number): void {
+    this.#steps.replace(withAxis(this.work, axis, column))
+    this.#keep()
+  }
+
+  /** All letters of one name are one step. */
+  name(group: number, name: string): void {
+    this.#steps.extend(withName(this.work, group, name.slice(0, LONGEST_NAME)), `name ${group}`)
+    this.#keep()
+  }
+
+  // ---- sorting ----
+
+  /** One point joins, or one flag moves. */
+  stepOne(): void {
+    const { work } = this
+    if (!work.state || this.done) return
+    const { state, trace } = stepOne(pointsIn(work.table), work.state)
+    this.touched = trace?.kind === 'assign' ? trace.point : null
+    this.#do({ ...work, state })
+  }
+
+  /** All points join, or all flags move. */
+  stepAll(): void {
+    const { work } = this
+    if (!work.state || this.done) return
+    this.#do({ ...work, state: stepPhase(pointsIn(work.table), work.state) })
+  }
+
+  /** To the beginning of this sorting: the flags where they were placed. */
+  again(): void {
+    const { work } = this
+    const first = this.#steps.findLast(isFresh)
+    const centres = first?.state?.centres
+    if (!work.state || centres?.length !== work.flags) return
+    this.#do({ ...work, state: startAt(pointsIn(work.table), centres, work.distance) })
+  }
+
+  play(): void {
+    if (this.#playing) return this.pause()
+    if (this.done) this.again()
+    this.#playing = true
+    this.stepAll()
+    this.#beat()
+  }
+
+  pause(): void {
+    clearInterval(this.#timer)
+    if (!this.#playing) return
+    this.#playing = false
+    this.#keep()
+  }
+
+  /** The page is hidden, or left without a farewell. */
+  save(): void {
+    this.#steps.flush()
+  }
+
+  close(): void {
+    this.endCollecting()
+    this.pause()
+    this.#steps.shelf.close()
+  }
+
+  setSpeed(speed: number): void {
+    this.#speed = speed
+    if (this.#playing) this.#beat()
+  }
+
+  #beat(): void {
+    clearInterval(this.#timer)
+    this.#timer = setInterval(() => {
+      this.stepAll()
+      if (this.done || !this.work.state) this.pause()
+    }, beats[this.#speed])
+  }
+
+  // ---- the way back ----
+
+  goTo(at: number): void {
+    this.#leave()
+    this.#steps.goTo(at)
+    this.#keep()
+  }
+
+  /** While Bo drives, what changes belongs to that step. */
+  #change(work: Work): void {
+    if (!this.collecting) return this.#do(work)
+    this.#steps.replace(work)
+    this.#keep()
+  }
+
+  #do(work: Work): void {
+    this.#steps.add(work)
+    this.#keep()
+  }
+
+  /** Not in the middle of playing: a moment of that is not worth a record. */
+  #keep(): void {
+    this.#steps.keep(this.#playing)
+  }
+}

@@ -1,0 +1,148 @@
+import { distancesOf } from '@botgarten/learning/k-means'
+import type { Desk } from './desk.svelte.ts'
+import { apart, fieldIn, spotOf, under, type Room, type Spot } from './geometry.ts'
+import { pointsIn } from './work.ts'
+
+/** What a tap on the plane does to points. */
+export type Tool = 'look' | 'add' | 'remove'
+
+/** What lies under flags and things: areas of the groups, threads to the flags, dots. */
+export interface Drawing {
+  readonly spots: readonly Spot[]
+  readonly labels: readonly number[]
+  readonly flags: readonly Spot[]
+  /** Radius of a dot; 0: things are drawn by others. */
+  readonly dot: number
+  /** By point, the colour a dot is filled with as red, green and blue; its group's where nothing is said. */
+  readonly fills: readonly (readonly number[])[] | null
+  readonly threads: boolean
+}
+
+/** Between the middles of two things in px: each has 44 for a finger. */
+const leastApart = 47
+
+const colourOf = (row: readonly number[]) => row.map((value) => (value / 10) * 255)
+
+/** The desk as it lies on the screen: where everything is, and what a finger or a key does to it. */
+export class PlaneView {
+  readonly desk: Desk
+  readonly #tool: () => Tool
+  #held = $state<number | null>(null)
+  room: Room = $state.raw({ width: 0, height: 0 })
+  /** Where the pen is, for keys. */
+  cursor = $state.raw({ x: 5, y: 5 })
+
+  constructor(desk: Desk, tool: () => Tool) {
+    this.desk = desk
+    this.#tool = tool
+  }
+
+  // What a step of sorting leaves as it is stays the same object, so that nothing is placed anew for it.
+  readonly #table = $derived.by(() => this.desk.work.table)
+  readonly #axes = $derived.by(() => this.desk.work.axes)
+  readonly #source = $derived.by(() => this.desk.work.source)
+  readonly #centres = $derived.by(() => this.desk.work.state?.centres ?? [])
+  readonly #labels = $derived.by(() => this.desk.work.state?.labels ?? [])
+  readonly #fills = $derived.by(() => (this.#source === 'readings' ? this.#table.rows.map(colourOf) : null))
+  readonly field = $derived.by(() => fieldIn(this.room))
+  readonly spots = $derived.by(() => {
+    const places = this.#table.rows.map((row) => spotOf(this.field, row, this.#axes))
+    return this.isThings
+      ? apart(places, Math.min(54, Math.max(leastApart, this.room.width / 12)), this.field)
+      : places
+  })
+  readonly flags = $derived.by(() => this.#centres.map((centre) => spotOf(this.field, centre, this.#axes)))
+  /** From what is touched to every flag. */
+  readonly distances = $derived.by(() => {
+    const { touched, work } = this.desk
+    if (touched === null || !work.state || touched >= work.table.rows.length) return null
+    return distancesOf(pointsIn(work.table), touched, work.state.centres, work.distance)
+  })
+  readonly drawing: Drawing = $derived.by(() => {
+    const { spots, flags } = this
+    const dot = this.isThings ? 0 : spots.length > 400 ? 4 : spots.length > 120 ? 6 : 8
+    return { spots, flags, dot, fills: this.#fills, labels: this.#labels, threads: spots.length <= 120 }
+  })
+
+  get isThings(): boolean {
+    return this.#source === 'things'
+  }
+
+  /** The flag that a hand holds. */
+  get held(): number | null {
+    return this.#held
+  }
+
+  get tool(): Tool {
+    return this.#tool()
+  }
+
+  /** A finger on the plane. */
+  tap(x: number, y: number): void {
+    const { desk, field, tool } = this
+    const near = under(this.spots, x, y, 30)
+    if (tool === 'add') desk.addPoint(field.valueX(x), field.valueY(y))
+    else if (tool === 'remove' && near !== null) desk.removePoint(near)
+    else if (tool === 'look') desk.touched = near
+  }
+
+  /** The pen where it is. */
+  usePen(): void {
+    this.tap(this.field.x(this.cursor.x), this.field.y(this.cursor.y))
+  }
+
+  movePen(right: number, up: number): void {
+    const held = (value: number) => Math.max(0, Math.min(10, value))
+    this.cursor = { x: held(this.cursor.x + right), y: held(this.cursor.y + up) }
+  }
+
+  /** To the next point, or the one before. */
+  walk(by: 1 | -1): void {
+    const { desk } = this
+    const count = this.spots.length
+    if (count === 0) return
+    desk.touched = desk.touched === null ? (by > 0 ? 0 : count - 1) : (desk.touched + by + count) % count
+  }
+
+  // ---- flags ----
+
+  /** Where flags stood before they moved; a hand that holds one sees none of it. */
+  readonly old = $derived.by(() => {
+    const { before } = this.desk
+    if (this.held !== null || before?.state?.centres.length !== this.flags.length) return []
+    return before.state.centres
+      .map((centre, flag) => ({ flag, from: spotOf(this.field, centre, this.#axes), to: this.flags[flag]! }))
+      .filter(({ from, to }) => Math.hypot(to.x - from.x, to.y - from.y) > 14)
+  })
+
+  grab(flag: number): void {
+    this.desk.pause()
+    this.#held = flag
+  }
+
+  /** A hand that holds a flag has moved. */
+  drag(x: number, y: number): void {
+    if (this.#held !== null) this.#put(this.#held, x, y, true)
+  }
+
+  drop(): void {
+    if (this.#held === null) return
+    this.#held = null
+    this.desk.letGo()
+  }
+
+  /** By keys, in px. */
+  moveFlag(flag: number, right: number, down: number): void {
+    this.desk.pause()
+    const { x, y } = this.flags[flag]!
+    this.#put(flag, x + right, y + down, false)
+  }
+
+  #put(flag: number, x: number, y: number, live: boolean): void {
+    const [right, up] = this.#axes
+    const centre = this.#centres[flag]!.map((value, column) =>
+      column === right ? this.field.valueX(x) : column === up ? this.field.valueY(y) : value,
+    )
+    this.desk.placeFlag(flag, centre, live)
+  }
+}

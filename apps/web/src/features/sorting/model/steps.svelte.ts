@@ -1,0 +1,160 @@
+import type { Project } from '@botgarten/programs'
+import { placeOf } from '#content/cards.ts'
+import { Keeper } from '#lab/keeper.svelte.ts'
+import { readSetting, writeSetting } from '#storage/settings.ts'
+import { firstWork, othersIn, read, written, type Kept } from './kept.ts'
+import type { Source, Work } from './work.ts'
+
+/** So many steps lead back. */
+const LONGEST = 400
+
+/** Where a playground is kept. */
+export interface Shelf {
+  /** What lay there when it was opened; not to be trusted. */
+  readonly kept: unknown
+  keep(kept: () => Kept): void
+  /** Saves what waits, now. */
+  flush(): void
+  /** Whose it is; null on the page that belongs to no project. */
+  readonly owner: Owner | null
+  close(): void
+}
+
+export interface Owner {
+  /** The card, or `free`. */
+  readonly place: string
+  readonly id: string
+  readonly keeper: Keeper
+}
+
+/** A project that is opened for sorting. */
+export interface OpenedForSorting {
+  readonly id: string
+  readonly revision: number
+  readonly project: Project
+}
+
+/** The page without a project: this device keeps what was done last. */
+export const deviceShelf = (): Shelf => ({
+  kept: readSetting<unknown>('sorting', null),
+  keep: (kept) => writeSetting('sorting', kept()),
+  flush: () => {},
+  owner: null,
+  close: () => {},
+})
+
+/** In the project's document: it goes wherever the project goes. */
+export function projectShelf({ id, revision, project }: OpenedForSorting): Shelf {
+  const keeper = new Keeper(id, revision)
+  let { name } = project
+  keeper.whenRenamed = (renamed) => (name = renamed)
+  return {
+    kept: project.sorting ?? null,
+    keep: (kept) => keeper.changed(() => ({ ...project, name, sorting: kept() })),
+    flush: () => void keeper.flush(),
+    owner: { place: placeOf(project), id, keeper },
+    close: () => keeper.close(),
+  }
+}
+
+/** The line of steps that leads back, and the shelf on which the one that is shown is kept. */
+export class Steps {
+  readonly shelf: Shelf
+  /** A newer Botgarten has left something here, or it is broken: it stays as it is until something is changed. */
+  readonly unread: boolean
+  #line = $state.raw<readonly Work[]>([])
+  #at = $state(0)
+  /** What was left on the pages that are not shown. */
+  #left: { readonly [source in Source]?: Work }
+  #unkept = false
+  /** What the step that is shown is still open for: a drag, letters of a name, readings of a drive. */
+  #open: string | null = null
+
+  constructor(shelf: Shelf) {
+    this.shelf = shelf
+    const work = read(shelf.kept)
+    this.unread = work === null && shelf.kept !== null
+    this.#line = [work ?? firstWork()]
+    this.#left = Object.fromEntries(othersIn(shelf.kept).map((one) => [one.source, one]))
+  }
+
+  get work(): Work {
+    return this.#line[this.#at]!
+  }
+
+  get at(): number {
+    return this.#at
+  }
+
+  get last(): number {
+    return this.#line.length - 1
+  }
+
+  get before(): Work | undefined {
+    return this.#line[this.#at - 1]
+  }
+
+  /** The last step up to now that is so. */
+  findLast(isSo: (work: Work) => boolean): Work | undefined {
+    return this.#line.slice(0, this.#at + 1).findLast(isSo)
+  }
+
+  add(work: Work): void {
+    this.#open = null
+    this.#line = [...this.#line.slice(Math.max(0, this.#at + 2 - LONGEST), this.#at + 1), work]
+    this.#at = this.#line.length - 1
+  }
+
+  /** The step that is shown becomes another; what came after it is gone. */
+  replace(work: Work): void {
+    this.#line = this.#line.with(this.#at, work).slice(0, this.#at + 1)
+  }
+
+  /** A step that stays open: all that is extended by one hand in one go is one step. Returns whether it is a new one. */
+  extend(work: Work, by: string): boolean {
+    const isNew = this.#open !== by
+    if (isNew) this.add(work)
+    else this.replace(work)
+    this.#open = by
+    return isNew
+  }
+
+  isOpenFor(what: string): boolean {
+    return this.#open === what
+  }
+
+  end(): void {
+    this.#open = null
+  }
+
+  goTo(at: number): void {
+    this.end()
+    this.#at = Math.max(0, Math.min(this.last, at))
+  }
+
+  /** The page that is shown is found again as it is. */
+  leave(): void {
+    this.#left = { ...this.#left, [this.work.source]: this.work }
+  }
+
+  leftOn(source: Source): Work | undefined {
+    return this.#left[source]
+  }
+
+  /** @param later a moment of playing is not worth a record: `flush` writes it where nothing else does */
+  keep(later: boolean): void {
+    this.#unkept = true
+    if (!later) this.#write()
+  }
+
+  /** The page is hidden, or left without a farewell. */
+  flush(): void {
+    if (this.#unkept) this.#write()
+    this.shelf.flush()
+  }
+
+  #write(): void {
+    this.shelf.keep(() => written(this.work, Object.values(this.#left)))
+    this.#unkept = false
+  }
+}

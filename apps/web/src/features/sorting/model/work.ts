@@ -1,0 +1,215 @@
+import {
+  bestOf,
+  plusPlusStart,
+  pointsOf,
+  randomStart,
+  startAt,
+  type Distance,
+  type KState,
+  type Points,
+} from '@botgarten/learning/k-means'
+import { columnsOf, onPlane, rawOf, type Column, type ThingSet } from '@botgarten/content/things'
+import { stream } from '@botgarten/numbers'
+import { setOf } from '#figures/things/sets.ts'
+import { traps } from './traps.ts'
+
+/** What is sorted. */
+export type Source = 'things' | 'points' | 'readings'
+export type Start = 'random' | '++' | 'best'
+
+/** Rows of numbers with their columns, on the plane's scale of 0 to 10. */
+export interface Table {
+  readonly columns: readonly Column[]
+  readonly rows: readonly (readonly number[])[]
+}
+
+/** The whole playground as plain data: every change makes a new one, and the line of them is the way back. */
+export interface Work {
+  readonly source: Source
+  /** Id of the set of things; of a data set of points, '' for own ones. */
+  readonly set: string
+  /** Features of the things that count. */
+  readonly counting: readonly string[]
+  readonly table: Table
+  /** Columns that lie along the two axes; −1: none does. */
+  readonly axes: readonly [x: number, y: number]
+  readonly flags: number
+  /** By group, as children call them. */
+  readonly names: readonly string[]
+  readonly distance: Distance
+  /** Null where there is nothing to sort yet. */
+  readonly state: KState | null
+  /** Grows with every throw of the flags, so that each is another one. */
+  readonly throws: number
+}
+
+/** Are the flags where they were placed? */
+export const isFresh = ({ state }: Work): boolean =>
+  state !== null && state.phase === 'assign' && state.round === 0 && state.next === 0
+
+/** As many flags as a page begins with. */
+const FIRST_FLAGS = 3
+export const MOST_FLAGS = 6
+/** That Bo collects on the playground's floor. */
+export const MOST_READINGS = 300
+export const MOST_POINTS = 5000
+export const MOST_COLUMNS = 8
+/** Letters of a column's name. */
+export const LONGEST_COLUMN = 200
+const inUnit = { part: '', low: 0, high: 10, scale: 10 }
+
+export const thingTable = (set: ThingSet, counting: readonly string[]): Table => {
+  const columns = columnsOf(set, counting)
+  const rows = set.things.map((thing) => columns.map((one) => onPlane(rawOf(set, thing, one), one)))
+  return { columns, rows }
+}
+
+/** Points by hand: right and up on the plane. */
+export const handTable = (rows: Table['rows']): Table => ({
+  columns: ['right', 'up'].map((feature) => ({ ...inUnit, feature, unit: '' })),
+  rows,
+})
+
+/** What a colour sensor has read: red, green and blue, 0 to 255. */
+export const readingTable = (rows: Table['rows']): Table => ({
+  columns: ['red', 'green', 'blue'].map((part) => ({
+    ...inUnit,
+    feature: 'colour',
+    part,
+    unit: '',
+    high: 255,
+  })),
+  rows: rows.map((row) => row.map((value) => (value / 255) * 10)),
+})
+
+/** A file's columns, each as wide as the plane. */
+export function fileTable(names: readonly string[], rows: Table['rows']): Table {
+  const columns = names.map((feature, at) => {
+    const values = rows.map((row) => row[at]!)
+    const [low, high] = [values.reduce((a, b) => Math.min(a, b)), values.reduce((a, b) => Math.max(a, b))]
+    return { ...inUnit, feature: feature.slice(0, LONGEST_COLUMN), unit: '', low, high }
+  })
+  return { columns, rows: rows.map((row) => row.map((value, at) => onPlane(value, columns[at]!))) }
+}
+
+const asPoints = new WeakMap<Table, Points>()
+
+/** A table's rows as what k-means reads; the same for the same table. */
+export function pointsIn(table: Table): Points {
+  const points = asPoints.get(table) ?? pointsOf(table.rows)
+  asPoints.set(table, points)
+  return points
+}
+
+const sortable = ({ columns, rows }: Table) => columns.length > 0 && rows.length > 0
+
+/** As many flags as are wanted, or as there can be: no more than points. An empty table waits for points. */
+export const flagsFor = (wanted: number, { rows }: Table): number =>
+  Math.max(1, Math.min(wanted, MOST_FLAGS, rows.length || MOST_FLAGS))
+
+/** Other rows or columns: flags are thrown anew. */
+export function withTable(work: Work, table: Table): Work {
+  const { length } = table.columns
+  // Of red, green and blue, red and blue part colours best.
+  const axes = [length > 0 ? 0 : -1, work.source === 'readings' ? 2 : length > 1 ? 1 : -1] as const
+  return thrown({ ...work, table, axes, flags: flagsFor(work.flags, table) })
+}
+
+/** More readings, and no flags while they come. Flags that few readings have kept away come back with more. */
+export function withReadings(work: Work, readings: Table['rows']): Work {
+  const { rows: before, columns } = work.table
+  const rows = [...before, ...readingTable(readings).rows].slice(0, MOST_READINGS)
+  const flags = before.length <= work.flags ? Math.max(work.flags, FIRST_FLAGS) : work.flags
+  return { ...work, flags, table: { columns, rows }, state: null }
+}
+
+/** All flags at new places, nothing sorted yet. */
+export function thrown(work: Work, start: Start = 'random'): Work {
+  if (!sortable(work.table)) return { ...work, state: null }
+  const { table, flags, distance, throws } = work
+  const points = pointsIn(table)
+  const chance = stream(throws, 'learn/sorting/flags')
+  if (start === 'best') {
+    const { centres } = bestOf(points, flags, { starts: 10, init: '++', distance, stream: chance })
+    return { ...placed(work, centres), throws: throws + 1 }
+  }
+  const centres =
+    start === '++' ? plusPlusStart(points, flags, distance, chance) : randomStart(points, flags, chance)
+  return { ...placed(work, centres), throws: throws + 1 }
+}
+
+/** Flags where a hand has put them: sorting begins anew from there. */
+export function placed(work: Work, centres: KState['centres']): Work {
+  return { ...work, state: startAt(pointsIn(work.table), centres, work.distance) }
+}
+
+/** One flag more, or fewer; the others stay. */
+export function withFlags(work: Work, wanted: number): Work {
+  const flags = flagsFor(wanted, work.table)
+  if (!work.state) return { ...work, flags }
+  const kept = work.state.centres.slice(0, flags)
+  const more = randomStart(
+    pointsIn(work.table),
+    flags - kept.length || 1,
+    stream(work.throws, 'learn/sorting/flags'),
+  ).slice(0, flags - kept.length)
+  return { ...placed({ ...work, flags }, [...kept, ...more]), throws: work.throws + 1 }
+}
+
+// ---- other things to sort; names of groups that were go ----
+
+export function workOfSet(work: Work, id: string): Work {
+  const set = setOf(id)
+  const counting = set.features.slice(0, 2).map((feature) => feature.id)
+  return begun({ ...work, source: 'things', set: id, counting }, thingTable(set, counting))
+}
+
+export function workOfTrap(work: Work, name: string): Work {
+  const { flags, rows } = traps[name]!
+  return begun({ ...work, source: 'points', set: name, counting: [] }, handTable(rows()), flags)
+}
+
+/** Columns and rows of a file. */
+export const workOfFile = (work: Work, names: readonly string[], rows: Table['rows']): Work =>
+  begun({ ...work, source: 'points', set: '', counting: [] }, fileTable(names, rows))
+
+export const withoutPoints = (work: Work): Work => begun({ ...work, set: '' }, handTable([]), work.flags)
+
+export const withoutReadings = (work: Work): Work =>
+  begun({ ...work, source: 'readings', set: '', counting: [] }, readingTable([]))
+
+const begun = (work: Work, table: Table, flags = FIRST_FLAGS): Work =>
+  withTable({ ...work, flags, names: [] }, table)
+
+// ---- one thing of it another ----
+
+export function withFeature(work: Work, feature: string, on: boolean): Work {
+  const { set, counting } = work
+  const next = on ? [...counting, feature] : counting.filter((one) => one !== feature)
+  return withTable({ ...work, counting: next }, thingTable(setOf(set), next))
+}
+
+/** The flags stay where they are while points come and go, as long as there are enough. */
+export function withRows(work: Work, rows: Table['rows']): Work {
+  const own = { ...work, set: '', table: { ...work.table, rows } }
+  const enough = work.state !== null && rows.length >= work.flags
+  return enough ? placed(own, work.state.centres) : withTable(own, own.table)
+}
+
+/** A column that lies along the other axis changes places with the one that lay here. */
+export function withAxis(work: Work, axis: 0 | 1, column: number): Work {
+  const other = work.axes[1 - axis]!
+  const swapped = column === other ? work.axes[axis] : other
+  return { ...work, axes: axis === 0 ? [column, swapped] : [swapped, column] }
+}
+
+export function withDistance(work: Work, distance: Distance): Work {
+  const next = { ...work, distance }
+  return work.state ? placed(next, work.state.centres) : next
+}
+
+export function withName(work: Work, group: number, name: string): Work {
+  const length = Math.max(work.names.length, group + 1)
+  const names = Array.from({ length }, (_, at) => work.names[at] ?? '')
+  return { ...work, names: names.with(group, name) }
+}
