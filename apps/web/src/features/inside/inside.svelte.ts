@@ -1,12 +1,12 @@
 import { emptyBrain, weightsOf } from '@botgarten/learning/neural-network'
-import { standpointOf } from './moment.ts'
+import type { Standpoint } from '@botgarten/lab/why'
 import { drawn, type Neuron } from '#figures/network/neurons.ts'
 import type { LabSession } from '#lab/session.svelte.ts'
-import { Drives } from './drives.svelte.ts'
-import { Field } from './field.svelte.ts'
-import Over from './Over.svelte'
-import Panel from './Panel.svelte'
-import Under from './Under.svelte'
+import { Drives } from './model/drives.svelte.ts'
+import { Field } from './model/field.svelte.ts'
+import Over from './view/Over.svelte'
+import Panel from './view/Panel.svelte'
+import Under from './view/Under.svelte'
 
 declare module '#lab/slots.ts' {
   interface Slots {
@@ -65,7 +65,11 @@ export class Inside {
     return this.view.phase !== 'running'
   }
 
-  standpoint = () => standpointOf(this.session.lab)
+  /** Where the lab stands: from here a drive can be imagined. */
+  standpoint = (): Standpoint => {
+    const { document, floor, moment, view } = this.session.lab
+    return { document, floor, moment, going: view.phase === 'running' || view.phase === 'paused' }
+  }
 
   close(): void {
     this.page = null

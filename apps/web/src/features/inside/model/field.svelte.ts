@@ -1,6 +1,6 @@
 import { gridOf, readingsAt } from '@botgarten/lab/why'
 import type { Pose } from '@botgarten/simulation'
-import type { Inside } from './inside.svelte.ts'
+import type { Inside } from '../inside.svelte.ts'
 import { inSlices } from './slices.ts'
 
 /** What the sensors read all over the floor. */

@@ -1,6 +1,6 @@
 import fc from 'fast-check'
 import { expect, test } from 'vitest'
-import { barsOf, reasonsOf } from './reasons.ts'
+import { barsOf, endToEnd, mostOf, reasonsOf } from './reasons.ts'
 
 const reasons = (values: readonly number[], weights: readonly number[], base = 0) => {
   const shares = values.map((value, index) => value * weights[index]!)
@@ -58,12 +58,28 @@ test('bars begin at one line, and the longest reaches its end', () => {
   expect(barsOf([60, 20])).toEqual({
     zero: 0,
     bars: [
-      { at: 0, width: 0.75 },
-      { at: 0, width: 0.25 },
+      { at: 0, width: 0.75, negative: false },
+      { at: 0, width: 0.25, negative: false },
     ],
   })
   const { zero, bars } = barsOf([30, -10])
   expect(zero).toBe(0.25)
-  expect(bars[1]).toEqual({ at: 0, width: 0.25 })
+  expect(bars[1]).toEqual({ at: 0, width: 0.25, negative: true })
   expect(barsOf([0, 0]).bars.every(({ width }) => width === 0)).toBe(true)
+})
+
+test('parts of a sum lie end to end: what is taken away goes left from the beginning', () => {
+  const { zero, bars } = endToEnd([30, -10, 20, -20])
+  expect(zero).toBe(0.375)
+  expect(bars.map(({ at, width }) => [at, width])).toEqual([
+    [0.375, 0.375],
+    [0.25, 0.125],
+    [0.75, 0.25],
+    [0, 0.25],
+  ])
+})
+
+test('the input that brings most is named, whichever way it pulls; none where all bring nothing', () => {
+  expect(mostOf(reasons([50, 80], [1, -1]))?.id).toBe(reasons([50, 80], [1, -1]).rows[1]!.id)
+  expect(mostOf(reasons([0, 0], [1, 1]))).toBeNull()
 })

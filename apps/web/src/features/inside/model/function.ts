@@ -30,6 +30,16 @@ export function answerOf(
   }
 }
 
+/** The layers from which a neuron can be asked about; none for an input. */
+export const layersBefore = ({ layers }: Brain, id: string): Brain['layers'] =>
+  layers.slice(
+    0,
+    Math.max(
+      0,
+      layers.findIndex((layer) => layer.some((one) => one.id === id)),
+    ),
+  )
+
 export interface Range {
   readonly least: number
   readonly most: number

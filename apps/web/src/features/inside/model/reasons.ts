@@ -54,19 +54,55 @@ function digitsFor(value: number, weight: number | null, share: number, unit: nu
   return [0, 1].find(holds) ?? 2
 }
 
-/** Where the bars of some parts lie on one common line, as shares 0..1 of it: each from `zero` on, leftwards where it is negative. */
-export function barsOf(parts: readonly number[]): {
+/** The input that brings most; null where none brings anything. */
+export const mostOf = ({ rows }: Reasons): Reason | null =>
+  rows.reduce<Reason | null>(
+    (best, row) => (row.part !== 0 && Math.abs(row.part) > Math.abs(best?.part ?? 0) ? row : best),
+    null,
+  )
+
+/** A part of a sum as a bar on a line: shares 0..1 of it. */
+export interface Part {
+  readonly at: number
+  readonly width: number
+  readonly negative: boolean
+}
+
+interface Bars {
+  /** Where the line begins. */
   readonly zero: number
-  readonly bars: readonly { readonly at: number; readonly width: number }[]
-} {
+  readonly bars: readonly Part[]
+}
+
+/** Each part from the beginning on, leftwards where it is negative. */
+export function barsOf(parts: readonly number[]): Bars {
+  const { zero, whole } = lineOf(parts)
+  const bars = parts.map((part) => ({
+    at: part < 0 ? zero + part / whole : zero,
+    width: Math.abs(part) / whole,
+    negative: part < 0,
+  }))
+  return { zero, bars }
+}
+
+/** All parts end to end: what lies right of the beginning is added, what lies left taken away. */
+export function endToEnd(parts: readonly number[]): Bars {
+  const { zero, whole } = lineOf(parts)
+  let [left, right] = [zero, zero]
+  const bars = parts.map((part) => {
+    const width = Math.abs(part) / whole
+    const at = part < 0 ? left - width : right
+    if (part < 0) left = at
+    else right += width
+    return { at, width, negative: part < 0 }
+  })
+  return { zero, bars }
+}
+
+function lineOf(parts: readonly number[]): { readonly zero: number; readonly whole: number } {
   const [positive, negative] = [1, -1].map((sign) =>
     parts.reduce((sum, part) => sum + Math.max(0, part * sign), 0),
   ) as [number, number]
   const whole = positive + negative || 1
-  const zero = negative / whole
-  const bars = parts.map((part) => ({
-    at: part < 0 ? zero + part / whole : zero,
-    width: Math.abs(part) / whole,
-  }))
-  return { zero, bars }
+  return { zero: negative / whole, whole }
 }

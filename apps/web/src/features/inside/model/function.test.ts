@@ -2,7 +2,6 @@ import fc from 'fast-check'
 import { expect, test } from 'vitest'
 import { trace, type Brain } from '@botgarten/learning/neural-network'
 import { answerOf, courseOf, rangeAround, rangeOf, spread } from './function.ts'
-import { heatOf } from './heat.ts'
 
 const neuron = (id: string, bias = 0) => ({ id, activation: 'identity' as const, bias })
 const brain: Brain = {
@@ -56,20 +55,4 @@ test('one word says how a curve goes', () => {
       [1, 2, 1],
     ].map(courseOf),
   ).toEqual(['rises', 'falls', 'stays', 'bends'])
-})
-
-/** Relative luminance (WCAG). */
-const light = (colour: string) =>
-  [1, 3, 5]
-    .map((from) => parseInt(colour.slice(from, from + 2), 16) / 255)
-    .map((part) => (part <= 0.04045 ? part / 12.92 : ((part + 0.055) / 1.055) ** 2.4))
-    .reduce((sum, part, index) => sum + part * [0.2126, 0.7152, 0.0722][index]!, 0)
-
-test('the higher a value the darker its colour, so that it can be read in grey, and ink stays readable on it', () => {
-  const ink = light('#3A2A20')
-  for (const sign of [1, -1]) {
-    const lights = spread({ least: 0, most: 100 }, 21).map((value) => light(heatOf(sign * value)))
-    lights.slice(1).forEach((one, index) => expect(one).toBeLessThan(lights[index]!))
-    expect((lights.at(-1)! + 0.05) / (ink + 0.05)).toBeGreaterThan(4.5)
-  }
 })

@@ -2,8 +2,8 @@ import { m, say } from '#words/say.ts'
 import { language } from '#words/language.svelte.ts'
 import { formatNumber } from '#drawing/numbers.ts'
 import type { Neuron } from '#figures/network/neurons.ts'
-import type { Otherwise, Turning } from './drives.svelte.ts'
-import type { Inside } from './inside.svelte.ts'
+import type { Otherwise, Turning } from '../model/drives.svelte.ts'
+import type { Inside } from '../inside.svelte.ts'
 
 export const number = (value: number, digits = 2): string => formatNumber(value, language.locale, digits)
 

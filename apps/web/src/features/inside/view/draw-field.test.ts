@@ -1,6 +1,6 @@
 import fc from 'fast-check'
 import { expect, test } from 'vitest'
-import { arrowOf, headOf } from './arrows.ts'
+import { arrowOf, headOf } from './draw-field.ts'
 
 const pose = { x: 50, y: 40, heading: 90 }
 const tip = (left: number, right: number) => arrowOf(pose, left, right, 12).at(-1)!

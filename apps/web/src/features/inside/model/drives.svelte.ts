@@ -1,9 +1,9 @@
 import { leaveOut, smallestChange, type Change } from '@botgarten/learning/neural-network/explain'
 import { biasRow, withWeight, type Brain } from '@botgarten/learning/neural-network'
 import { imagine, type Imagined } from '@botgarten/lab/why'
-import { askedOf, type Asked } from './decision.ts'
 import { level } from '#figures/network/level.svelte.ts'
-import type { Inside } from './inside.svelte.ts'
+import type { Inside } from '../inside.svelte.ts'
+import { askedOf, type Asked } from './decision.ts'
 import { inSlices } from './slices.ts'
 
 /** What the pale robot does otherwise: it leaves an input out, or drives with the smallest change. */
@@ -46,9 +46,13 @@ export class Drives {
   get pale() {
     return this.#pale
   }
-  get from() {
-    return this.#from
-  }
+  /** Where the pale robot stands: where Bo drives on, it drives beside it. */
+  readonly ghost = $derived.by(() => {
+    const { standing, view } = this.#inside
+    const poses = this.#pale?.poses ?? []
+    const at = standing ? poses.length - 1 : view.tick - this.#from
+    return poses[Math.max(0, Math.min(poses.length - 1, at))]
+  })
   /** null while it is looked for. */
   get turning() {
     return this.#turning
