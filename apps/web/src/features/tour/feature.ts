@@ -1,7 +1,6 @@
 import type { Feature } from '#parts/feature.ts'
 
-export { Guide } from './guide.svelte.ts'
-export { sightOf } from './tour.ts'
+export { Guide, sightOf } from './guide.svelte.ts'
 
 /** Three moves that show what belongs together. */
 export const tour = {

@@ -1,4 +1,24 @@
+import type { NeuronOutline, NetworkOutline } from '@botgarten/programs'
+import type { RobotConfig } from '@botgarten/simulation'
+import { partOf, type Part } from '#figures/glow.svelte.ts'
 import { readSetting, writeSetting } from '#storage/settings.ts'
+
+/** What the tour shows: a neuron that drives a wheel. */
+export interface Sight {
+  readonly neuron: NeuronOutline
+  readonly wheel: Part
+  readonly side: 'left' | 'right'
+}
+
+/** The first neuron of a network that drives a wheel; null where none does: there is no tour then. */
+export function sightOf(net: NetworkOutline | null, { drive }: RobotConfig): Sight | null {
+  for (const neuron of net?.outputs ?? []) {
+    const wheel = partOf(neuron)
+    if (wheel === `motor ${drive.left}`) return { neuron, wheel, side: 'left' }
+    if (wheel === `motor ${drive.right}`) return { neuron, wheel, side: 'right' }
+  }
+  return null
+}
 
 /** Where the tour is: null it is not on the screen, −1 it is offered, else which move is next. It is offered once on a device. */
 export class Guide {

@@ -2,7 +2,7 @@ import { content } from '@botgarten/content/files'
 import { networks, type NetworkOutline } from '@botgarten/programs'
 import { cardConfig } from '@botgarten/simulation'
 import { expect, test } from 'vitest'
-import { sightOf } from './tour.ts'
+import { sightOf } from './guide.svelte.ts'
 
 const netOf = (card: string): NetworkOutline =>
   networks(content.program(card, 'start')!.programs['main']!)[0]!
