@@ -1,6 +1,5 @@
 import type { LabUi } from '#lab/ui.svelte.ts'
 import type { LabSession } from '#lab/session.svelte.ts'
-import { fetchWords } from '#words/say.ts'
 import type { Blocks } from './model/hands.ts'
 import { Learning } from './model/learning.svelte.ts'
 import QPlayground from './view/QPlayground.svelte'
@@ -12,8 +11,8 @@ export interface Learner {
 }
 
 /**
- * Opens the playground of a session, with its words.
- * @param show is given it once it is there, and null when it is closed
+ * Opens the playground of a session.
+ * @param show is given it, and null when it is closed
  * @returns how to close it
  */
 export function hold(
@@ -22,16 +21,10 @@ export function hold(
   blocks: Blocks,
   show: (learner: Learner | null) => void,
 ): () => void {
-  let close = () => {}
-  let over = false
-  void fetchWords('q-learning', 'blocks-q-learning').then(() => {
-    if (over) return
-    const learning = new Learning(session, ui, blocks)
-    close = learning.open()
-    show({ QPlayground, learning })
-  })
+  const learning = new Learning(session, ui, blocks)
+  const close = learning.open()
+  show({ QPlayground, learning })
   return () => {
-    over = true
     close()
     show(null)
   }
