@@ -8,8 +8,6 @@ const config: KnipConfig = {
   workspaces: {
     '.': { entry: ['scripts/*.{mjs,ts}'], project: ['scripts/**/*.{mjs,ts}'] },
     'apps/web': {
-      // Drawings are found by the folder they lie in.
-      entry: ['src/features/materials/embeds/*.svelte'],
       project: ['src/**/*.{ts,svelte,css}'],
       // Named by its path in project.inlang/settings.json; `content:…` is what vite.config makes of content/.
       ignoreDependencies: ['@inlang/plugin-message-format', 'content'],

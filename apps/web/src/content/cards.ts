@@ -32,3 +32,7 @@ export async function loadFreeLab(): Promise<Project> {
   const { world, start } = await catalogue.freeLab()
   return { botgarten: 1, name: 'free', ...start, world, assets: {} }
 }
+
+/** Every world of the content, in the order of their folders. */
+export const allWorlds = (): Promise<readonly { readonly id: string; readonly world: WorldFile }[]> =>
+  Promise.all(worlds.worlds.map(async (id) => ({ id, world: (await worlds.world(id))! })))

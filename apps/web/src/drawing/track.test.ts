@@ -12,6 +12,7 @@ import {
   stagger,
   weightAt,
   type Track,
+  pulseRate,
 } from './track.ts'
 
 const level = freeLine({ x: 100, y: 50 }, { x: 400, y: 50 }, 50)
@@ -193,5 +194,23 @@ describe('a finger', () => {
     expect([...both].sort()).toEqual([0, 1])
     expect(alongMovement(cross, both, { x: 5, y: 3 })).toBe(0)
     expect(alongMovement(cross, both, { x: 5, y: -3 })).toBe(1)
+  })
+})
+
+describe('pulses', () => {
+  test('take 900 ms at 50 and 500 ms at 100, and at most 1600 ms', () => {
+    expect(pulseRate(50).milliseconds).toBe(900)
+    expect(pulseRate(100).milliseconds).toBe(500)
+    expect(pulseRate(1).milliseconds).toBeLessThanOrEqual(1600)
+    expect(pulseRate(300)).toEqual(pulseRate(100))
+  })
+
+  test('stop where there is no signal, and are never more than 8', () => {
+    expect(pulseRate(0).count).toBe(0)
+    expect([2, 20, 50, 80].map((signal) => pulseRate(signal).count)).toEqual([1, 2, 4, 8])
+  })
+
+  test('a trembling value changes nothing', () => {
+    expect(pulseRate(54)).toEqual(pulseRate(55.4))
   })
 })

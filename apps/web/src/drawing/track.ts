@@ -1,5 +1,4 @@
-import type { Point } from './points.ts'
-import { between, clamp, distance, distanceToSegment, shareAlong } from './points.ts'
+import { type Point, between, clamp, distance, distanceToSegment, shareAlong, lerp } from './points.ts'
 
 /** What a knob can be set to, and by which number its weight is shown: 1, or 10 for a scale without decimals. */
 export interface Scale {
@@ -154,4 +153,22 @@ export function alongMovement(tracks: readonly Track[], candidates: readonly num
   const turn = ({ from, to }: Track) =>
     Math.abs((to.x - from.x) * move.y - (to.y - from.y) * move.x) / (distance(from, to) || 1)
   return candidates.reduce((best, one) => (turn(tracks[one]!) < turn(tracks[best]!) ? one : best))
+}
+
+/** How the signal on a link is shown: `count` pulses on its length at a time, each `milliseconds` under way. */
+export interface PulseRate {
+  readonly count: 0 | 1 | 2 | 4 | 8
+  readonly milliseconds: number
+}
+
+/**
+ * Pulses for a signal (input × weight): 900 ms at 50, 1600 towards 0, 500 at 100, at most 8 at a time. Counts double, so
+ * that pulses already under way stay where they are. Signals come in steps of 5, so that a trembling value changes nothing.
+ */
+export function pulseRate(signal: number): PulseRate {
+  const strength = Math.min(100, Math.abs(signal))
+  if (strength < 0.5) return { count: 0, milliseconds: 1600 }
+  const step = Math.max(5, Math.round(strength / 5) * 5)
+  const milliseconds = step <= 50 ? lerp(1600, 900, step / 50) : lerp(900, 500, (step - 50) / 50)
+  return { count: step < 15 ? 1 : step < 35 ? 2 : step < 65 ? 4 : 8, milliseconds }
 }

@@ -1,5 +1,5 @@
 import { afterEach, beforeEach, expect, test, vi } from 'vitest'
-import { addToBin, emptyBin, listBin, takeBack, throwAway } from './bin.ts'
+import { addToBin, emptyBin, listBin, takeBack, throwAway, daysOfUse } from './bin.ts'
 import { load, list, save } from './projects.ts'
 import {
   deviceThatKeepsNothing,
@@ -10,6 +10,7 @@ import {
   recordIn,
 } from './testing/device.ts'
 import { fear, friendship, hash, withPicture } from './testing/sample.ts'
+import { writing } from './database.ts'
 
 const day = 86_400_000
 beforeEach(async () => {
@@ -208,3 +209,26 @@ test('where the browser keeps nothing, there is no bin, and that is said', async
   expect(await takeBack('x')).toEqual({ kind: 'refused' })
   expect(await emptyBin(['x'])).toBe('refused')
 })
+
+const days = (day: string) => writing((transaction) => daysOfUse(transaction, Date.parse(`${day}T12:00Z`)))
+
+test('every later day counts once; a clock that goes back counts none twice', async () => {
+  for (const [day, count] of [
+    ['2026-11-22', 1],
+    ['2026-11-22', 1],
+    ['2026-11-23', 2],
+    ['2026-11-20', 2],
+    ['2026-11-21', 3],
+  ] as const)
+    expect(await days(day)).toBe(count)
+})
+
+test.each([['x'], [-1], [1.5], [0], [undefined]])(
+  'a count that is %j begins anew, on the same day too',
+  async (count) => {
+    await days('2026-11-22')
+    await recordIn('days', 'used', { id: 'used', count, last: '2026-11-22' })
+    expect(await days('2026-11-22')).toBe(1)
+    expect(await days('2026-11-23')).toBe(2)
+  },
+)

@@ -3,7 +3,7 @@ import { beforeEach, describe, expect, test } from 'vitest'
 import { listBin, takeBack, throwAway } from './bin.ts'
 import { database, type ProjectRecord } from './database.ts'
 import { list, listWhole, load, open, rename, save } from './projects.ts'
-import { rawText } from './raw.ts'
+import { rawText } from './handout.ts'
 import { freshDevice } from './testing/device.ts'
 import { fear, friendship, hash, withPicture } from './testing/sample.ts'
 

@@ -3,14 +3,12 @@ import { parseProject, ProjectError, salvageProject, type Project } from '@botga
 import { loadFreeLab, placeOf } from '#content/cards.ts'
 import { shownName } from '#content/names.ts'
 import { m } from '#words/say.ts'
-import { nameOfCopy } from './copy-name.ts'
+import { nameOfCopy } from './messages.ts'
 import { troubleOf } from './database.ts'
-import { isOpenRoberta } from './endings.ts'
-import { handOut } from './handout.ts'
+import { isOpenRoberta, handOut } from './handout.ts'
 import { addToBin, listBin } from './bin.ts'
-import { isHome, mostHomeBytes, packHome, readHome } from './home-file.ts'
+import { isHome, mostHomeBytes, packHome, readHome, mergeBin, mergeHome } from './home-file.ts'
 import { deviceDrawer, follow, mergeSettings, settingsIn, type HomeSettings } from './home-settings.ts'
-import { mergeBin, mergeHome } from './merge.ts'
 import { add, freshId, listWhole, save } from './projects.ts'
 
 /** Why a file was not taken up, as the words `problem.<problem>.title` and `.text` with their facts. */
@@ -74,9 +72,13 @@ async function takeProject(text: string): Promise<OpenedFile> {
   }
 }
 
+/** An Open Roberta file, in the world of the free lab. @throws {ProjectError} and nothing else of the file's */
 async function takeOpenRoberta(text: string, name: string): Promise<OpenedFile> {
-  const { projectOfFile } = await import('./open-roberta.ts')
-  return keepProject(await projectOfFile(text, name))
+  const [{ projectFrom }, { world }] = await Promise.all([
+    import('@botgarten/programs/open-roberta'),
+    loadFreeLab(),
+  ])
+  return keepProject(projectFrom(text, name.replace(/\.xml$/i, '').slice(0, 100), world))
 }
 
 /** What a home file holds; null for every other text. */

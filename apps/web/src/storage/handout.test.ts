@@ -1,6 +1,6 @@
 import { version, type Project } from '@botgarten/programs'
 import { afterEach, beforeEach, expect, test, vi } from 'vitest'
-import { handOut, saveProjectFile, saveRaw } from './handout.ts'
+import { handOut, saveProjectFile, saveRaw, isOpenRoberta, isProgramFile } from './handout.ts'
 import { friendship } from './testing/sample.ts'
 
 /** What the browser was given to download. */
@@ -76,4 +76,21 @@ test('what cannot be read is handed out as it lies there', async () => {
   saveRaw('damaged', { programs: 1n })
   expect(given[0]!.name).toBe('damaged.json')
   expect(await given[0]!.blob!.text()).toBe('{"programs":"1"}')
+})
+
+test('a program is known by the end of its file’s name', () => {
+  expect(['a.xml', 'A.XML', 'a.botgarten', 'a.botgarten.json'].every(isProgramFile)).toBe(true)
+  expect(['a.json', 'a.png', 'xml', 'a.xml.png'].some(isProgramFile)).toBe(false)
+})
+
+test('Open Roberta’s files are known by name, or by their beginning', () => {
+  expect(isOpenRoberta('a.xml', 'whatever')).toBe(true)
+  expect(isOpenRoberta('a.txt', '\uFEFF<?xml version="1.0"?>\n<export xmlns="x">')).toBe(true)
+  expect(isOpenRoberta('a.json', '{"name":"<export>"}')).toBe(false)
+  expect(isOpenRoberta('a.json', '<exporter>')).toBe(false)
+})
+
+test('only the first 1000 letters are looked at for that', () => {
+  expect(isOpenRoberta('a.txt', `${' '.repeat(992)}<export>`)).toBe(true)
+  expect(isOpenRoberta('a.txt', `${' '.repeat(993)}<export>`)).toBe(false)
 })

@@ -1,11 +1,11 @@
-import { parseProject, ProjectError, type Project } from '@botgarten/programs'
+import { parseProject, ProjectError, type Project, writeProject } from '@botgarten/programs'
 import * as v from 'valibot'
-import { DAYS_KEPT, type Binned } from './bin.ts'
+import { DAYS_KEPT, type Binned, type ToBin } from './bin.ts'
 import type { Listed } from './projects.ts'
 import { readSettings, type HomeSettings } from './home-settings.ts'
 
 /** A project of the bin on its way: its 30 days go on where they stopped. */
-export interface PackedBinned {
+interface PackedBinned {
   readonly was: string
   readonly changed: number
   /** For how long it was in the bin: as many milliseconds as its days of use have. */
@@ -13,10 +13,10 @@ export interface PackedBinned {
   readonly project: Project
 }
 
-export const DAY = 86_400_000
+const DAY = 86_400_000
 
 /** A home file that was read: what is whole, and how many of its projects are not. */
-export interface ReadHome {
+interface ReadHome {
   readonly projects: readonly Listed[]
   readonly bin: readonly PackedBinned[]
   readonly settings: HomeSettings
@@ -117,3 +117,72 @@ function readEntry<Entry extends { readonly project: unknown }>(
     throw cause
   }
 }
+
+/** What becomes of the projects of a home file on a device that has some already. */
+interface Merge {
+  /** To be written. None of their keys is one of this device. */
+  readonly added: readonly Listed[]
+  /** How many of the added ones stand beside another project of the same key. */
+  readonly copies: number
+  /** How many are here already, to the letter. */
+  readonly same: number
+}
+
+const fingerprint = ({ name: _name, ...project }: Project) => writeProject({ name: '', ...project })
+
+/**
+ * Lays projects beside those of this device. What is here stays as it is: a project that differs from the one under its
+ * key gets a key and a name of its own.
+ * @param keys that are in use besides, by projects that cannot be read
+ */
+export function mergeHome(
+  here: readonly Listed[],
+  keys: readonly string[],
+  file: ReadHome['projects'],
+  name: { fresh(place: string): string; copy(project: Project): string; place(project: Project): string },
+): Merge {
+  const known = new Set(here.map(({ project }) => fingerprint(project)))
+  const taken = new Set([...here.map(({ id }) => id), ...keys])
+  const added: Listed[] = []
+  let copies = 0
+  for (const one of file) {
+    const print = fingerprint(one.project)
+    if (known.has(print)) continue
+    known.add(print)
+    const place = name.place(one.project)
+    const fits = one.id === place || one.id.startsWith(`${place}-`)
+    const clash = taken.has(one.id)
+    const id = fits && !clash ? one.id : name.fresh(place)
+    taken.add(id)
+    copies += clash ? 1 : 0
+    added.push({
+      ...one,
+      id,
+      project: clash ? renamed(one.project, name.copy(one.project)) : one.project,
+    })
+  }
+  return { added, copies, same: file.length - added.length }
+}
+
+/**
+ * What of a file's bin is not in the bin of this device. What was there for 30 days when the file was written is not kept
+ * any longer here than there.
+ */
+export function mergeBin(
+  here: readonly Pick<Binned, 'was' | 'project'>[],
+  file: readonly PackedBinned[],
+  now: number,
+): readonly ToBin[] {
+  const print = ({ was, project }: Pick<Binned, 'was' | 'project'>) =>
+    JSON.stringify([was, project.name, fingerprint(project)])
+  const known = new Set(here.map(print))
+  return file.flatMap(({ was, changed, project, age }) => {
+    const one = print({ was, project })
+    if (known.has(one)) return []
+    known.add(one)
+    const daysIn = Math.min(DAYS_KEPT - 1, Math.floor(age / DAY))
+    return [{ was, changed, project, thrown: now - daysIn * DAY, daysIn }]
+  })
+}
+
+const renamed = (project: Project, name: string): Project => ({ ...project, name })

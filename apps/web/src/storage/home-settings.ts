@@ -1,7 +1,7 @@
 import { comfort } from './comfort.svelte.ts'
 import { language, type Locale } from '#words/language.svelte.ts'
 import * as v from 'valibot'
-import { settings as travels } from './setting-shapes.ts'
+import { settings as travels } from './settings.ts'
 
 type SettingName = keyof typeof travels
 export type HomeSettings = { readonly [name in SettingName]?: unknown }

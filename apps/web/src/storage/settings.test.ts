@@ -1,8 +1,7 @@
 import fc from 'fast-check'
 import { afterEach, beforeEach, expect, test, vi } from 'vitest'
 import { readSettings } from './home-settings.ts'
-import { settings } from './setting-shapes.ts'
-import { readSetting, writeSetting } from './settings.ts'
+import { settings, readSetting, writeSetting } from './settings.ts'
 
 const texts = new Map<string, string>()
 const shelf = {

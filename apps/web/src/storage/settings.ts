@@ -1,5 +1,31 @@
+import { languages } from 'content:words'
 import * as v from 'valibot'
-import { settings } from './setting-shapes.ts'
+
+const wish = v.optional(v.boolean())
+const level = v.picklist(['starter', 'explorer', 'expert'])
+const share = v.pipe(v.number(), v.minValue(0), v.maxValue(1))
+const two = v.optional(v.tuple([share, share]))
+/** What was sorted last is a child's work: its playground reads it as carefully as anything foreign. */
+const mostSorted = 1_000_000
+
+/** All that is set on a device, and what each may be. A setting without a line here would not go home. */
+export const settings = {
+  comfort: v.strictObject({ projector: wish, quiet: wish, letters: wish, aloud: wish }),
+  language: v.picklist(languages),
+  'network-level': level,
+  'network-tens': v.boolean(),
+  'q-level': level,
+  /** The drawer of robots looks at each alone: one that is damaged takes no other with it. */
+  robots: v.record(v.pipe(v.string(), v.maxLength(100)), v.unknown()),
+  settings: v.strictObject({ rays: v.boolean(), trail: v.boolean() }),
+  sizes: v.strictObject({ columns: two, stacked: two, rows: two }),
+  sorting: v.pipe(
+    v.record(v.string(), v.unknown()),
+    v.check((sorting) => JSON.stringify(sorting).length <= mostSorted),
+  ),
+  sound: v.boolean(),
+  tour: v.literal('seen'),
+} satisfies { readonly [name: string]: v.GenericSchema }
 
 /** A setting of this device, or the preset where the browser keeps nothing, or something that is no such setting. */
 export function readSetting<Value>(name: string, preset: Value): Value {

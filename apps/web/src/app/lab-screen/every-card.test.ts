@@ -5,7 +5,7 @@ import { allCards, loadCard, type LoadedCard } from '#content/cards.ts'
 import { bringFor } from '#features/editor/packs.ts'
 import { LabSession } from '#lab/session.svelte.ts'
 import { afterAll, afterEach, beforeAll, describe, expect, test, vi } from 'vitest'
-import { bedOf } from '#features/home/kept.ts'
+import { bedOf } from '#features/home/home.ts'
 import { againFrom, nextStep } from './card.ts'
 
 // Every card is walked to its end by the classes that the screen uses, merely because it is there.

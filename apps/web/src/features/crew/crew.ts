@@ -9,7 +9,7 @@ import {
 } from '@botgarten/learning/neural-network'
 import { networks, type Program } from '@botgarten/programs'
 import type { Pose, RobotPlacement } from '@botgarten/simulation'
-import type { NewRobot } from '#figures/robots/looks.ts'
+import type { NewRobot } from '#figures/robots.ts'
 import { renamed } from './renamed.ts'
 
 const noProgram: Program = { stacks: [], config: { stacks: [] } }

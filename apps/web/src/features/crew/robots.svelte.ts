@@ -2,7 +2,7 @@ import { weightsFor, withBeside } from './beside.ts'
 import { withoutRobot, withRobot } from './crew.ts'
 import type { LabSession } from '#lab/session.svelte.ts'
 import { most } from '@botgarten/programs'
-import type { NewRobot } from '#figures/robots/looks.ts'
+import type { NewRobot } from '#figures/robots.ts'
 
 /** The robots of a world, for the row of chips: who is there, whose program and network are shown. */
 export class Crew {

@@ -1,5 +1,9 @@
 import type { Snippet } from 'svelte'
-import type { Group } from '@botgarten/content'
+import type { Group, Playground } from '@botgarten/content'
+import { resolve } from '$app/paths'
+import { allCards, pictureOf, placeOf } from '#content/cards.ts'
+import { shownName, titleOf, addressOf } from '#content/names.ts'
+import type { Listed } from '#storage/projects.ts'
 
 /** A project that lies on this device. */
 export interface RecentProject {
@@ -51,3 +55,33 @@ export function runsOf(cards: readonly BedCard[]): { group: Group | null; cards:
   }
   return runs
 }
+
+/** What lies on this device, as tiles that lead back to it. */
+export const recentOf = (kept: readonly Listed[]): RecentProject[] =>
+  kept.map((one) => ({
+    href: addressOf(one),
+    name: shownName(one),
+    when: one.changed,
+    picture: pictureOf(placeOf(one.project)),
+  }))
+
+/** From how many of its start poses a card has been solved on this device. */
+function levelOf(card: string, kept: readonly Listed[]): Level {
+  const of = allCards.find(({ id }) => id === card)?.starts ?? 0
+  const solved = kept
+    .filter(({ project }) => placeOf(project) === card)
+    .flatMap(({ project }) => project.progress?.starts ?? [])
+  return { passed: new Set(solved).size, of }
+}
+
+/** The cards of one bed, and how far each has been solved on this device. */
+export const bedOf = (bed: Playground, kept: readonly Listed[]): BedCard[] =>
+  allCards
+    .filter((card) => card.bed === bed)
+    .map(({ id, code, group }) => ({
+      href: resolve('/lab/[card]', { card: id }),
+      number: /\d+$/.exec(code)?.[0] ?? '',
+      label: titleOf(id),
+      group: group ?? null,
+      level: levelOf(id, kept),
+    }))

@@ -3,7 +3,8 @@ import materials from 'content:items'
 import { resolve } from '$app/paths'
 import { allCards } from '#content/cards.ts'
 import { m, say } from '#words/say.ts'
-import { itemNamed, textOf } from './library.ts'
+import { itemNamed, textOf, allItems } from './library.ts'
+import type { Item } from '@botgarten/content/items'
 
 /** Where a link of an item leads: `card:<id>` to the lab, `item:<id>` to the item, everything else elsewhere. */
 export function addressOf(href: string): string {
@@ -38,3 +39,19 @@ export function numberedName(target: string, words = ''): string {
 
 /** Address of a picture by its path below `content/materials`. */
 export const { pictureAt } = materials
+
+/** The page that prints an item: cards two on a sheet of A4. */
+export const onPaper = ({ kind, id }: Pick<Item, 'kind' | 'id'>): string =>
+  resolve('/materials/[kind]/[id]?paper=a4', { kind, id })
+
+/** What will Bo do? The questions before and after an item's module; null where it belongs to none. */
+export const questionsOf = ({ module }: Pick<Item, 'module'>): string | null =>
+  module > 0 ? resolve('/materials/[kind]/[id]', { kind: 'questions', id: String(module) }) : null
+
+/** The teacher's solutions to a set of cards; null for what has none. */
+export function solutionsOf({ kind, way }: Pick<Item, 'kind' | 'way'>): Item | null {
+  if (kind !== 'card') return null
+  const solutions = allItems.filter((item) => item.kind === 'solution')
+  // One sheet has those of the first drive and of sorting.
+  return solutions.find((one) => one.way === way) ?? solutions.find((one) => one.way === 'all') ?? null
+}

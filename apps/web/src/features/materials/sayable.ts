@@ -1,7 +1,12 @@
-import type { Markdown } from '#parts/markdown.ts'
-import { spoken } from '#parts/aloud/spoken.ts'
-import type { ItemMarkdown, ItemNode } from '@botgarten/content/items'
-import { sayableEmbed } from './sayableEmbed.ts'
+import { type Markdown, spoken } from '#parts/markdown.ts'
+import type { Embed, ItemMarkdown, ItemNode } from '@botgarten/content/items'
+import { m } from '#words/say.ts'
+import { flows } from './drawn/flow/flows.ts'
+import { flowWords } from './drawn/flow/flow.ts'
+import { allQuestions, questionText } from './library.ts'
+import type { QuestionText } from '@botgarten/content/questions'
+import { headingOf } from './sides.ts'
+import type { Slide } from './slides/deck.ts'
 
 type Node = Markdown[number]
 
@@ -47,3 +52,37 @@ const within = (node: Node): Markdown => (node.type === 'paragraph' ? node.child
 
 /** The words of an item as a voice says them; null where there are none. */
 export const sayable = (nodes: ItemMarkdown): string | null => spoken(said(nodes)) || null
+
+/** What a voice says of what a text names, sentence by sentence: the words on it. What is drawn is looked at. */
+function sayableEmbed(embed: Embed): readonly string[] {
+  if (embed.kind === 'timer') return [m['materials.swapAfter']({ minutes: embed.minutes })]
+  if (embed.kind === 'flow') return flowWords(flows[embed.id])
+  if (embed.kind !== 'questions') return []
+  return allQuestions
+    .filter(({ module }) => module === embed.module)
+    .flatMap(({ id, choices }) => {
+      const text = questionText(id)
+      return [text.question, ...choices.map((choice) => text.choices[choice] ?? '')]
+    })
+}
+
+/** A question as a voice asks it: first what is asked, then what can be answered. */
+export const questionAloud = ({ question, choices }: QuestionText, order: readonly string[]): string =>
+  spoken([question, ...order.map((choice) => choices[choice] ?? '')].map(sentence))
+
+/** What a voice says once a question is answered: was it guessed, what happens, and why. */
+export const answerAloud = ({ choices, why }: QuestionText, answer: string, guessed: boolean): string =>
+  spoken([
+    sentence(guessed ? m['materials.guessed']() : m['materials.otherwise']()),
+    sentence(`${m['materials.thatHappens']()}: ${choices[answer] ?? ''}`),
+    ...said(why),
+  ])
+
+/**
+ * What a voice says of a slide: what stands on it, and never what the teacher says to it. `shown`: on the whole screen, where
+ * questions are asked one by one and have a voice of their own.
+ */
+export function slideAloud({ title, words, shown: drawn }: Slide, shown = false): string {
+  const left = drawn.filter((node) => !(shown && node.type === 'embed' && node.embed.kind === 'questions'))
+  return sayable([headingOf(title), ...words, ...left]) ?? title
+}

@@ -18,3 +18,23 @@ export function sidesOf({ lead, sections }: ItemText): readonly ItemMarkdown[] {
     else sides.at(-1)!.push(node)
   return sides.filter((side) => side.length > 0)
 }
+
+/** A side of paper, or a slide: its heading where it has one of its own, and what stands below. */
+export interface Leaf {
+  readonly title: string | null
+  readonly nodes: ItemMarkdown
+}
+
+/** The slides of a deck: the title first, then one for every section. Notes are for the teacher alone. */
+const slidesOf = ({ title, lead, sections }: ItemText): readonly Leaf[] => [
+  { title, nodes: lead },
+  ...sections.map((section) => ({ title: section.title, nodes: section.body })),
+]
+
+/** An item as what is printed of it. */
+export const leavesOf = (text: ItemText, paper: string): readonly Leaf[] =>
+  paper === '16:9' ? slidesOf(text) : sidesOf(text).map((nodes) => ({ title: null, nodes }))
+
+/** A paragraph or a list without a picture. */
+export const isWords = (node: ItemNode): boolean =>
+  node.type === 'list' || (node.type === 'paragraph' && node.children.every(({ type }) => type !== 'image'))

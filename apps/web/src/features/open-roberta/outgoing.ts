@@ -1,5 +1,6 @@
 import type { Project } from '@botgarten/programs'
 import { fileFrom, fileInSteps, strangeness } from '@botgarten/programs/open-roberta'
+import { handOut } from '#storage/handout.ts'
 
 /** A robot's program on its way to Open Roberta, which does not know all of it. */
 export interface Outgoing extends ReturnType<typeof strangeness> {
@@ -50,3 +51,7 @@ function freeName(name: string, files: { readonly [path: string]: string }): str
     if (!Object.keys(files).some((path) => path.toLowerCase() === `${free}.xml`.toLowerCase())) return free
   }
 }
+
+/** Hands a program out as a file; `inSteps`: with its network in Open Roberta's own blocks. */
+export const save = ({ project, robot }: Outgoing, inSteps = false): void =>
+  handOut(project.name, inSteps ? fileInSteps(project, robot) : fileFrom(project, robot), 'xml')

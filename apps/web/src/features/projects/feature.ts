@@ -1,6 +1,6 @@
 import type { Feature } from '#parts/feature.ts'
 
-export type { Deed } from './deeds.ts'
+export type { Deed } from './projects.ts'
 export { default as KeptNotice } from './KeptNotice.svelte'
 export { default as Outcome } from './Outcome.svelte'
 export { default as ProjectGrid } from './ProjectGrid.svelte'

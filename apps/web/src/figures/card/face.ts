@@ -2,6 +2,7 @@ import { pictureOf, type LoadedCard } from '#content/cards.ts'
 import { language } from '#words/language.svelte.ts'
 import type { Card, CardText, Playground } from '@botgarten/content'
 import type { Markdown } from '#parts/markdown.ts'
+import type { IconName } from '#parts/icons.ts'
 
 /** What is laid out under "You need" on a card. */
 export type Need = Card['needs'][number]
@@ -39,3 +40,20 @@ export function faceOf(loaded: LoadedCard): CardFace {
     fromGrade: grades[0],
   }
 }
+
+interface Look {
+  readonly icon: IconName
+  /** Key of the words on the card's head. */
+  readonly words: string
+}
+
+/** What a card of each bed has on its head; its colours are in `card.css`, by the bed's name. */
+export const looks: { readonly [bed in Playground]: Look } = {
+  network: { icon: 'network', words: 'lab.network' },
+  'q-learning': { icon: 'route', words: 'lab.learning' },
+  sorting: { icon: 'shapes', words: 'category.sorting' },
+  drive: { icon: 'play', words: 'lab.firstDrive' },
+}
+
+/** Key of the words of what is laid out for a card. */
+export const needWords = (need: Need): string => `lab.need${need[0]!.toUpperCase()}${need.slice(1)}`

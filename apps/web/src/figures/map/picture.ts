@@ -1,7 +1,6 @@
 import type { MapFile } from '@botgarten/maps'
-import { fade } from './covers.ts'
-import { prepareStation } from './stations.ts'
 import { make, set } from './svg.ts'
+import type { QLearner } from '@botgarten/learning/q-learning'
 
 /** What of a map's own drawing changes: its stations, covers and fog, found once. */
 export interface Picture {
@@ -52,4 +51,97 @@ function imageOf(root: Element): string {
   const image = make('svg', { viewBox, width, height })
   image.append(...layersOf(root, ['scenery', 'roads']))
   return `data:image/svg+xml,${encodeURIComponent(new XMLSerializer().serializeToString(image))}`
+}
+
+const colours = { visited: '#1F7A45', unvisited: '#C23A30', active: '#1F67B3' }
+
+/** What of a station changes. */
+interface StationLook {
+  dress(visited: boolean, active: boolean): void
+}
+
+/**
+ * Prepares the drawing of a station at a place. What is moved by a transformation is a part of its own for the browser,
+ * in every frame: its circles go to their place instead.
+ */
+function prepareStation(
+  node: SVGGElement,
+  { x, y }: { readonly x: number; readonly y: number },
+): StationLook {
+  node.removeAttribute('transform')
+  for (const part of node.querySelectorAll('circle')) move(part, 'c', x, y)
+  for (const part of node.querySelectorAll('text')) move(part, '', x, y)
+  const [disc, ring] = ['.disc', '.ring'].map((part) => node.querySelector(part))
+  const radius = Number(disc?.getAttribute('r') ?? 40)
+  const halo = make('circle', {
+    ...{ cx: x, cy: y, r: radius * 1.27 },
+    ...{ fill: '#fff', stroke: colours.active, 'stroke-width': 5 },
+  })
+  node.insertBefore(halo, disc!)
+  const tick = tickAt(x + radius * 0.78, y - radius * 0.78, radius / 40)
+  node.append(tick)
+  return {
+    /** Colour and form: not yet a dashed ring, visited a whole one and a tick, active a halo. */
+    dress(visited, active) {
+      set(disc!, 'fill', active ? colours.active : visited ? colours.visited : colours.unvisited)
+      set(ring!, 'stroke-dasharray', visited || active ? 'none' : '10 8')
+      set(halo, 'visibility', active ? 'visible' : 'hidden')
+      set(tick, 'visibility', visited && !active ? 'visible' : 'hidden')
+    },
+  }
+}
+
+function move(part: Element, prefix: 'c' | '', x: number, y: number): void {
+  part.setAttribute(`${prefix}x`, String(Number(part.getAttribute(`${prefix}x`) ?? 0) + x))
+  part.setAttribute(`${prefix}y`, String(Number(part.getAttribute(`${prefix}y`) ?? 0) + y))
+}
+
+function tickAt(x: number, y: number, size: number): SVGGElement {
+  const tick = make('g')
+  const round = { 'stroke-linecap': 'round', 'stroke-linejoin': 'round', fill: 'none' }
+  tick.append(
+    make('circle', {
+      ...{ cx: x, cy: y, r: 14 * size },
+      ...{ fill: '#fff', stroke: '#4A3428', 'stroke-width': 3 * size },
+    }),
+    make('path', {
+      ...round,
+      ...{ d: `M${x - 6 * size} ${y}l${4.5 * size} ${5 * size} ${8 * size} ${-9 * size}` },
+      ...{ stroke: '#1F7A45', 'stroke-width': 4 * size },
+    }),
+  )
+  return tick
+}
+
+/** A hedge may always be seen through a little, so that nobody loses the map. */
+const THINNEST = 0.06
+
+/**
+ * Lets the cover of a road fade; `worth` 0..1. Forest and Mars: the cover itself. City: litter first, then the tone. A
+ * cover is one path: fading its fill and its stroke is as good as fading it as a group, which would be a layer of its own
+ * in every frame.
+ */
+function fade(cover: Element, worth: number, isCity: boolean): void {
+  const clean = isCity && worth >= 0.98
+  const late = clean ? 0 : Math.max(THINNEST, isCity ? Math.min(1, 2 - worth * 2) : 1 - worth)
+  set(cover, 'fill-opacity', late.toFixed(2))
+  set(cover, 'stroke-opacity', (isCity ? Math.max(0, 1 - worth * 2) : late).toFixed(2))
+}
+
+/** How good each road is, 0..1 beside the best: of both directions the better one. By `a-b`, a < b. */
+export function worthOf(
+  { from, meant }: QLearner['world'],
+  q: ArrayLike<number>,
+): ReadonlyMap<string, number> {
+  let highest = 0
+  for (let move = 0; move < q.length; move++) highest = Math.max(highest, q[move]!)
+  const worth = new Map<string, number>()
+  for (let move = 0; highest > 0 && move < q.length; move++) {
+    const [a, b] = [from[move]!, meant[move]!]
+    const name = a < b ? `${a}-${b}` : `${b}-${a}`
+    // A root: what is four sections from the goal shall be seen too.
+    const share = Math.sqrt(Math.max(0, q[move]!) / highest)
+    worth.set(name, Math.max(worth.get(name) ?? 0, share))
+  }
+  return worth
 }

@@ -7,7 +7,7 @@ import { sorting, type SortingDoor } from '#features/sorting/feature.ts'
 import type { LabUi } from '#lab/ui.svelte.ts'
 import type { LabSession } from '#lab/session.svelte.ts'
 import { freshId } from '#storage/projects.ts'
-import { nameOfCopy } from '#storage/copy-name.ts'
+import { nameOfCopy } from '#storage/messages.ts'
 import { bring } from '#parts/feature.ts'
 import { fetchWords } from '#words/say.ts'
 

@@ -4,8 +4,7 @@ import type { CardProgram } from '@botgarten/content'
 import { networks } from '@botgarten/programs'
 import { expect, test } from 'vitest'
 import { unitScale } from '#drawing/track.ts'
-import { coveredIn, drawnLayout, knobsIn, type DrawnNet } from './netLayout.ts'
-import { drawnNet } from './net.ts'
+import { coveredIn, drawnLayout, knobsIn, type DrawnNet, drawnNet } from './netLayout.ts'
 
 const content = new URL('../../../../../../content/', import.meta.url)
 const files = globSync('cards/network/*/{start,solution}.json', { cwd: content }).sort()

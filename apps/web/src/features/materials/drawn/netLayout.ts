@@ -1,8 +1,11 @@
 import { labelSides, type Side } from '#drawing/labels.ts'
 import type { NetworkLayout } from '#drawing/network.ts'
 import type { Point, Size } from '#drawing/points.ts'
-import { freeLine, knobPlace, stagger, type Scale, type Track } from '#drawing/track.ts'
+import { freeLine, knobPlace, stagger, type Scale, type Track, unitScale } from '#drawing/track.ts'
 import { settleDeep } from '#figures/network/deep/layout.ts'
+import type { Weights } from '@botgarten/learning/neural-network'
+import type { NetworkOutline } from '@botgarten/programs'
+import { hiddenColumn } from '#figures/network/deep/columns.ts'
 
 /** A net as it is drawn: how many neurons each layer has, and the weights link by link as the stage draws them. */
 export interface DrawnNet {
@@ -117,3 +120,23 @@ export function knobsIn(net: DrawnNet, layout: NetworkLayout): number {
 const shared = (a: Point, aSize: Size, b: Point, bSize: Size): number =>
   Math.max(0, (aSize.width + bSize.width) / 2 - Math.abs(a.x - b.x)) *
   Math.max(0, (aSize.height + bSize.height) / 2 - Math.abs(a.y - b.y))
+
+interface Named {
+  readonly id: string
+}
+
+/** Knobs go from 0 to 1, and as far beyond as the weights do. */
+function scaleFor(all: readonly number[]): Scale {
+  const far = Math.max(1, ...all.map((weight) => Math.ceil(Math.abs(weight))))
+  return { ...unitScale, least: all.some((weight) => weight < 0) ? -far : 0, most: far }
+}
+
+/** What of a network its drawing depends on. */
+export function drawnNet({ inputs, hidden, outputs }: NetworkOutline, weights: Weights): DrawnNet {
+  const layers: readonly (readonly Named[])[] = [inputs, ...hidden.map(hiddenColumn), outputs]
+  const links = layers
+    .slice(1)
+    .flatMap((ends, l) => layers[l]!.flatMap((from) => ends.map((to) => weights[from.id]?.[to.id] ?? 0)))
+  const all = Object.values(weights).flatMap((row) => Object.values(row))
+  return { counts: layers.map(({ length }) => length), weights: links, scale: scaleFor(all) }
+}

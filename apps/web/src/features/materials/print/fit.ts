@@ -1,3 +1,7 @@
+import './paper.css'
+import './cards.css'
+import './by-hand.css'
+
 /** Smaller is not read any more: what still does not fit is cut, and a test says so. */
 const least = 0.5
 const step = 0.02
@@ -68,4 +72,27 @@ function fitTight(card: HTMLElement, box: HTMLElement): void {
 export function fitAll(paper: HTMLElement): void {
   for (const box of paper.querySelectorAll<HTMLElement>(boxes)) fitBox(box)
   for (const flow of paper.querySelectorAll<HTMLElement>('.flow')) fitSheet(flow)
+}
+
+/** What is printed straight from its page (Ctrl+P) is laid out as paper as long as it is printed. */
+export function printable(article: HTMLElement): () => void {
+  const { paper = 'a4', kind = '' } = article.dataset
+  const sheet = paper === 'a4'
+  const names = ['paper', 'by-hand', sheet ? 'sheet' : 'cards-a5', kind]
+  const flows = sheet ? [...article.querySelectorAll('.side')] : []
+  const before = () => {
+    article.classList.add(...names)
+    for (const flow of flows) flow.classList.add('flow')
+    fitAll(article)
+  }
+  const after = () => {
+    article.classList.remove(...names)
+    for (const flow of flows) flow.classList.remove('flow')
+  }
+  window.addEventListener('beforeprint', before)
+  window.addEventListener('afterprint', after)
+  return () => {
+    window.removeEventListener('beforeprint', before)
+    window.removeEventListener('afterprint', after)
+  }
 }

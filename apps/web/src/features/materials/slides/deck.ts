@@ -46,3 +46,10 @@ export function turned(key: string, at: number, count: number): number | null {
   const to = { next: at + 1, before: at - 1, first: 0, last: count - 1 }[step]
   return Math.max(0, Math.min(count - 1, to))
 }
+
+/** Turns to the slide a key leads to. Returns whether there is one. */
+export function turnBy(key: string, at: number, count: number, onturn: (at: number) => void): boolean {
+  const to = turned(key, at, count)
+  if (to !== null) onturn(to)
+  return to !== null
+}

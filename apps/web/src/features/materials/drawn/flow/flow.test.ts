@@ -1,7 +1,7 @@
 import { languagesIn, ownTableOf } from '@botgarten/messages/folder'
 import { expect, test } from 'vitest'
 import { heightOf, laidOut, laidWays } from './flow.ts'
-import { qLearning } from './q-learning.ts'
+import { qLearning } from './flows.ts'
 
 const boxes = laidOut(qLearning)
 const ways = laidWays(qLearning)

@@ -1,5 +1,0 @@
-/** `shared`: the same program, weights of its own · `own`: a program of its own, with weights of its own. */
-export type NewRobot = 'shared' | 'own'
-
-/** Colours of bodies and trails, by the robot's place in the crew. */
-export const bodies = ['#F28C45', '#5AA9DE', '#8CC63F', '#B98AE0'] as const
