@@ -9,6 +9,8 @@ interface Wishes {
   readonly hand: 'mouse' | 'finger'
   /** Nobody has used this browser yet: the tour is offered. */
   readonly newcomer: boolean
+  /** Does the screen move as it does for most children? Waiting for it takes time where a test is about something else. */
+  readonly motion: boolean
   readonly child: Child
   /** What the browser may complain about here, because the test asks for it. */
   readonly complaints: readonly RegExp[]
@@ -58,7 +60,11 @@ export const test = base.extend<Wishes, Worker>({
         }
       })
     await use(context)
+    // What Playwright leaves when the context serves another test.
+    await context.clearPermissions()
   },
+  motion: [false, { option: true }],
+  contextOptions: async ({ motion }, use) => use(motion ? {} : { reducedMotion: 'reduce' }),
   locale: async ({ language }, use) => use({ en: 'en-GB', de: 'de-DE' }[language]),
   child: async ({ page, language, hand }, use) => use(new Child(page, language, hand)),
   complaints: [[], { option: true }],

@@ -6,6 +6,17 @@ const executablePath = findChromium() ?? undefined
 const desktop = { viewport: { width: 1366, height: 768 } }
 const tablet = { viewport: { width: 1024, height: 768 }, hasTouch: true }
 
+/**
+ * One page serves test after test, emptied in between: scripts that were read once are not read again, which is half of
+ * what a test takes. For that the page has to stay in its process, also over an empty page.
+ */
+const warm = ['--disable-site-isolation-trials', '--process-per-site']
+
+/** These need a browser that nobody has used: what travels, what lies on the disk, what is there without a network. */
+const unused = ['journey', 'kept', 'late-parts', 'offline', 'own-house', 'said', 'static', 'traffic'].map(
+  (name) => `**/${name}.spec.ts`,
+)
+
 export default defineConfig<{ hand: 'mouse' | 'finger' }>({
   testDir: 'tests',
   outputDir: 'test-results',
@@ -18,7 +29,8 @@ export default defineConfig<{ hand: 'mouse' | 'finger' }>({
   expect: { timeout: 30_000 },
   reporter: 'list',
   use: {
-    launchOptions: { executablePath, args: flags },
+    launchOptions: { executablePath, args: [...flags, ...warm] },
+    reuseContext: true,
     // A trace makes every test three times as slow; `--trace on` has one where it is wanted.
     trace: 'off',
     // It keeps 1.6 MB in every fresh browser: tests of what is kept, and of the whole journey, allow it.
@@ -26,7 +38,8 @@ export default defineConfig<{ hand: 'mouse' | 'finger' }>({
     screenshot: 'only-on-failure',
   },
   projects: [
-    { name: 'desktop', use: desktop, testIgnore: '**/*.touch.ts', testMatch: '**/*.spec.ts' },
+    { name: 'desktop', use: desktop, testIgnore: unused, testMatch: '**/*.spec.ts' },
+    { name: 'unused browser', use: { ...desktop, reuseContext: false }, testMatch: unused },
     { name: 'tablet', use: { ...tablet, hand: 'finger' }, testMatch: '**/*.touch.ts' },
   ],
 })

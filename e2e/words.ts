@@ -8,14 +8,14 @@ export type Language = 'en' | 'de'
 export const languages = languagesIn().toSorted((one) => (one === 'en' ? -1 : 1)) as readonly Language[]
 
 /**
- * The languages in which the tests of a file run: one of them, the same at every run and spread evenly over the
- * files, or all where `BOTGARTEN_LANGUAGES` is `all`. Behaviour does not depend on the language; that words fit on
- * every screen in every language has a test of its own.
+ * The languages in which the tests of a file run: one of them, the same at every run, or all where
+ * `BOTGARTEN_LANGUAGES` is `all`. Behaviour does not depend on the language; that words fit on every screen in every
+ * language has a test of its own. Files of one language follow each other: a page is used again only in its language.
  */
 export function languagesOf(file: string): readonly Language[] {
   if (process.env['BOTGARTEN_LANGUAGES'] === 'all') return languages
-  const sum = [...basename(file)].reduce((sum, letter) => sum + letter.charCodeAt(0), 0)
-  return [languages[sum % languages.length]!]
+  const letter = basename(file).charCodeAt(0) - 'a'.charCodeAt(0)
+  return [languages[Math.floor((letter / 26) * languages.length)]!]
 }
 
 const words = new Map(languages.map((language) => [language, wordsOf(language)]))

@@ -4,6 +4,8 @@ import { TimeHands } from '../child-time.ts'
 import { expect, test } from '../house.ts'
 import { languagesOf } from '../words.ts'
 
+test.use({ motion: true })
+
 for (const language of languagesOf(import.meta.filename)) {
   test.describe(`in ${language}`, () => {
     test.use({ language })

@@ -5,7 +5,7 @@ import { languagesOf } from '../words.ts'
 
 for (const language of languagesOf(import.meta.filename)) {
   test.describe(`a child that reads ${language}`, () => {
-    test.use({ language })
+    test.use({ language, motion: true })
 
     test('teaches Bo friendship with a finger, and finds all again after a reload', async ({ child }) => {
       await child.opensHome()

@@ -4,6 +4,8 @@ import { leftEye, leftWheel, rightEye, rightWheel, type Child } from '../child.t
 import { expect, test } from '../house.ts'
 import { languagesOf } from '../words.ts'
 
+test.use({ motion: true })
+
 /** Bo drives towards the square. */
 async function drivesOff(child: Child) {
   await child.opensLab('friendship')

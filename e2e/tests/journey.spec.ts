@@ -6,7 +6,7 @@ import { languagesOf } from '../words.ts'
 
 for (const language of languagesOf(import.meta.filename)) {
   test.describe(`a child that reads ${language}`, () => {
-    test.use({ language, serviceWorkers: 'allow' })
+    test.use({ language, serviceWorkers: 'allow', motion: true })
 
     test('goes from home to a robot that finds friends, comes back, and gives the same blocks other weights', async ({
       child,

@@ -6,7 +6,7 @@ import { languagesOf } from '../words.ts'
 
 for (const language of languagesOf(import.meta.filename)) {
   test.describe(`the playground for learning by trying in ${language}`, () => {
-    test.use({ language })
+    test.use({ language, motion: true })
 
     test('hedges open and streets get clean where a way is good', async ({ child }) => {
       const learner = new Learner(child)

@@ -6,7 +6,7 @@ import { languagesOf } from '../words.ts'
 
 for (const language of languagesOf(import.meta.filename)) {
   test.describe(`a child that reads ${language}`, () => {
-    test.use({ language })
+    test.use({ language, motion: true })
 
     test('lets Bo learn the railway with a finger, from the closed road to the goal', async ({ child }) => {
       const learner = new Learner(child)

@@ -5,7 +5,7 @@ import { languagesOf } from '../words.ts'
 
 for (const language of languagesOf(import.meta.filename)) {
   test.describe(`sorting with a finger in ${language}`, () => {
-    test.use({ language })
+    test.use({ language, motion: true })
 
     test('a thing is tapped, a flag pulled, and all is sorted', async ({ child }) => {
       const sorting = new SortingHands(child)

@@ -48,7 +48,7 @@ async function lights(child: Child, block: string | null) {
 
 for (const language of languagesOf(import.meta.filename)) {
   test.describe(`in ${language}`, () => {
-    test.use({ language })
+    test.use({ language, motion: true })
 
     test('block, node and part of Bo light up together, whichever is touched', async ({ child, page }) => {
       await child.opensLab('friendship')
