@@ -120,42 +120,6 @@ for (const language of languagesOf(import.meta.filename)) {
       await shelf.seesNames('Due')
     })
 
-    test('a clock that jumps a month ahead takes one day from the bin, not all of it', async ({
-      child,
-      page,
-    }) => {
-      const shelf = await keeps(child, 'Uno')
-      await shelf.chooses('Uno', 'throw')
-      await shelf.hears('projects.thrown', { name: 'Uno' })
-      await page.clock.install({ time: Date.now() + 31 * 86_400_000 })
-      await shelf.goesToBin()
-      await expect(shelf.inBin('Uno')).toContainText(child.word('projects.days', { days: 29 }))
-    })
-
-    test('a card whose project lies in the bin begins anew, and neither overwrites the other', async ({
-      child,
-    }) => {
-      const card = child.card('friendship')
-      await child.opensLab('friendship')
-      await child.typesWeight(leftEye, leftWheel, 0.4)
-      await child.seesSaved()
-      const shelf = new Shelf(child)
-      await shelf.opens()
-      await shelf.chooses(card, 'throw')
-      await shelf.hears('projects.thrown', { name: card })
-      await child.opensLab('friendship')
-      await child.typesWeight(rightEye, rightWheel, 0.7)
-      await child.seesSaved()
-      await shelf.goesToBin()
-      await child.presses('projects.takeBack')
-      await expect(child.words('projects.binEmpty')).toBeVisible()
-      await child.opensLab('friendship')
-      await child.seesWeight(leftEye, leftWheel, 0)
-      await child.seesWeight(rightEye, rightWheel, 0.7)
-      await shelf.opens()
-      await shelf.seesNames(card, card)
-    })
-
     test('among many one searches, and puts them in order', async ({ child, page }) => {
       const names = ['Möwe 10', 'Möwe 9', 'C', 'D', 'E', 'F', 'G', 'H', 'I']
       const shelf = await keeps(child, ...names)
@@ -187,45 +151,6 @@ for (const language of languagesOf(import.meta.filename)) {
       await child.reloads()
       await child.seesWeight(leftEye, leftWheel, 0.4)
       await child.seesWeight(rightEye, rightWheel, 0.2)
-    })
-
-    test('a tab that did not hear of the bin is told with its next save', async ({ child, context }) => {
-      await child.page.addInitScript('delete window.BroadcastChannel')
-      await child.opensLab('friendship')
-      await child.typesWeight(leftEye, leftWheel, 0.4)
-      await child.seesSaved()
-      const other = await otherTab(context, language)
-      const shelf = new Shelf(other)
-      await shelf.opens()
-      await shelf.chooses(child.card('friendship'), 'throw')
-      await shelf.hears('projects.thrown', { name: child.card('friendship') })
-      // Another project has taken the place meanwhile: an old revision does not meet it by chance.
-      await other.opensLab('friendship')
-      await other.typesWeight(leftEye, leftWheel, 0.1)
-      await other.seesSaved()
-      await child.typesWeight(rightEye, rightWheel, 0.2)
-      await expect(child.dialog('lab.conflictTitle')).toBeVisible()
-      await child.presses('lab.keepCopy')
-      await child.seesSaved()
-      await other.reloads()
-      await other.seesWeight(leftEye, leftWheel, 0.1)
-      await other.seesWeight(rightEye, rightWheel, 0)
-    })
-
-    test('a name given in another tab is taken over, and both go on', async ({ child, context }) => {
-      await child.opensLab('friendship')
-      await child.typesWeight(leftEye, leftWheel, 0.4)
-      await child.seesSaved()
-      const other = await otherTab(context, language)
-      const shelf = new Shelf(other)
-      await shelf.opens()
-      await shelf.renames(child.card('friendship'), 'Neu')
-      await expect(heading(child)).toHaveText('Neu')
-      await child.typesWeight(rightEye, rightWheel, 0.2)
-      await child.seesSaved()
-      await shelf.opens()
-      await shelf.opensProject('Neu')
-      await other.seesWeight(rightEye, rightWheel, 0.2)
     })
 
     test('everything goes home as one file, and lies beside what is there', async ({ child, browser }) => {
@@ -298,16 +223,6 @@ for (const language of languagesOf(import.meta.filename)) {
       await there.goesToBin()
       await expect(there.inBin('Due')).toHaveCount(1)
       await context.close()
-    })
-
-    test('a home file with settings that are none sets nothing', async ({ child }) => {
-      const shelf = await keeps(child, 'Uno')
-      const file = JSON.parse(await shelf.takesHome()) as object
-      const settings = { sizes: { columns: [9, 'x'] }, language: 'xx', comfort: { quiet: 'yes' }, sorting: 7 }
-      await shelf.opensFile('x.json', JSON.stringify({ ...file, settings, bin: [{ was: 'x' }, null] }))
-      await shelf.isTold('projects.mergedTitle', 'projects.mergedBroken', { broken: 2 })
-      await child.opensLab('friendship')
-      expect(await child.page.evaluate(() => Object.keys(localStorage))).toEqual(['botgarten.tour'])
     })
 
     test('a home file that is broken is refused with a reason; a broken project in it is left out', async ({
