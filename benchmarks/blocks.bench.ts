@@ -1,5 +1,5 @@
 import { addBlocks, blockFrom, type Template } from '@botgarten/blocks'
-import { expert } from '@botgarten/blocks/later'
+import { expert } from '@botgarten/blocks/packs/expert'
 import { indexProgram, runThread, startThread } from '@botgarten/programs'
 import JSInterpreter from 'js-interpreter'
 import { recordingRobot } from '../packages/programs/testing/recording-robot.ts'

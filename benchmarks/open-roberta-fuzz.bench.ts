@@ -1,6 +1,6 @@
 import { content } from '@botgarten/content/files'
 import { addBlocks } from '@botgarten/blocks'
-import { expert } from '@botgarten/blocks/later'
+import { expert } from '@botgarten/blocks/packs/expert'
 import { createLab } from '@botgarten/lab'
 import { ProjectError, type Program } from '@botgarten/programs'
 import { paintFloor } from '@botgarten/simulation'

@@ -1,6 +1,6 @@
 import { isDeepStrictEqual } from 'node:util'
 import { addBlocks, type Block } from '@botgarten/blocks'
-import { expert } from '@botgarten/blocks/later'
+import { expert } from '@botgarten/blocks/packs/expert'
 import fc from 'fast-check'
 import { bothRun, endingOf } from '../packages/programs/testing/whole/both.ts'
 import { wellTyped } from '../packages/programs/testing/whole/programs.ts'

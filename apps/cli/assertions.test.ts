@@ -1,7 +1,7 @@
 import { globSync, readFileSync } from 'node:fs'
 import { basename, join } from 'node:path'
 import { addBlocks } from '@botgarten/blocks'
-import { expert } from '@botgarten/blocks/later'
+import { expert } from '@botgarten/blocks/packs/expert'
 import { createLab } from '@botgarten/lab'
 import { paintFloor, TICKS_PER_SECOND } from '@botgarten/simulation'
 import { describe, expect, it } from 'vitest'

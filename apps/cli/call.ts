@@ -1,6 +1,6 @@
 import { addBlocks } from '@botgarten/blocks'
-import { expert } from '@botgarten/blocks/later'
-import { learning } from '@botgarten/blocks/learning'
+import { expert } from '@botgarten/blocks/packs/expert'
+import { learning } from '@botgarten/blocks/packs/learning'
 import { findCommand } from './commands.ts'
 import { CallError, FileError } from './errors.ts'
 import { helpOf, listOf } from './help.ts'

@@ -25,7 +25,7 @@ const allExamples: Plugin = {
     filter: { id: /^\0content:examples$/ },
     async handler() {
       const { definitions } = await import('../../packages/blocks/index.ts')
-      const { expert } = await import('../../packages/blocks/later.ts')
+      const { expert } = await import('../../packages/blocks/packs/expert/index.ts')
       const all = Object.entries({ ...definitions, ...expert })
       return asData(
         this,

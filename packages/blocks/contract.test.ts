@@ -3,8 +3,13 @@ import { describe, expect, it } from 'vitest'
 import { formsOf, type Table } from '../messages/index.ts'
 import { filesIn, languagesIn, ownTableOf } from '../messages/folder.ts'
 import { addBlocks, definitions, isBlockType, toolbox as plainToolbox } from './index.ts'
-import { expert, expertToolbox as toolbox } from './later.ts'
-import type { BlockType, Definition, Look, Template } from './index.ts'
+import { blocks as core } from './packs/core/blocks.ts'
+import { blocks as ofExpert } from './packs/expert/blocks.ts'
+import { expert, expertToolbox as toolbox } from './packs/expert/index.ts'
+import { blocks as ofLearning } from './packs/learning/blocks.ts'
+import { packs } from './packs/packs.ts'
+import { withRest } from './toolbox.ts'
+import type { BlockType, Definition, Look, Pack, Template } from './index.ts'
 
 addBlocks(expert)
 
@@ -48,6 +53,22 @@ describe('the folders', () => {
     expect(definitions[type as BlockType].look.category).toBe(family)
   })
 
+  it.each(files)('$family/$type is brought by the pack it names', async ({ family, type }) => {
+    const { [type]: definition } = (await import(`./${family}/${type}.ts`)) as { [type: string]: Definition }
+    const tables: { readonly [P in Pack]: { readonly [type: string]: Definition } } = {
+      core,
+      learning: ofLearning,
+      expert: ofExpert,
+    }
+    expect(packs[type as BlockType], 'npm run blocks').toBe(definition?.pack)
+    for (const [pack, table] of Object.entries(tables))
+      expect(table[type], pack).toBe(pack === definition?.pack ? definition : undefined)
+  })
+
+  it('are all that the packs have', () => {
+    expect(files.map(({ type }) => type).sort()).toEqual(Object.keys(packs).sort())
+  })
+
   it('know no block by a name that every object has', () => {
     expect(['toString', 'constructor', '__proto__'].filter(isBlockType)).toEqual([])
   })
@@ -63,8 +84,12 @@ function parts({ fields, inputs, icon }: Look): string[] {
 }
 
 const all = Object.values(definitions).map((definition: Definition) => [definition.type, definition] as const)
+/** As they are until the expert pack is loaded. */
+const plain = Object.values(core).flatMap((definition: Definition) =>
+  definition.expertLook ? [[`${definition.type} of the cards`, definition] as const] : [],
+)
 
-describe.each(all)('%s', (_type, { look, words, neuron, example }) => {
+describe.each([...all, ...plain])('%s', (_type, { look, words, neuron, example }) => {
   it('has a name and one sentence of help of at most 15 words', () => {
     expectMessage(words.name, [])
     expectMessage(words.help, [])
@@ -159,22 +184,21 @@ const templates = (template: Template): Template[] => [
 ]
 
 describe('the toolbox', () => {
-  const old = [
-    ...['controls_repeat', 'robActions_display_picture', 'robActions_assert', 'robActions_debug'],
-    ...['robActions_brickLight_on', 'robActions_brickLight_off', 'robActions_brickLight_reset'],
-    ...['robSensors_getSample', 'robActions_eval_stmt', 'robActions_change_weight', 'robActions_change_bias'],
-    ...['robActions_inputneuron', 'robActions_outputneuron', 'robActions_outputneuron_wo_var'],
-  ]
-  const fromTheProgram = [
-    ...['robGlobalVariables_declare', 'robLocalVariables_declare', 'variables_get', 'variables_set'],
-    ...['robProcedures_callnoreturn', 'robProcedures_callreturn'],
-  ]
   const entries = toolbox.flatMap(({ blocks }) => blocks)
 
   it('offers every block', () => {
     const offered = new Set(entries.flatMap(templates).map(({ type }) => type))
-    const elsewhere = [...old, ...fromTheProgram]
+    const elsewhere = all.flatMap(([type, { outsideToolbox }]) => (outsideToolbox ? [type] : []))
     expect([...offered, ...elsewhere].sort()).toEqual(Object.keys(definitions).sort())
+  })
+
+  it('offers a block without a preset at the end of its family', () => {
+    const fresh = { ...core.robActions_play_tone, type: 'fresh' }
+    const rows = withRest(plainToolbox, { ...core, fresh })
+    expect(rows.find(({ category }) => category === 'action')?.blocks.at(-1)).toEqual({ type: 'fresh' })
+    expect(withRest(plainToolbox, { ...core, fresh: { ...fresh, outsideToolbox: 'old' } })).toEqual(
+      plainToolbox,
+    )
   })
 
   it('shows a beginner comparing beside the blocks that ask for it, and no row of logic for it alone', () => {
@@ -225,8 +249,8 @@ describe('the words', () => {
 
   it('belong to blocks that are there', () => {
     expect(namesIn(keys).sort()).toEqual(Object.keys(definitions).sort())
-    const ofExpert = namesIn(Object.keys(ownTableOf('expert', 'en')))
-    expect(ofExpert.filter((type) => !(type in expert))).toEqual([])
+    const inExpert = namesIn(Object.keys(ownTableOf('expert', 'en')))
+    expect(inExpert.filter((type) => !(type in expert))).toEqual([])
   })
 
   it('use every choice', () => {

@@ -1,5 +1,5 @@
-export type { BlockType } from './block-type.ts'
-export { addBlocks, definitions, isBlockType, isOfLearning } from './definitions.ts'
+export type { BlockType } from './packs/packs.ts'
+export { addBlocks, definitions, isBlockType, packOf, toolbox } from './definitions.ts'
 export { entryOf, isKind, kinds, listOf } from './parts/kinds.ts'
 export {
   hiddenIn,
@@ -15,6 +15,5 @@ export { filledRows, plugged, rowCount, rowName } from './parts/rows.ts'
 export { emptySorting } from './parts/empty-sorting.ts'
 export { nothing } from './parts/texts.ts'
 export { blockFrom, stacksOf } from './template.ts'
-export { toolbox } from './toolbox.ts'
 export type { ToolboxCategory } from './toolbox.ts'
 export type * from './types.ts'

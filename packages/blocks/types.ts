@@ -439,9 +439,21 @@ export interface CheckContext {
 /** What a check finds at a block. */
 export type CheckFinding = Omit<Finding, 'block'> & { readonly block?: string }
 
+/**
+ * What comes when: `core` is what most cards need, and is there at once; `learning` are deeper networks, maps and sorting;
+ * `expert` is the rest of Open Roberta's language.
+ */
+export type Pack = 'core' | 'learning' | 'expert'
+
 export interface Definition {
   readonly type: string
+  /** The pack that brings the block. `npm run blocks` writes the packs' tables from this field. */
+  readonly pack: Pack
+  /** Not in the toolbox: only `old` files hold it, or the `program` decides which ones there are (its variables, its functions). */
+  readonly outsideToolbox?: 'old' | 'program'
   readonly look: Look
+  /** Of a block of the cards: what is different about it where the expert pack is loaded. */
+  readonly expertLook?: Partial<Look>
   /** Message keys: `help` is one sentence for the child. */
   readonly words: { readonly help: string; readonly name: string }
   readonly neuron?: NeuronLook

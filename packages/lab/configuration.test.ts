@@ -1,6 +1,6 @@
 import { addBlocks, blockFrom, type Block, type Template } from '@botgarten/blocks'
 import { parts, type Part } from '@botgarten/blocks/configuration'
-import { expert } from '@botgarten/blocks/later'
+import { expert } from '@botgarten/blocks/packs/expert'
 import { projectFrom, writeOpenRoberta } from '@botgarten/programs/open-roberta'
 import { paintFloor, type World } from '@botgarten/simulation'
 import { describe, expect, it } from 'vitest'

@@ -1,5 +1,5 @@
 import { addBlocks, type Block } from '@botgarten/blocks'
-import { learning } from '@botgarten/blocks/learning'
+import { learning } from '@botgarten/blocks/packs/learning'
 import { biasRow, follow, hiddenId } from '@botgarten/learning/neural-network'
 import type { Program } from '@botgarten/programs'
 import { describe, expect, it } from 'vitest'

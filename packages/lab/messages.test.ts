@@ -1,5 +1,5 @@
 import { addBlocks } from '@botgarten/blocks'
-import { expert } from '@botgarten/blocks/later'
+import { expert } from '@botgarten/blocks/packs/expert'
 import type { Program } from '@botgarten/programs'
 import { readOpenRoberta } from '@botgarten/programs/open-roberta'
 import { beforeAll, describe, expect, it } from 'vitest'

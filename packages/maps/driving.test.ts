@@ -1,7 +1,7 @@
 import { content } from '@botgarten/content/files'
 import { createLab } from '@botgarten/lab'
 import { addBlocks, blockFrom, toolbox, type Template } from '@botgarten/blocks'
-import { learning as blocks, learningToolbox } from '@botgarten/blocks/learning'
+import { learning as blocks, learningToolbox } from '@botgarten/blocks/packs/learning'
 import { cardConfig, paintFloor, TICKS_PER_SECOND, type Pose } from '@botgarten/simulation'
 import { describe, expect, test } from 'vitest'
 import { drawWay, wayThrough, withLearnedWay, type MapFile } from './index.ts'

@@ -1,5 +1,5 @@
 import { addBlocks, blockFrom, type Block, type Template } from '@botgarten/blocks'
-import { learning } from '@botgarten/blocks/learning'
+import { learning } from '@botgarten/blocks/packs/learning'
 import { cardConfig } from '@botgarten/simulation'
 import { describe, expect, it } from 'vitest'
 import { check, networks, parseProject, type Program } from './index.ts'

@@ -8,7 +8,7 @@ import {
   type Definition,
   type Template,
 } from '@botgarten/blocks'
-import { expert, expertToolbox as toolbox } from '@botgarten/blocks/later'
+import { expert, expertToolbox as toolbox } from '@botgarten/blocks/packs/expert'
 import { check, evaluate, indexProgram, networks, runThread, startThread, type Program } from './index.ts'
 import type { SensorKind } from '@botgarten/simulation'
 import { cardSensors, nextTick, recordingRobot } from './testing/recording-robot.ts'

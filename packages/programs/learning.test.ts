@@ -1,5 +1,5 @@
 import { addBlocks, blockFrom, toolbox, type Template } from '@botgarten/blocks'
-import { learning, learningToolbox } from '@botgarten/blocks/learning'
+import { learning, learningToolbox } from '@botgarten/blocks/packs/learning'
 import { expect, test } from 'vitest'
 import { learningIn, ownText } from './index.ts'
 import type { Program } from './types.ts'

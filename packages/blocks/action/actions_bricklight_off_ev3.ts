@@ -1,5 +1,5 @@
 import { start } from '../parts/examples.ts'
-import { hidden, rows, words } from '../parts/looks.ts'
+import { choice, hidden, rows, worded, words } from '../parts/looks.ts'
 import { done } from '../parts/next.ts'
 import type { Definition } from '../types.ts'
 
@@ -7,12 +7,18 @@ const type = 'actions_bricklight_off_ev3'
 
 export const actions_bricklight_off_ev3: Definition = {
   type,
+  pack: 'core',
   look: {
     category: 'action',
     shape: 'statement',
     fields: [hidden('MODE', 'OFF')],
     inputs: [],
     rows: rows(type, 1),
+  },
+  // MODE RESET: off, too.
+  expertLook: {
+    fields: [choice('MODE', [worded('OFF', 'lampOff'), worded('RESET', 'lampReset')])],
+    rows: [`expertLook.${type}.row0`],
   },
   words: words(type),
   acts: true,

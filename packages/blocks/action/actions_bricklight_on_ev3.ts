@@ -6,21 +6,32 @@ import type { Definition } from '../types.ts'
 
 const type = 'actions_bricklight_on_ev3'
 
+const colour = choice('COLOUR', [
+  worded('GREEN', 'green', '#00642E'),
+  worded('ORANGE', 'orange', '#F7D118'),
+  worded('RED', 'red', '#B30006'),
+])
+
 export const actions_bricklight_on_ev3: Definition = {
   type,
+  pack: 'core',
   look: {
     category: 'action',
     shape: 'statement',
-    fields: [
-      choice('COLOUR', [
-        worded('GREEN', 'green', '#00642E'),
-        worded('ORANGE', 'orange', '#F7D118'),
-        worded('RED', 'red', '#B30006'),
-      ]),
-      hidden('MODE', 'ON'),
-    ],
+    fields: [colour, hidden('MODE', 'ON')],
     inputs: [],
     rows: rows(type, 1),
+  },
+  expertLook: {
+    fields: [
+      colour,
+      choice('MODE', [
+        worded('ON', 'lampOn'),
+        worded('FLASH', 'flash'),
+        worded('DOUBLE_FLASH', 'doubleFlash'),
+      ]),
+    ],
+    rows: [`expertLook.${type}.row0`],
   },
   words: words(type),
   acts: true,

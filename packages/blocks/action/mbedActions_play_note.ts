@@ -50,6 +50,7 @@ const notes = [
 /** DURATION in ms: 2000 is a whole note. FREQUENCE in Hz as Open Roberta writes it; other numbers of a file play, too. */
 export const mbedActions_play_note: Definition = {
   type,
+  pack: 'expert',
   look: {
     category: 'action',
     shape: 'statement',

@@ -15,6 +15,8 @@ const exactText = (value: Value) => (typeof value === 'number' ? String(value) :
 /** Notes whether OUT is true. Of a comparison the texts of its two values are noted: A is what was expected, B what came. */
 export const robActions_assert: Definition = {
   type,
+  pack: 'expert',
+  outsideToolbox: 'old',
   look: {
     category: 'action',
     shape: 'statement',

@@ -8,6 +8,8 @@ const type = 'robActions_brickLight_off'
 /** An old block; today actions_bricklight_off_ev3 with MODE OFF. */
 export const robActions_brickLight_off: Definition = {
   type,
+  pack: 'expert',
+  outsideToolbox: 'old',
   look: { category: 'action', shape: 'statement', fields: [], inputs: [], rows: rows(type, 1) },
   words: words(type),
   acts: true,

@@ -9,6 +9,8 @@ const type = 'robActions_brickLight_on'
 /** An old block; today actions_bricklight_on_ev3. */
 export const robActions_brickLight_on: Definition = {
   type,
+  pack: 'expert',
+  outsideToolbox: 'old',
   look: {
     category: 'action',
     shape: 'statement',

@@ -11,6 +11,8 @@ const type = 'robActions_debug'
 /** Notes OUT as text; nothing is shown. */
 export const robActions_debug: Definition = {
   type,
+  pack: 'expert',
+  outsideToolbox: 'old',
   look: {
     category: 'action',
     shape: 'statement',

@@ -7,6 +7,7 @@ const type = 'robActions_display_clear'
 
 export const robActions_display_clear: Definition = {
   type,
+  pack: 'core',
   look: { category: 'action', shape: 'statement', fields: [], inputs: [], rows: rows(type, 1) },
   words: words(type),
   acts: true,

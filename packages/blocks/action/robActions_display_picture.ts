@@ -11,6 +11,8 @@ const type = 'robActions_display_picture'
 /** An old block: X and Y are asked and mean nothing, as in Open Roberta today. */
 export const robActions_display_picture: Definition = {
   type,
+  pack: 'expert',
+  outsideToolbox: 'old',
   look: {
     category: 'action',
     shape: 'statement',

@@ -10,6 +10,7 @@ const type = 'robActions_display_picture_new'
 /** A picture in place of all that is on the display. */
 export const robActions_display_picture_new: Definition = {
   type,
+  pack: 'expert',
   look: {
     category: 'action',
     shape: 'statement',

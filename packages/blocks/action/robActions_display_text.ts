@@ -15,6 +15,7 @@ const lastColumn = 16
 
 export const robActions_display_text: Definition = {
   type,
+  pack: 'core',
   look: {
     category: 'action',
     shape: 'statement',

@@ -11,6 +11,7 @@ const type = 'robActions_motorDiff_curve'
 /** Both wheels, each at its own speed. */
 export const robActions_motorDiff_curve: Definition = {
   type,
+  pack: 'expert',
   look: {
     category: 'action',
     shape: 'statement',

@@ -19,6 +19,7 @@ function share(left: number, right: number): number {
 /** The middle of the robot goes DISTANCE along its curve. Nothing turns where both speeds are 0; on the spot it is the wheels that go so far. */
 export const robActions_motorDiff_curve_for: Definition = {
   type,
+  pack: 'expert',
   look: {
     category: 'action',
     shape: 'statement',

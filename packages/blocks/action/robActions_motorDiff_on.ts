@@ -9,6 +9,7 @@ const type = 'robActions_motorDiff_on'
 
 export const robActions_motorDiff_on: Definition = {
   type,
+  pack: 'core',
   look: {
     category: 'action',
     shape: 'statement',

@@ -10,6 +10,7 @@ const type = 'robActions_motorDiff_on_for'
 
 export const robActions_motorDiff_on_for: Definition = {
   type,
+  pack: 'core',
   look: {
     category: 'action',
     shape: 'statement',

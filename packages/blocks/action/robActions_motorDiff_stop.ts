@@ -7,6 +7,7 @@ const type = 'robActions_motorDiff_stop'
 
 export const robActions_motorDiff_stop: Definition = {
   type,
+  pack: 'core',
   look: { category: 'action', shape: 'statement', fields: [], inputs: [], rows: rows(type, 1) },
   words: words(type),
   acts: true,

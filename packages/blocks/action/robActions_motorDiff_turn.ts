@@ -9,6 +9,7 @@ const type = 'robActions_motorDiff_turn'
 
 export const robActions_motorDiff_turn: Definition = {
   type,
+  pack: 'core',
   look: {
     category: 'action',
     shape: 'statement',

@@ -10,6 +10,7 @@ const type = 'robActions_motorDiff_turn_for'
 
 export const robActions_motorDiff_turn_for: Definition = {
   type,
+  pack: 'core',
   look: {
     category: 'action',
     shape: 'statement',

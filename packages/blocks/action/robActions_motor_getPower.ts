@@ -9,6 +9,7 @@ const type = 'robActions_motor_getPower'
 /** Percent. */
 export const robActions_motor_getPower: Definition = {
   type,
+  pack: 'expert',
   look: {
     category: 'action',
     shape: 'value',

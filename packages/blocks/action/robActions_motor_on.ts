@@ -1,3 +1,3 @@
 import { motorSpeed } from '../parts/motor-speed.ts'
 
-export const robActions_motor_on = motorSpeed('robActions_motor_on', 2)
+export const robActions_motor_on = motorSpeed('robActions_motor_on', 'core', 2)

@@ -11,6 +11,7 @@ const type = 'robActions_motor_on_for'
 /** VALUE turns (MOTORROTATION ROTATIONS) or degrees (DEGREE); the motor stops by itself and the next block comes then. */
 export const robActions_motor_on_for: Definition = {
   type,
+  pack: 'expert',
   look: {
     category: 'action',
     shape: 'statement',

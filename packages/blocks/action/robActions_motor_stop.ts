@@ -9,6 +9,7 @@ const type = 'robActions_motor_stop'
 /** MODE FLOAT rolls out, NONFLOAT brakes: here a wheel stops at once either way. */
 export const robActions_motor_stop: Definition = {
   type,
+  pack: 'expert',
   look: {
     category: 'action',
     shape: 'statement',

@@ -39,6 +39,7 @@ const tunes: readonly (readonly (readonly [number, number])[])[] = [
 /** One of five little tunes. */
 export const robActions_play_file: Definition = {
   type,
+  pack: 'expert',
   look: {
     category: 'action',
     shape: 'statement',

@@ -8,6 +8,7 @@ const type = 'robActions_play_getVolume'
 /** 0 to 100; 50 at the start. */
 export const robActions_play_getVolume: Definition = {
   type,
+  pack: 'expert',
   look: { category: 'action', shape: 'value', output: 'Number', fields: [], inputs: [], rows: rows(type, 1) },
   words: words(type),
   acts: true,

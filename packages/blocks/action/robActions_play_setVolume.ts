@@ -10,6 +10,7 @@ const type = 'robActions_play_setVolume'
 /** 0 to 100. */
 export const robActions_play_setVolume: Definition = {
   type,
+  pack: 'expert',
   look: {
     category: 'action',
     shape: 'statement',

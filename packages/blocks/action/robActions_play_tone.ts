@@ -9,6 +9,7 @@ const type = 'robActions_play_tone'
 
 export const robActions_play_tone: Definition = {
   type,
+  pack: 'core',
   look: {
     category: 'action',
     shape: 'statement',

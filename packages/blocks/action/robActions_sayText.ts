@@ -11,6 +11,7 @@ const type = 'robActions_sayText'
 /** The next block comes when it has been said. */
 export const robActions_sayText: Definition = {
   type,
+  pack: 'expert',
   look: {
     category: 'action',
     shape: 'statement',

@@ -12,6 +12,7 @@ const type = 'robActions_sayText_parameters'
 /** VOICESPEED and VOICEPITCH 0 to 100; 30 and 50 are a plain voice. */
 export const robActions_sayText_parameters: Definition = {
   type,
+  pack: 'expert',
   look: {
     category: 'action',
     shape: 'statement',

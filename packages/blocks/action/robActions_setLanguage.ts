@@ -9,6 +9,7 @@ const type = 'robActions_setLanguage'
 /** The language Bo speaks from now on. */
 export const robActions_setLanguage: Definition = {
   type,
+  pack: 'expert',
   look: {
     category: 'action',
     shape: 'statement',

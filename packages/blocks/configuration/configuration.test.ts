@@ -3,7 +3,7 @@ import { describe, expect, it } from 'vitest'
 import type { Table } from '../../messages/index.ts'
 import { languagesIn, wordsOf } from '../../messages/folder.ts'
 import { addBlocks, definitions } from '../index.ts'
-import { expert } from '../later.ts'
+import { expert } from '../packs/expert/index.ts'
 import { partOf, parts } from './index.ts'
 
 addBlocks(expert)

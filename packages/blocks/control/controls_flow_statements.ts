@@ -11,6 +11,7 @@ const pass: Next = { next: 'leave', how: 'pass' }
 /** FLOW BREAK: leaves the innermost loop · CONTINUE: leaves its pass. */
 export const controls_flow_statements: Definition = {
   type,
+  pack: 'expert',
   look: {
     category: 'control',
     shape: 'statement',

@@ -12,6 +12,8 @@ const body = carryOut('DO')
 /** An old block: field TIMES instead of an input. */
 export const controls_repeat: Definition = {
   type,
+  pack: 'expert',
+  outsideToolbox: 'old',
   look: {
     category: 'control',
     shape: 'statement',

@@ -10,6 +10,7 @@ const body = carryOut('DO')
 
 export const controls_repeat_ext: Definition = {
   type,
+  pack: 'core',
   look: {
     category: 'control',
     shape: 'statement',

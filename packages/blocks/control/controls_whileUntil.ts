@@ -12,6 +12,7 @@ const body = carryOut('DO')
 /** MODE WHILE: as long as BOOL is true · UNTIL: as long as it is not. Asked before every pass. */
 export const controls_whileUntil: Definition = {
   type,
+  pack: 'expert',
   look: {
     category: 'control',
     shape: 'statement',

@@ -29,6 +29,7 @@ function countOn(frame: Frame, memory: Context['memory'], name: string, step: nu
 /** VAR counts from FROM on while it is below TO, BY at a time. TO and BY are asked again for every pass. */
 export const robControls_for: Definition = {
   type,
+  pack: 'expert',
   look: {
     category: 'control',
     shape: 'statement',

@@ -16,6 +16,7 @@ const body = carryOut('DO')
 /** VAR (of type TYPE) is each entry of LIST in turn; the list may change meanwhile. */
 export const robControls_forEach: Definition = {
   type,
+  pack: 'expert',
   look: {
     category: 'control',
     shape: 'statement',

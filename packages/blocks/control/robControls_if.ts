@@ -8,6 +8,7 @@ const type = 'robControls_if'
 
 export const robControls_if: Definition = {
   type,
+  pack: 'core',
   look: {
     category: 'control',
     shape: 'statement',

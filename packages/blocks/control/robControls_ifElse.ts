@@ -8,6 +8,7 @@ const type = 'robControls_ifElse'
 
 export const robControls_ifElse: Definition = {
   type,
+  pack: 'core',
   look: {
     category: 'control',
     shape: 'statement',

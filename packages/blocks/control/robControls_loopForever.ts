@@ -8,6 +8,7 @@ const body = carryOut('DO')
 
 export const robControls_loopForever: Definition = {
   type,
+  pack: 'core',
   look: {
     category: 'control',
     shape: 'statement',

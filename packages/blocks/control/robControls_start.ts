@@ -8,6 +8,7 @@ const variables = carryOut('ST')
 
 export const robControls_start: Definition = {
   type,
+  pack: 'core',
   look: {
     category: 'control',
     shape: 'hat',

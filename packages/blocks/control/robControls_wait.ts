@@ -1,3 +1,3 @@
 import { waitingBlock } from '../parts/waits.ts'
 
-export const robControls_wait = waitingBlock('robControls_wait')
+export const robControls_wait = waitingBlock('robControls_wait', 'expert')

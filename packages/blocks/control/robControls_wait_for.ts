@@ -1,3 +1,3 @@
 import { waitingBlock } from '../parts/waits.ts'
 
-export const robControls_wait_for = waitingBlock('robControls_wait_for')
+export const robControls_wait_for = waitingBlock('robControls_wait_for', 'expert')

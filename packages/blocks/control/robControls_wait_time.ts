@@ -9,6 +9,7 @@ const type = 'robControls_wait_time'
 
 export const robControls_wait_time: Definition = {
   type,
+  pack: 'core',
   look: {
     category: 'control',
     shape: 'statement',

@@ -8,6 +8,7 @@ const type = 'text_comment'
 /** A note between the blocks. It does nothing. */
 export const text_comment: Definition = {
   type,
+  pack: 'expert',
   look: {
     category: 'control',
     shape: 'statement',

@@ -9,6 +9,8 @@ const type = 'robProcedures_callnoreturn'
 /** Mutation `name`: of the function; `args`: its parameters, whose values are ARG0, ARG1, … */
 export const robProcedures_callnoreturn: Definition = {
   type,
+  pack: 'expert',
+  outsideToolbox: 'program',
   look: {
     category: 'functions',
     shape: 'statement',

@@ -10,6 +10,8 @@ const type = 'robProcedures_callreturn'
 /** As robProcedures_callnoreturn; mutation `output_type`: type of the result. */
 export const robProcedures_callreturn: Definition = {
   type,
+  pack: 'expert',
+  outsideToolbox: 'program',
   look: {
     category: 'functions',
     shape: 'value',

@@ -12,6 +12,7 @@ const body = carryOut('STACK')
 /** A function: parameters in ST (mutation `declare` true), body in STACK. */
 export const robProcedures_defnoreturn: Definition = {
   type,
+  pack: 'expert',
   look: {
     category: 'functions',
     shape: 'function',

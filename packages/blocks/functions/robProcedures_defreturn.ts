@@ -14,6 +14,7 @@ const result = ask('RETURN')
 /** A function with a result: parameters in ST, body in STACK, result RETURN. Mutation `return_type` as TYPE. */
 export const robProcedures_defreturn: Definition = {
   type,
+  pack: 'expert',
   look: {
     category: 'functions',
     shape: 'function',

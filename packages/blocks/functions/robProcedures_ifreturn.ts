@@ -13,6 +13,7 @@ const result = ask('VALUE')
 /** Leaves the function when CONDITION is true. Mutation `value` 1: with the result VALUE (of `return_type`), 0: without. */
 export const robProcedures_ifreturn: Definition = {
   type,
+  pack: 'expert',
   look: {
     category: 'functions',
     shape: 'statement',

@@ -11,6 +11,7 @@ const type = 'robLists_create_with'
 /** ADD0, ADD1, … (mutation `items`, `list_type`) as a new list of LIST_TYPE. Empty rows are skipped. */
 export const robLists_create_with: Definition = {
   type,
+  pack: 'expert',
   look: {
     category: 'lists',
     shape: 'value',

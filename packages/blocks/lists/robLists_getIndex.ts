@@ -16,6 +16,7 @@ const at = ask('AT')
 /** MODE GET, GET_REMOVE (values) or REMOVE (a statement: mutation `statement`); AT counts from 0, from the end too (mutation `at`). Mutation `datatype` is what today's files say of the entry; the list decides. */
 export const robLists_getIndex: Definition = {
   type,
+  pack: 'expert',
   look: {
     category: 'lists',
     shape: 'value',

@@ -21,6 +21,7 @@ const questionsOf = (block: Block): readonly Next[] => [
 /** A new list from WHERE1 (AT1) to WHERE2 (AT2), both included; counted from 0. What lies beyond the list is left out; empty where the end is before the start. */
 export const robLists_getSublist: Definition = {
   type,
+  pack: 'expert',
   look: {
     category: 'lists',
     shape: 'value',

@@ -14,6 +14,7 @@ const type = 'robLists_indexOf'
 /** Place of the first or last (END) equal entry, counted from 0; −1 where there is none. */
 export const robLists_indexOf: Definition = {
   type,
+  pack: 'expert',
   look: {
     category: 'lists',
     shape: 'value',

@@ -11,6 +11,7 @@ const type = 'robLists_isEmpty'
 
 export const robLists_isEmpty: Definition = {
   type,
+  pack: 'expert',
   look: {
     category: 'lists',
     shape: 'value',

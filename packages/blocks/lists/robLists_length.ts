@@ -11,6 +11,7 @@ const type = 'robLists_length'
 
 export const robLists_length: Definition = {
   type,
+  pack: 'expert',
   look: {
     category: 'lists',
     shape: 'value',

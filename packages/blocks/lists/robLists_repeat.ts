@@ -12,6 +12,7 @@ const type = 'robLists_repeat'
 /** A new list of NUM times ITEM. */
 export const robLists_repeat: Definition = {
   type,
+  pack: 'expert',
   look: {
     category: 'lists',
     shape: 'value',

@@ -31,6 +31,7 @@ function put(entries: Value[], mode: string, where: string, place: number, entry
 /** MODE SET puts TO in the place of an entry, INSERT before it (LAST: at the end). AT as in robLists_getIndex. The list itself changes. */
 export const robLists_setIndex: Definition = {
   type,
+  pack: 'expert',
   look: {
     category: 'lists',
     shape: 'statement',

@@ -10,6 +10,7 @@ const type = 'logic_boolean'
 /** BOOL TRUE or FALSE. */
 export const logic_boolean: Definition = {
   type,
+  pack: 'expert',
   look: {
     category: 'logic',
     shape: 'value',

@@ -38,6 +38,7 @@ function compare(operator: string, a: Value | undefined, b: Value | undefined): 
 
 export const logic_compare: Definition = {
   type,
+  pack: 'core',
   look: {
     category: 'logic',
     shape: 'value',

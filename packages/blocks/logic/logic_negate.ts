@@ -9,6 +9,7 @@ const type = 'logic_negate'
 
 export const logic_negate: Definition = {
   type,
+  pack: 'expert',
   look: {
     category: 'logic',
     shape: 'value',

@@ -8,6 +8,7 @@ const type = 'logic_null'
 /** Nothing: no entry, no answer. */
 export const logic_null: Definition = {
   type,
+  pack: 'expert',
   look: { category: 'logic', shape: 'value', output: 'any', fields: [], inputs: [], rows: rows(type, 1) },
   words: words(type),
   acts: false,

@@ -13,6 +13,7 @@ const second = ask('B')
 /** B is asked only when A does not decide. */
 export const logic_operation: Definition = {
   type,
+  pack: 'expert',
   look: {
     category: 'logic',
     shape: 'value',

@@ -14,6 +14,7 @@ const otherwise = ask('ELSE')
 /** Only the one of THEN and ELSE that counts is asked. */
 export const logic_ternary: Definition = {
   type,
+  pack: 'expert',
   look: {
     category: 'logic',
     shape: 'value',

@@ -1,3 +1,4 @@
+import { pow } from '@botgarten/numbers'
 import { number, show, start } from '../parts/examples.ts'
 import { field } from '../parts/fields.ts'
 import { choice, rows, value, worded, words } from '../parts/looks.ts'
@@ -13,7 +14,15 @@ const operations: ReadonlyMap<string, (a: number, b: number) => number> = new Ma
   ['MINUS', (a, b) => a - b],
   ['MULTIPLY', (a, b) => a * b],
   ['DIVIDE', (a, b) => a / b],
+  ['POWER', pow],
 ])
+
+const basics = [
+  worded('ADD', 'plus'),
+  worded('MINUS', 'minus'),
+  worded('MULTIPLY', 'times'),
+  worded('DIVIDE', 'dividedBy'),
+]
 
 function calculate(operator: string, frame: Frame): Next {
   const a = numberAt(frame, 0)
@@ -26,21 +35,16 @@ function calculate(operator: string, frame: Frame): Next {
 
 export const math_arithmetic: Definition = {
   type,
+  pack: 'core',
   look: {
     category: 'math',
     shape: 'value',
     output: 'Number',
-    fields: [
-      choice('OP', [
-        worded('ADD', 'plus'),
-        worded('MINUS', 'minus'),
-        worded('MULTIPLY', 'times'),
-        worded('DIVIDE', 'dividedBy'),
-      ]),
-    ],
+    fields: [choice('OP', basics)],
     inputs: [value('A', 'Number'), value('B', 'Number')],
     rows: rows(type, 1),
   },
+  expertLook: { fields: [choice('OP', [...basics, worded('POWER', 'power')])] },
   words: words(type),
   acts: false,
   run: afterAsking([ask('A'), ask('B')], (frame, _context, block) =>

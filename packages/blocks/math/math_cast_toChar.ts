@@ -10,6 +10,7 @@ const type = 'math_cast_toChar'
 /** The letter with this number in Unicode. */
 export const math_cast_toChar: Definition = {
   type,
+  pack: 'expert',
   look: {
     category: 'math',
     shape: 'value',

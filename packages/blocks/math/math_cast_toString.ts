@@ -9,6 +9,7 @@ const type = 'math_cast_toString'
 
 export const math_cast_toString: Definition = {
   type,
+  pack: 'expert',
   look: {
     category: 'math',
     shape: 'value',

@@ -18,6 +18,7 @@ const constants: ReadonlyMap<string, number> = new Map([
 /** INFINITY is the one value without end. */
 export const math_constant: Definition = {
   type,
+  pack: 'expert',
   look: {
     category: 'math',
     shape: 'value',

@@ -9,6 +9,7 @@ const type = 'math_constrain'
 
 export const math_constrain: Definition = {
   type,
+  pack: 'expert',
   look: {
     category: 'math',
     shape: 'value',

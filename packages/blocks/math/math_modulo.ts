@@ -10,6 +10,7 @@ const type = 'math_modulo'
 /** What is left; it has the sign of the dividend. */
 export const math_modulo: Definition = {
   type,
+  pack: 'expert',
   look: {
     category: 'math',
     shape: 'value',

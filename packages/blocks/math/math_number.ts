@@ -9,6 +9,7 @@ const type = 'math_number'
 
 export const math_number: Definition = {
   type,
+  pack: 'core',
   look: {
     category: 'math',
     shape: 'value',

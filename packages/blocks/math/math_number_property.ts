@@ -14,6 +14,7 @@ const divisor = ask('DIVISOR')
 /** PROPERTY DIVISIBLE_BY has an input DIVISOR (mutation `divisor_input`). */
 export const math_number_property: Definition = {
   type,
+  pack: 'expert',
   look: {
     category: 'math',
     shape: 'value',

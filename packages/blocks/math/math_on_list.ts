@@ -14,6 +14,7 @@ const type = 'math_on_list'
 /** Mutation `op` as OP. An empty list has a sum and nothing else. RANDOM takes any list. */
 export const math_on_list: Definition = {
   type,
+  pack: 'expert',
   look: {
     category: 'math',
     shape: 'value',

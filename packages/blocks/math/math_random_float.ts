@@ -8,6 +8,7 @@ const type = 'math_random_float'
 /** From 0 on, below 1. */
 export const math_random_float: Definition = {
   type,
+  pack: 'expert',
   look: { category: 'math', shape: 'value', output: 'Number', fields: [], inputs: [], rows: rows(type, 1) },
   words: words(type),
   acts: false,

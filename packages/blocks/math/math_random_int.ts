@@ -10,6 +10,7 @@ const type = 'math_random_int'
 /** A whole number from one to the other, both included, in either order; both are rounded inwards. */
 export const math_random_int: Definition = {
   type,
+  pack: 'expert',
   look: {
     category: 'math',
     shape: 'value',

@@ -1,7 +1,7 @@
 import { exp, ln, log10, pow } from '@botgarten/numbers'
 import { numberFunction } from '../parts/number-functions.ts'
 
-export const math_single = numberFunction('math_single', [
+export const math_single = numberFunction('math_single', 'expert', [
   ['ROOT', 'root', Math.sqrt],
   ['ABS', 'absolute', Math.abs],
   ['NEG', 'negative', (x) => 0 - x],

@@ -2,7 +2,7 @@ import { acos, asin, atan, cos, sin, tan } from '@botgarten/numbers'
 import { numberFunction } from '../parts/number-functions.ts'
 
 /** Angles in radians, as in Open Roberta. */
-export const math_trig = numberFunction('math_trig', [
+export const math_trig = numberFunction('math_trig', 'expert', [
   ['SIN', 'sin', sin],
   ['COS', 'cos', cos],
   ['TAN', 'tan', tan],

@@ -11,6 +11,7 @@ const type = 'robMath_change'
 /** VAR names the variable: a block `variables_get`, which is not asked. */
 export const robMath_change: Definition = {
   type,
+  pack: 'expert',
   look: {
     category: 'math',
     shape: 'statement',

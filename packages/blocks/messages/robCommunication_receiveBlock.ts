@@ -10,6 +10,7 @@ const type = 'robCommunication_receiveBlock'
 /** Waits for the next message of this connection. Fields as robCommunication_sendBlock. */
 export const robCommunication_receiveBlock: Definition = {
   type,
+  pack: 'expert',
   look: {
     category: 'messages',
     shape: 'value',

@@ -11,6 +11,7 @@ const type = 'robCommunication_sendBlock'
 /** Data are text: Open Roberta has TYPE String (mutation `datatype`), PROTOCOL BLUETOOTH, CHANNEL -1 alone. */
 export const robCommunication_sendBlock: Definition = {
   type,
+  pack: 'expert',
   look: {
     category: 'messages',
     shape: 'statement',

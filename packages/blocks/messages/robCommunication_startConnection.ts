@@ -11,6 +11,7 @@ const type = 'robCommunication_startConnection'
 /** ADDRESS: another robot's name, or its number in the world. It is told, and the connection stands. */
 export const robCommunication_startConnection: Definition = {
   type,
+  pack: 'expert',
   look: {
     category: 'messages',
     shape: 'value',

@@ -10,6 +10,7 @@ const type = 'robCommunication_waitForConnection'
 /** Waits until another robot starts a connection. */
 export const robCommunication_waitForConnection: Definition = {
   type,
+  pack: 'expert',
   look: {
     category: 'messages',
     shape: 'value',

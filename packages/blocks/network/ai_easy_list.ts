@@ -52,6 +52,7 @@ const take = (port: MotorPort) => ({
 /** A layer: one neuron a row. Empty rows are skipped. */
 export const ai_easy_list: Definition = {
   type,
+  pack: 'core',
   look: {
     category: 'network',
     shape: 'value',

@@ -30,6 +30,7 @@ function lastList(frame: Frame): readonly Value[] {
 
 export const ai_neural_network: Definition = {
   type,
+  pack: 'core',
   look: {
     category: 'network',
     shape: 'statement',

@@ -28,6 +28,7 @@ function neuronsBefore(block: Block): number {
  */
 export const ai_nn_hidden_layer: Definition = {
   type,
+  pack: 'learning',
   look: {
     category: 'network',
     shape: 'value',

@@ -10,6 +10,7 @@ const preset = '#00642E'
 /** 100 where the sensor sees this one of the eight colours, else 0. */
 export const ai_nn_input_node_coloursensor_color = inputNeuron({
   type,
+  pack: 'core',
   sensor: 'colour',
   port: 'SENSORPORT',
   fields: [colourField(preset), sensorPort('1')],

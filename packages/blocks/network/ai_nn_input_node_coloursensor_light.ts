@@ -7,6 +7,7 @@ const type = 'ai_nn_input_node_coloursensor_light'
 /** How bright the floor is, 0..100. */
 export const ai_nn_input_node_coloursensor_light = inputNeuron({
   type,
+  pack: 'core',
   sensor: 'colour',
   port: 'SENSORPORT',
   fields: [sensorPort('1')],

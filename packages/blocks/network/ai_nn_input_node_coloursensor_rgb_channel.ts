@@ -21,6 +21,7 @@ const channel = choice('COLOUR', [
 /** How much red, green or blue is in the floor's colour: 0..255 as 0..100. */
 export const ai_nn_input_node_coloursensor_rgb_channel = inputNeuron({
   type,
+  pack: 'core',
   sensor: 'colour',
   port: 'SENSORPORT',
   fields: [channel, sensorPort('1')],

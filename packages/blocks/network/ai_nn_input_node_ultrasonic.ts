@@ -11,6 +11,7 @@ const port = choice(
 /** Distance to the next thing in cm, at most 100. */
 export const ai_nn_input_node_ultrasonic = inputNeuron({
   type: 'ai_nn_input_node_ultrasonic',
+  pack: 'core',
   sensor: 'ultrasonic',
   port: 'INPUTNODE',
   prefix: 'ULTRASONIC_PORT_',

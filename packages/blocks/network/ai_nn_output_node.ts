@@ -13,6 +13,7 @@ const port = choice(
 /** A motor's speed in percent, cut to −100..100. */
 export const ai_nn_output_node = outputNeuron({
   type: 'ai_nn_output_node',
+  pack: 'core',
   fields: [port],
   label: 'neuron.motor',
   port: 'OUTPUTNODE',

@@ -22,6 +22,7 @@ const lamp = choice('OUTPUTNODE', [
 /** The lamp in this colour while the value is above 0; of several lamps the highest value wins. */
 export const ai_nn_output_node_led = outputNeuron({
   type,
+  pack: 'core',
   fields: [lamp],
   label: 'neuron.lamp',
   colour: { field: 'OUTPUTNODE' },

@@ -7,6 +7,7 @@ const type = 'ai_nn_output_node_sound'
 /** A tone of value × 5 Hz while the value is above 0; of several the highest sounds. */
 export const ai_nn_output_node_sound = outputNeuron({
   type,
+  pack: 'core',
   fields: [],
   label: 'neuron.sound',
   colour: 'actuator',

@@ -8,6 +8,7 @@ const type = 'ai_nn_output_node_text'
 /** A word on the display while the value is above 0; each text neuron has its own row. */
 export const ai_nn_output_node_text = outputNeuron({
   type,
+  pack: 'core',
   fields: [{ name: 'OUTPUTNODE', kind: 'text', preset: '' }],
   label: 'neuron.text',
   colour: 'actuator',

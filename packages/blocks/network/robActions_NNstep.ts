@@ -11,6 +11,7 @@ const neurons = carryOut('IONEURON')
 /** One run of the network that the start block carries (field `data`). Old files: it carries it itself, with neurons in IONEURON (see semantics.md). */
 export const robActions_NNstep: Definition = {
   type,
+  pack: 'expert',
   look: {
     category: 'network',
     shape: 'statement',

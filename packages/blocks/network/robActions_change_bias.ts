@@ -10,6 +10,8 @@ const type = 'robActions_change_bias'
 /** An old block. CHANGE SET puts VALUE in the bias's place, INCR adds it. */
 export const robActions_change_bias: Definition = {
   type,
+  pack: 'expert',
+  outsideToolbox: 'old',
   look: {
     category: 'network',
     shape: 'statement',

@@ -10,6 +10,8 @@ const type = 'robActions_change_weight'
 /** An old block. CHANGE SET puts VALUE in the weight's place, INCR adds it. */
 export const robActions_change_weight: Definition = {
   type,
+  pack: 'expert',
+  outsideToolbox: 'old',
   look: {
     category: 'network',
     shape: 'statement',

@@ -12,6 +12,8 @@ const type = 'robActions_outputneuron'
 /** An old block, in IONEURON of robActions_NNstep: runs the network and writes an output into the variable that the block in VALUE names. */
 export const robActions_outputneuron: Definition = {
   type,
+  pack: 'expert',
+  outsideToolbox: 'old',
   look: {
     category: 'network',
     shape: 'statement',

@@ -9,6 +9,8 @@ const type = 'robActions_outputneuron_wo_var'
 /** An old block, in IONEURON of robActions_NNstep: names an output whose value another block reads. */
 export const robActions_outputneuron_wo_var: Definition = {
   type,
+  pack: 'expert',
+  outsideToolbox: 'old',
   look: {
     category: 'network',
     shape: 'statement',

@@ -9,6 +9,7 @@ const type = 'robActions_set_bias'
 
 export const robActions_set_bias: Definition = {
   type,
+  pack: 'expert',
   look: {
     category: 'network',
     shape: 'statement',

@@ -10,6 +10,7 @@ const type = 'robActions_set_weight'
 /** From now on this run drives with this weight; the knobs stay. */
 export const robActions_set_weight: Definition = {
   type,
+  pack: 'expert',
   look: {
     category: 'network',
     shape: 'statement',

@@ -11,6 +11,7 @@ const type = 'robSensors_get_bias'
 
 export const robSensors_get_bias: Definition = {
   type,
+  pack: 'expert',
   look: {
     category: 'network',
     shape: 'value',

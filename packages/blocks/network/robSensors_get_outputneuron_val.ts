@@ -12,6 +12,7 @@ const type = 'robSensors_get_outputneuron_val'
 /** What an output of the network gave in its last run; 0 before. */
 export const robSensors_get_outputneuron_val: Definition = {
   type,
+  pack: 'expert',
   look: {
     category: 'network',
     shape: 'value',

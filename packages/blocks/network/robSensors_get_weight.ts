@@ -11,6 +11,7 @@ const type = 'robSensors_get_weight'
 
 export const robSensors_get_weight: Definition = {
   type,
+  pack: 'expert',
   look: {
     category: 'network',
     shape: 'value',

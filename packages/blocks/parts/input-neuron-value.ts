@@ -1,5 +1,5 @@
-import type { BlockType } from '../block-type.ts'
-import type { Definition } from '../types.ts'
+import type { BlockType } from '../packs/packs.ts'
+import type { Definition, Pack } from '../types.ts'
 import { field } from './fields.ts'
 import { rows, value, words } from './looks.ts'
 import { ask, done } from './next.ts'
@@ -8,8 +8,13 @@ import { afterAsking } from './steps.ts'
 import { nameField } from './variables.ts'
 
 /** Gives an input of the network its value, until it is set again. */
-export const inputNeuronValue = (type: BlockType, example: Definition['example']): Definition => ({
+export const inputNeuronValue = (
+  type: BlockType,
+  pack: Pack,
+  example: Definition['example'],
+): Definition => ({
   type,
+  pack,
   look: {
     category: 'network',
     shape: 'statement',

@@ -1,5 +1,5 @@
 import type { Colour } from '@botgarten/simulation'
-import type { BlockType } from '../block-type.ts'
+import type { BlockType } from '../packs/packs.ts'
 import type { FieldLook, InputLook, ValueType, When } from '../types.ts'
 
 type Options = Extract<FieldLook, { kind: 'choice' }>['options']

@@ -1,5 +1,5 @@
-import type { BlockType } from '../block-type.ts'
-import type { Definition } from '../types.ts'
+import type { BlockType } from '../packs/packs.ts'
+import type { Definition, Pack } from '../types.ts'
 import { number, start } from './examples.ts'
 import { motorPortIn } from './fields.ts'
 import { motorPort, rows, value, words } from './looks.ts'
@@ -8,8 +8,9 @@ import { numberAt, percent } from './numbers.ts'
 import { afterAsking } from './steps.ts'
 
 /** One motor turns at this speed from now on. `count`: of the block's rows. */
-export const motorSpeed = (type: BlockType, count: number): Definition => ({
+export const motorSpeed = (type: BlockType, pack: Pack, count: number): Definition => ({
   type,
+  pack,
   look: {
     category: 'action',
     shape: 'statement',

@@ -1,6 +1,6 @@
 import type { ReadMode } from '@botgarten/simulation'
-import type { BlockType } from '../block-type.ts'
-import type { Block, Definition, FieldLook, Frame, Look, Value } from '../types.ts'
+import type { BlockType } from '../packs/packs.ts'
+import type { Block, Definition, FieldLook, Frame, Look, Pack, Value } from '../types.ts'
 import { sensorPortIn } from './fields.ts'
 import { rows, words } from './looks.ts'
 import { fail, give } from './next.ts'
@@ -18,6 +18,7 @@ const look = (type: BlockType, output: 'InputNode' | 'OutputNode', fields: reado
 
 interface InputNeuron {
   readonly type: BlockType
+  readonly pack: Pack
   readonly sensor: Missed
   /** Field that names the port, and what stands before the port's number in it. */
   readonly port: string
@@ -33,9 +34,10 @@ interface InputNeuron {
 
 /** A neuron that reads a sensor and gives 0..100. */
 export function inputNeuron(neuron: InputNeuron): Definition {
-  const { type, port, mode } = neuron
+  const { type, pack, port, mode } = neuron
   return {
     type,
+    pack,
     look: look(type, 'InputNode', neuron.fields),
     words: words(type),
     neuron: { layer: 'input', label: neuron.label, port, colour: neuron.colour, sensor: neuron.sensor },
@@ -53,6 +55,7 @@ export function inputNeuron(neuron: InputNeuron): Definition {
 
 interface OutputNeuron {
   readonly type: BlockType
+  readonly pack: Pack
   readonly fields: readonly FieldLook[]
   readonly label: string
   readonly port?: string
@@ -63,10 +66,11 @@ interface OutputNeuron {
 
 /** A neuron that turns the level it is given into an order; the network block carries the orders out. */
 export function outputNeuron(neuron: OutputNeuron): Definition {
-  const { type, label, colour } = neuron
+  const { type, pack, label, colour } = neuron
   const port = neuron.port === undefined ? {} : { port: neuron.port }
   return {
     type,
+    pack,
     look: look(type, 'OutputNode', neuron.fields),
     words: words(type),
     neuron: { layer: 'output', label, colour, ...port },

@@ -1,5 +1,5 @@
-import type { BlockType } from '../block-type.ts'
-import type { Definition } from '../types.ts'
+import type { BlockType } from '../packs/packs.ts'
+import type { Definition, Pack } from '../types.ts'
 import { number, show, start } from './examples.ts'
 import { field } from './fields.ts'
 import { choice, rows, value, worded, words } from './looks.ts'
@@ -11,11 +11,12 @@ import { afterAsking } from './steps.ts'
 type Operation = readonly [value: string, words: string, work: (x: number) => number]
 
 /** A block that works one number out of another; OP says how, the first operation is the preset. */
-export function numberFunction(type: BlockType, operations: readonly Operation[]): Definition {
+export function numberFunction(type: BlockType, pack: Pack, operations: readonly Operation[]): Definition {
   const works = new Map(operations.map(([op, , work]) => [op, work]))
   const preset = operations[0]?.[0] ?? ''
   return {
     type,
+    pack,
     look: {
       category: 'math',
       shape: 'value',

@@ -1,4 +1,4 @@
-import type { BlockType } from '../block-type.ts'
+import type { BlockType } from '../packs/packs.ts'
 import type { Definition, Faces, FieldLook, Template, ValueType } from '../types.ts'
 import { hidden, rows, words } from './looks.ts'
 

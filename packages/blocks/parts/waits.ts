@@ -1,5 +1,5 @@
-import type { BlockType } from '../block-type.ts'
-import type { Definition, Next } from '../types.ts'
+import type { BlockType } from '../packs/packs.ts'
+import type { Definition, Next, Pack } from '../types.ts'
 import { number, show, start } from './examples.ts'
 import { rows, statements, value, words } from './looks.ts'
 import { ask, carryOut, done, wait } from './next.ts'
@@ -36,8 +36,9 @@ const waitFor: Definition['run'] = (block, frame) => {
 }
 
 /** Waits until one of WAIT0, WAIT1, … is true (mutation `wait`: how many more than one), then carries out its DO. */
-export const waitingBlock = (type: BlockType): Definition => ({
+export const waitingBlock = (type: BlockType, pack: Pack): Definition => ({
   type,
+  pack,
   look: {
     category: 'control',
     shape: 'statement',

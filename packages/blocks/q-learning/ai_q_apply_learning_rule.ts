@@ -13,6 +13,7 @@ const limit = (name: string, preset: number, max: number): FieldLook => ({
 /** Learns until so many episodes or so many moves are over: a move is a second at ×1. */
 export const ai_q_apply_learning_rule: Definition = {
   type,
+  pack: 'learning',
   look: {
     category: 'q-learning',
     shape: 'statement',

@@ -12,6 +12,7 @@ const station = (name: string, preset: number): FieldLook => ({
 /** Closes the road from one station to the next, in this direction alone. */
 export const ai_q_barrier_mountain: Definition = {
   type,
+  pack: 'learning',
   look: {
     category: 'q-learning',
     shape: 'value',

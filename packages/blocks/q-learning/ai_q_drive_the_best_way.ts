@@ -9,6 +9,7 @@ const body = carryOut('DO')
 /** A frame for what follows the drawn way: a line follower, as it comes from the toolbox. */
 export const ai_q_drive_the_best_way: Definition = {
   type,
+  pack: 'learning',
   look: {
     category: 'q-learning',
     shape: 'statement',

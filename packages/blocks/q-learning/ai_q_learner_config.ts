@@ -22,6 +22,7 @@ const setting = (
  */
 export const ai_q_learner_config: Definition = {
   type,
+  pack: 'learning',
   look: {
     category: 'q-learning',
     shape: 'statement',

@@ -23,6 +23,7 @@ function missing(block: Block): readonly string[] {
  */
 export const ai_q_learning_states_and_actions_map: Definition = {
   type,
+  pack: 'learning',
   look: {
     category: 'q-learning',
     shape: 'statement',

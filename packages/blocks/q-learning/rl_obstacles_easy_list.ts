@@ -9,6 +9,7 @@ const type = 'rl_obstacles_easy_list'
 /** Roads that are closed, one a row. */
 export const rl_obstacles_easy_list: Definition = {
   type,
+  pack: 'learning',
   look: {
     category: 'q-learning',
     shape: 'value',

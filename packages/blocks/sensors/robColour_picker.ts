@@ -10,6 +10,7 @@ const preset = '#B30006'
 
 export const robColour_picker: Definition = {
   type,
+  pack: 'core',
   look: {
     category: 'sensors',
     shape: 'value',

@@ -9,6 +9,7 @@ const type = 'robSensors_compass_calibrate'
 /** Our compass needs none: nothing happens. */
 export const robSensors_compass_calibrate: Definition = {
   type,
+  pack: 'expert',
   look: {
     category: 'sensors',
     shape: 'statement',

@@ -13,6 +13,7 @@ const fromNorth = (degrees: number) => (degrees > 180 ? degrees - 360 : degrees)
 
 /** MODE COMPASS: direction in degrees clockwise, 0..360, 0 = up · MODE ANGLE: the same from −180 to 180. */
 export const robSensors_compass_getSample: Definition = {
+  pack: 'core',
   ...sample(
     type,
     choice('MODE', [worded('COMPASS', 'direction'), worded('ANGLE', 'fromNorth')]),

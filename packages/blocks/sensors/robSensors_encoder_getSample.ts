@@ -16,6 +16,7 @@ const scales: ReadonlyMap<string, (degrees: number, wheelDiameter: number) => nu
 
 /** How far a motor has turned since Start or since it was set back. */
 export const robSensors_encoder_getSample: Definition = {
+  pack: 'core',
   ...sample(
     type,
     choice('MODE', [

@@ -9,6 +9,7 @@ const type = 'robSensors_encoder_reset'
 /** The motor's encoder counts from 0 again. */
 export const robSensors_encoder_reset: Definition = {
   type,
+  pack: 'core',
   look: {
     category: 'sensors',
     shape: 'statement',

@@ -2,19 +2,19 @@ import { forever, show, start } from '../parts/examples.ts'
 import { field } from '../parts/fields.ts'
 import { choice, hidden, plain, rows, worded, words } from '../parts/looks.ts'
 import { fail } from '../parts/next.ts'
-import { robSensors_colour_getSample } from '../richer/robSensors_colour_getSample.ts'
-import { robSensors_infrared_getSample } from '../richer/robSensors_infrared_getSample.ts'
-import { robSensors_ultrasonic_getSample } from '../richer/robSensors_ultrasonic_getSample.ts'
 import type { Block, Definition, Face } from '../types.ts'
+import { robSensors_colour_getSample } from './robSensors_colour_getSample.ts'
 import { robSensors_compass_getSample } from './robSensors_compass_getSample.ts'
 import { robSensors_encoder_getSample } from './robSensors_encoder_getSample.ts'
 import { robSensors_gyro_getSample } from './robSensors_gyro_getSample.ts'
 import { robSensors_htcolour_getSample } from './robSensors_htcolour_getSample.ts'
+import { robSensors_infrared_getSample } from './robSensors_infrared_getSample.ts'
 import { robSensors_irseeker_getSample } from './robSensors_irseeker_getSample.ts'
 import { robSensors_key_getSample } from './robSensors_key_getSample.ts'
 import { robSensors_sound_getSample } from './robSensors_sound_getSample.ts'
 import { robSensors_timer_getSample } from './robSensors_timer_getSample.ts'
 import { robSensors_touch_getSample } from './robSensors_touch_getSample.ts'
+import { robSensors_ultrasonic_getSample } from './robSensors_ultrasonic_getSample.ts'
 
 const type = 'robSensors_getSample'
 
@@ -74,6 +74,8 @@ function today(block: Block, { definition, mode }: Kind): Block {
 /** An old block: SENSORTYPE and mutation `input` say which sensor, SENSORPORT where (a port, a motor, a timer, a key). */
 export const robSensors_getSample: Definition = {
   type,
+  pack: 'expert',
+  outsideToolbox: 'old',
   look: {
     category: 'sensors',
     shape: 'value',

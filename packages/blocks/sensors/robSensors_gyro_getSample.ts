@@ -9,6 +9,7 @@ const type = 'robSensors_gyro_getSample'
 
 /** MODE ANGLE: degrees clockwise since it was set back · MODE RATE: degrees a second. */
 export const robSensors_gyro_getSample: Definition = {
+  pack: 'core',
   ...sample(type, choice('MODE', [worded('ANGLE', 'angle'), worded('RATE', 'rate')]), sensorPort('2')),
   check: sensorAtPort('gyro', 'SENSORPORT'),
   run: (block, _frame, context) =>

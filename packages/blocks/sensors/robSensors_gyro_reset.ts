@@ -10,6 +10,7 @@ const type = 'robSensors_gyro_reset'
 /** The gyro's angle is 0 here. */
 export const robSensors_gyro_reset: Definition = {
   type,
+  pack: 'core',
   look: {
     category: 'sensors',
     shape: 'statement',

@@ -10,6 +10,7 @@ const type = 'robSensors_htcolour_getSample'
 
 /** The colour sensor of another maker: reads as robSensors_colour_getSample. */
 export const robSensors_htcolour_getSample: Definition = {
+  pack: 'expert',
   ...sample(type, colourModes(false), sensorPort('1'), 'Colour', colourFaces(false)),
   check: sensorAtPort('colour', 'SENSORPORT'),
   run: readColour,

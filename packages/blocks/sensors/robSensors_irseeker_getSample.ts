@@ -8,6 +8,7 @@ const type = 'robSensors_irseeker_getSample'
 
 /** Direction of an infrared light, 1 to 9, 5 straight ahead; 0: there is none. In our worlds there is none. */
 export const robSensors_irseeker_getSample: Definition = {
+  pack: 'expert',
   ...sample(
     type,
     choice('MODE', [worded('MODULATED', 'modulated'), worded('UNMODULATED', 'unmodulated')]),

@@ -20,6 +20,7 @@ const keys: ReadonlyMap<string, RobotKey | 'any'> = new Map([
 
 /** Is this key of the robot's panel pressed? */
 export const robSensors_key_getSample: Definition = {
+  pack: 'core',
   ...sample(
     type,
     hidden('MODE', 'PRESSED'),

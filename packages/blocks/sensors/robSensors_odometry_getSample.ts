@@ -15,6 +15,7 @@ const modes: ReadonlyMap<string, ReadMode> = new Map([
 
 /** Where the robot is: MODE X and Y in cm from the bottom left corner, MODE THETA its heading in degrees. */
 export const robSensors_odometry_getSample: Definition = {
+  pack: 'core',
   ...sample(
     type,
     choice('MODE', [worded('X', 'x'), worded('Y', 'y'), worded('THETA', 'heading')]),

@@ -8,6 +8,7 @@ const type = 'robSensors_sound_getSample'
 
 /** How loud it is, 0..100. */
 export const robSensors_sound_getSample: Definition = {
+  pack: 'core',
   ...sample(type, hidden('MODE', 'SOUND'), sensorPort('2')),
   check: sensorAtPort('sound', 'SENSORPORT'),
   run: (block, _frame, context) => readAt(block, context, 'sound'),

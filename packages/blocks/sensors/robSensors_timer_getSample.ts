@@ -9,6 +9,7 @@ const type = 'robSensors_timer_getSample'
 
 /** Milliseconds since Start, or since this timer was set back. */
 export const robSensors_timer_getSample: Definition = {
+  pack: 'core',
   ...sample(type, hidden('MODE', 'VALUE'), timerNumber),
   run(block, _frame, { robot }) {
     const milliseconds = robot.timer(Number(field(block, 'SENSORPORT', '1')))

@@ -9,6 +9,7 @@ const type = 'robSensors_timer_reset'
 /** A timer counts from 0 again. */
 export const robSensors_timer_reset: Definition = {
   type,
+  pack: 'core',
   look: {
     category: 'sensors',
     shape: 'statement',

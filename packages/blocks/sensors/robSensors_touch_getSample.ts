@@ -8,6 +8,7 @@ const type = 'robSensors_touch_getSample'
 
 /** Is the bumper pressed? */
 export const robSensors_touch_getSample: Definition = {
+  pack: 'core',
   ...sample(type, hidden('MODE', 'PRESSED'), sensorPort('1'), 'Boolean'),
   check: sensorAtPort('touch', 'SENSORPORT'),
   run: (block, _frame, context) => holdsAt(block, context, 'touch', (reading) => reading > 0),

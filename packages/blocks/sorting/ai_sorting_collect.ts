@@ -10,6 +10,7 @@ const type = 'ai_sorting_collect'
 /** Keeps what the colour sensor reads now. */
 export const ai_sorting_collect: Definition = {
   type,
+  pack: 'learning',
   look: {
     category: 'sorting',
     shape: 'statement',

@@ -12,6 +12,7 @@ const most = MOST_GROUPS
 /** Sorts what was collected into groups: k-means. */
 export const ai_sorting_find: Definition = {
   type,
+  pack: 'learning',
   look: {
     category: 'sorting',
     shape: 'statement',

@@ -11,6 +11,7 @@ const type = 'ai_sorting_group'
 /** The group that this reading is nearest to: AS NUMBER from 1, or AS NAME as the program calls it. */
 export const ai_sorting_group: Definition = {
   type,
+  pack: 'learning',
   look: {
     category: 'sorting',
     shape: 'value',

@@ -13,6 +13,7 @@ const type = 'ai_sorting_name'
 /** Calls a group by a name, before or after it is found; the computer gives none. */
 export const ai_sorting_name: Definition = {
   type,
+  pack: 'learning',
   look: {
     category: 'sorting',
     shape: 'statement',

@@ -13,6 +13,7 @@ const type = 'ai_sorting_near'
 /** How far this reading is from a group's middle, in steps of red, green and blue (0 to 441). */
 export const ai_sorting_near: Definition = {
   type,
+  pack: 'learning',
   look: {
     category: 'sorting',
     shape: 'value',

@@ -17,6 +17,7 @@ const type = 'robActions_eval_expr'
  */
 export const robActions_eval_expr: Definition = {
   type,
+  pack: 'expert',
   look: {
     category: 'text',
     shape: 'value',

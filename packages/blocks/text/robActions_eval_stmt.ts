@@ -9,6 +9,8 @@ const type = 'robActions_eval_stmt'
 /** Open Roberta uses it for its own tests alone, in no toolbox: an empty one does nothing, another cannot run here. */
 export const robActions_eval_stmt: Definition = {
   type,
+  pack: 'expert',
+  outsideToolbox: 'old',
   look: {
     category: 'text',
     shape: 'statement',

@@ -13,6 +13,7 @@ const type = 'robText_append'
 /** VAR names the variable: a block `variables_get`, which is not asked. */
 export const robText_append: Definition = {
   type,
+  pack: 'expert',
   look: {
     category: 'text',
     shape: 'statement',

@@ -12,6 +12,7 @@ const type = 'robText_join'
 /** ADD0, ADD1, … (mutation `items`) as one text. */
 export const robText_join: Definition = {
   type,
+  pack: 'expert',
   look: {
     category: 'text',
     shape: 'value',

@@ -8,6 +8,7 @@ const type = 'text'
 
 export const text: Definition = {
   type,
+  pack: 'core',
   look: {
     category: 'text',
     shape: 'value',

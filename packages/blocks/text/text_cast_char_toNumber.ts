@@ -11,6 +11,7 @@ const type = 'text_cast_char_toNumber'
 /** The number in Unicode of the letter at place AT, counted from 0. */
 export const text_cast_char_toNumber: Definition = {
   type,
+  pack: 'expert',
   look: {
     category: 'text',
     shape: 'value',

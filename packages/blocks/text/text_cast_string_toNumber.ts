@@ -10,6 +10,7 @@ const type = 'text_cast_string_toNumber'
 /** The number at the beginning of the text, with a decimal point or comma. */
 export const text_cast_string_toNumber: Definition = {
   type,
+  pack: 'expert',
   look: {
     category: 'text',
     shape: 'value',

@@ -12,6 +12,8 @@ const type = 'robGlobalVariables_declare'
 /** Stands in ST of the start block (its mutation `declare` true). Mutation `declaration_type` as TYPE; `next`: does another follow? */
 export const robGlobalVariables_declare: Definition = {
   type,
+  pack: 'expert',
+  outsideToolbox: 'program',
   look: {
     category: 'variables',
     shape: 'statement',

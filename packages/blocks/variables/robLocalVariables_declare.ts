@@ -11,6 +11,8 @@ const type = 'robLocalVariables_declare'
 /** A parameter: stands in ST of a function. Mutation as robGlobalVariables_declare. */
 export const robLocalVariables_declare: Definition = {
   type,
+  pack: 'expert',
+  outsideToolbox: 'program',
   look: {
     category: 'variables',
     shape: 'statement',

@@ -11,6 +11,8 @@ const type = 'variables_get'
 /** Mutation `datatype`: its type. */
 export const variables_get: Definition = {
   type,
+  pack: 'expert',
+  outsideToolbox: 'program',
   look: {
     category: 'variables',
     shape: 'value',

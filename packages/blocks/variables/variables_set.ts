@@ -12,6 +12,8 @@ const type = 'variables_set'
 /** Mutation `datatype`: type of the variable. */
 export const variables_set: Definition = {
   type,
+  pack: 'expert',
+  outsideToolbox: 'program',
   look: {
     category: 'variables',
     shape: 'statement',

@@ -1,5 +1,5 @@
 import { addBlocks } from '@botgarten/blocks'
-import { learning } from '@botgarten/blocks/learning'
+import { learning } from '@botgarten/blocks/packs/learning'
 import { createLab, type CheckResult } from '@botgarten/lab'
 import { withLearnedWay } from '@botgarten/maps'
 import { check, parseProject } from '@botgarten/programs'

@@ -1,5 +1,5 @@
 import { addBlocks } from '@botgarten/blocks'
-import { learning } from '@botgarten/blocks/learning'
+import { learning } from '@botgarten/blocks/packs/learning'
 import { createLab } from '@botgarten/lab'
 import { sample } from '@botgarten/numbers/testing'
 import { TICKS_PER_SECOND } from '@botgarten/simulation'

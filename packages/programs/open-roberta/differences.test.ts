@@ -1,5 +1,5 @@
 import { addBlocks, type CheckContext, type Template } from '@botgarten/blocks'
-import { expert } from '@botgarten/blocks/later'
+import { expert } from '@botgarten/blocks/packs/expert'
 import { expect, it } from 'vitest'
 import { indexProgram, runThread, startThread, type Program } from '../index.ts'
 import { block, calculate, distance, forever, number, programOf, show, start } from '../testing/build.ts'

@@ -1,5 +1,5 @@
 import { addBlocks } from '@botgarten/blocks'
-import { expert } from '@botgarten/blocks/later'
+import { expert } from '@botgarten/blocks/packs/expert'
 import { isLong } from '@botgarten/numbers/testing'
 import { expect, it } from 'vitest'
 import { languagesIn, wordsOf } from '../../messages/folder.ts'

@@ -1,6 +1,6 @@
 import { addBlocks, type Template } from '@botgarten/blocks'
-import { expert } from '@botgarten/blocks/later'
-import { learning } from '@botgarten/blocks/learning'
+import { expert } from '@botgarten/blocks/packs/expert'
+import { learning } from '@botgarten/blocks/packs/learning'
 import { follow, forward, layOut, type Brain } from '@botgarten/learning/neural-network'
 import fc from 'fast-check'
 import * as v from 'valibot'

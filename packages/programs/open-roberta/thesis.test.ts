@@ -1,6 +1,6 @@
 import { readFileSync, readdirSync } from 'node:fs'
 import { addBlocks, definitions, isBlockType, type Block } from '@botgarten/blocks'
-import { learning } from '@botgarten/blocks/learning'
+import { learning } from '@botgarten/blocks/packs/learning'
 import { describe, expect, it } from 'vitest'
 import { check, indexProgram, networks, runThread, startThread } from '../index.ts'
 import { nextTick, recordingRobot } from '../testing/recording-robot.ts'

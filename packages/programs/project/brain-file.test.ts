@@ -1,5 +1,5 @@
 import { addBlocks } from '@botgarten/blocks'
-import { learning } from '@botgarten/blocks/learning'
+import { learning } from '@botgarten/blocks/packs/learning'
 import { biasRow, emptyBrain, follow, withActivation, withWeight } from '@botgarten/learning/neural-network'
 import fc from 'fast-check'
 import { describe, expect, it } from 'vitest'

@@ -1,6 +1,6 @@
 import { beforeAll, describe, expect, it } from 'vitest'
 import { addBlocks } from '@botgarten/blocks'
-import { expert } from '@botgarten/blocks/later'
+import { expert } from '@botgarten/blocks/packs/expert'
 import { indexProgram, runThread, startThread, type Thread } from '../index.ts'
 import { readOpenRoberta } from '../open-roberta/index.ts'
 import { givenFiles } from '../testing/mutations.ts'

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest'
 import { addBlocks, blockFrom, type Template } from '@botgarten/blocks'
-import { expert } from '@botgarten/blocks/later'
+import { expert } from '@botgarten/blocks/packs/expert'
 import { check, indexProgram, runThread, startThread, type Program } from '../index.ts'
 import { block, calculate, number, repeat, forever } from '../testing/build.ts'
 import { nextTick, recordingRobot } from '../testing/recording-robot.ts'

@@ -1,7 +1,7 @@
 import { readFileSync } from 'node:fs'
 import { describe, expect, it } from 'vitest'
 import { addBlocks, blockFrom, type HostBrain, type Template } from '@botgarten/blocks'
-import { expert } from '@botgarten/blocks/later'
+import { expert } from '@botgarten/blocks/packs/expert'
 import { content } from '@botgarten/content/files'
 import { indexProgram, runThread, startThread } from '../index.ts'
 import { brainsIn } from '../open-roberta/brains.ts'

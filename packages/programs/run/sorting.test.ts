@@ -1,5 +1,5 @@
 import { addBlocks, type Template } from '@botgarten/blocks'
-import { learning } from '@botgarten/blocks/learning'
+import { learning } from '@botgarten/blocks/packs/learning'
 import { describe, expect, test } from 'vitest'
 import { run, shown } from '../testing/run.ts'
 

@@ -1,5 +1,5 @@
 import { addBlocks, definitions, type Block } from '@botgarten/blocks'
-import { expert } from '@botgarten/blocks/later'
+import { expert } from '@botgarten/blocks/packs/expert'
 import fc from 'fast-check'
 import { beforeAll, describe, expect, it } from 'vitest'
 import { bothRun } from '../testing/whole/both.ts'

@@ -1,5 +1,5 @@
 import { definitions, stacksOf, type Block } from '@botgarten/blocks'
-import { learning } from '@botgarten/blocks/learning'
+import { learning } from '@botgarten/blocks/packs/learning'
 import { describe, expect, it } from 'vitest'
 import { bringFor } from './packs.ts'
 

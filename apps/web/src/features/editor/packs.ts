@@ -1,7 +1,7 @@
 import {
   addBlocks,
   definitions,
-  isOfLearning,
+  packOf,
   optionFor,
   type Block,
   type Definition,
@@ -9,7 +9,7 @@ import {
 } from '@botgarten/blocks'
 import type { Brain } from '@botgarten/learning/neural-network'
 import { holesOf, statementNames, type Project } from '@botgarten/programs'
-import { learning, learningToolbox } from '@botgarten/blocks/learning'
+import { learning, learningToolbox } from '@botgarten/blocks/packs/learning'
 import { fetchWords, withWords } from '#words/say.ts'
 
 type Expert = Pick<typeof import('./expert/expert.ts'), 'expertShelf' | 'everything'>
@@ -58,11 +58,11 @@ const inside = ({ values = {}, statements = {} }: Block): readonly Block[] => [
 const bends = ({ layers }: Brain): boolean =>
   layers.flat().some(({ activation }) => activation !== 'identity')
 
-const learns = (block: Block): boolean => isOfLearning(block.type) || inside(block).some(learns)
+const learns = (block: Block): boolean => packOf(block.type) === 'learning' || inside(block).some(learns)
 
 /** Is it, or does it hold, more than the plain language? */
 const isMore = (block: Block): boolean =>
-  !(isOfLearning(block.type) || isKnown(block)) || inside(block).some(isMore)
+  !(packOf(block.type) === 'learning' || isKnown(block)) || inside(block).some(isMore)
 
 function isKnown(block: Block): boolean {
   const definition = plain[block.type]

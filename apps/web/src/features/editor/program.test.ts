@@ -8,7 +8,7 @@ import {
   type Look,
   type ValueType,
 } from '@botgarten/blocks'
-import { learning, learningToolbox } from '@botgarten/blocks/learning'
+import { learning, learningToolbox } from '@botgarten/blocks/packs/learning'
 import type { Program } from '@botgarten/programs'
 import * as Blockly from 'blockly/core'
 import fc from 'fast-check'

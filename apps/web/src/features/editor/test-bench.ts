@@ -1,5 +1,5 @@
 import { addBlocks, definitions, type Block } from '@botgarten/blocks'
-import { learning, learningToolbox } from '@botgarten/blocks/learning'
+import { learning, learningToolbox } from '@botgarten/blocks/packs/learning'
 import type { Program } from '@botgarten/programs'
 import * as Blockly from 'blockly/core'
 import { vi } from 'vitest'

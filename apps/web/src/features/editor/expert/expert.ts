@@ -1,6 +1,6 @@
 import * as Blockly from 'blockly/core'
 import { addBlocks, type Block, type Template, type ToolboxCategory } from '@botgarten/blocks'
-import { callBlock, expert, expertToolbox, variableBlocks } from '@botgarten/blocks/later'
+import { callBlock, expert, expertToolbox, variableBlocks } from '@botgarten/blocks/packs/expert'
 import { knowTypes } from '../bot-block.ts'
 import { keepWhatFilesJoin } from '../fits.ts'
 import { knowComingParts } from '../shape.ts'

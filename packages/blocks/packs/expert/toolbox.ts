@@ -1,13 +1,15 @@
-import { number, text } from './parts/examples.ts'
-import { learningToolbox } from './learning.ts'
-import { onShelf, coreToolbox, type ToolboxCategory } from './toolbox.ts'
-import type { ExpertType } from './block-type.ts'
-import type { Block, Category, Template } from './types.ts'
+import { number, text } from '../../parts/examples.ts'
+import { withRest, withRow, type ToolboxCategory } from '../../toolbox.ts'
+import type { Block, Category, Template } from '../../types.ts'
+import { coreToolbox } from '../core/toolbox.ts'
+import { learningToolbox } from '../learning/toolbox.ts'
+import type { TypeIn } from '../packs.ts'
+import { blocks as table } from './blocks.ts'
 
 type Fields = { readonly [name: string]: string }
 
 const block = (
-  type: ExpertType,
+  type: TypeIn<'expert'>,
   fields: Fields = {},
   values: Template['values'] = {},
   attrs: Fields = {},
@@ -20,7 +22,7 @@ const block = (
 
 const compare: Template = { type: 'logic_compare', fields: { OP: 'EQ' } }
 
-/** A block of the cards in another face. */
+/** A block of the cards with other fields. */
 const other = (type: string, fields: Fields, attrs?: Fields): Template => ({
   type,
   fields,
@@ -177,7 +179,7 @@ const newOnes: readonly ToolboxCategory[] = [
 ]
 
 /** What the playgrounds bring stands at the end. */
-const plain = learningToolbox.reduce(onShelf, coreToolbox)
+const plain = learningToolbox.reduce(withRow, coreToolbox)
 const last: readonly Category[] = ['network', 'q-learning', 'sorting']
 
 const withMore = ({ category, blocks }: ToolboxCategory): ToolboxCategory => ({
@@ -185,15 +187,17 @@ const withMore = ({ category, blocks }: ToolboxCategory): ToolboxCategory => ({
   blocks: [...blocks, ...(more[category] ?? [])],
 })
 
-/**
- * Open Roberta's expert toolbox: everything of the plain one, then what is new. Variables and calls of functions depend
- * on the program: `variableBlocks`, `callBlocks`.
- */
-export const expertToolbox: readonly ToolboxCategory[] = [
+const rows = [
   ...plain.filter(({ category }) => !last.includes(category)).map(withMore),
   ...newOnes,
   ...plain.filter(({ category }) => last.includes(category)).map(withMore),
 ]
+
+/**
+ * Open Roberta's expert toolbox: everything of the plain one, then what is new. Variables and calls of functions depend
+ * on the program: `variableBlocks`, `callBlocks`.
+ */
+export const expertToolbox = withRest(rows, table)
 
 /** What a program's variable can be used with: its value, setting it, and what its type allows. */
 export function variableBlocks(name: string, type: string): readonly Template[] {

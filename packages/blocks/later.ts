@@ -1,2 +1,0 @@
-export { expert } from './expert.ts'
-export { callBlock, expertToolbox, variableBlocks } from './toolbox-expert.ts'

@@ -1,0 +1,33 @@
+import { hiddenLayer, number, text } from '../../parts/examples.ts'
+import {
+  barrier,
+  drawWay,
+  follower,
+  gainExperience,
+  learner,
+  learningMap,
+} from '../../parts/learning-examples.ts'
+import { colourReading, find, groupAs } from '../../parts/sorting-examples.ts'
+import { withRest, type ToolboxCategory } from '../../toolbox.ts'
+import type { Template } from '../../types.ts'
+import { blocks } from './blocks.ts'
+
+const trying: readonly Template[] = [learningMap(), learner, gainExperience, drawWay, follower, barrier(2, 3)]
+
+const sorting: readonly Template[] = [
+  colourReading,
+  find(3),
+  groupAs('NUMBER'),
+  groupAs('NAME'),
+  { type: 'ai_sorting_near', fields: { SENSORPORT: '1' }, values: { GROUP: number(1) } },
+  { type: 'ai_sorting_name', values: { GROUP: number(1), NAME: text('') } },
+]
+
+const presets: readonly ToolboxCategory[] = [
+  { category: 'network', blocks: [hiddenLayer(3)] },
+  { category: 'q-learning', blocks: trying },
+  { category: 'sorting', blocks: sorting },
+]
+
+/** What a child finds of them. */
+export const learningToolbox = withRest(presets, blocks)
