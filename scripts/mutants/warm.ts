@@ -1,9 +1,10 @@
 import { fork, type ChildProcess } from 'node:child_process'
+import { readFileSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'
 import type { Answer, Request } from './runner.ts'
 
 /** The first request of a process reads all code; later ones only what has changed. */
-const patience = { first: 240_000, later: 90_000 }
+const patience = { first: 240_000, later: 60_000 }
 
 /** A warm Vitest that is started again when a fault has made it hang. */
 export class Warm {
@@ -18,9 +19,15 @@ export class Warm {
   /** `timeout`: no answer came; the fault has been found by its endless loop. */
   async ask(request: Request): Promise<Answer | { readonly kind: 'timeout' }> {
     const child = this.#child ?? (await this.#start())
+    const path = join(this.#copy, request.file)
+    const before = readFileSync(path, 'utf8')
     const answer = await answerOf(child, request, this.#isFirst ? patience.first : patience.later)
     this.#isFirst = false
-    if (answer.kind === 'timeout') this.close()
+    if (answer.kind === 'timeout') {
+      this.close()
+      // A process that hangs cannot take its fault back itself.
+      writeFileSync(path, before)
+    }
     return answer
   }
 
