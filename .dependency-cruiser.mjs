@@ -1,4 +1,4 @@
-// The arrows of the house: numbers ← learning, simulation ← blocks ← programs ← lab, maps ← content ← apps; messages ← apps.
+// The arrows of the house: numbers ← learning, simulation ← blocks ← programs ← lab, maps ← experiments ← content ← apps; messages ← apps.
 const rooms = [
   'numbers',
   'learning',
@@ -7,6 +7,7 @@ const rooms = [
   'programs',
   'lab',
   'maps',
+  'experiments',
   'content',
   'messages',
 ]
@@ -19,7 +20,8 @@ const mayKnow = {
   programs: ['blocks', 'learning', 'simulation', 'numbers'],
   lab: ['programs', 'blocks', 'learning', 'simulation', 'numbers'],
   maps: ['programs', 'blocks', 'learning', 'simulation', 'numbers'],
-  content: ['lab', 'maps', 'programs', 'blocks', 'learning', 'simulation', 'numbers'],
+  experiments: ['lab', 'maps', 'programs', 'learning', 'simulation', 'numbers'],
+  content: ['experiments', 'lab', 'maps', 'programs', 'blocks', 'learning', 'simulation', 'numbers'],
 }
 const path = (room) => `^packages/${room}/`
 

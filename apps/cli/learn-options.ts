@@ -1,3 +1,4 @@
+import { decayOf as readDecay } from '@botgarten/experiments/sweep'
 import type { Decay, Settings, Task } from '@botgarten/learning/q-learning'
 import type { MapFile } from '@botgarten/maps'
 import { CallError } from './errors.ts'
@@ -68,9 +69,9 @@ export const rulesOf = ({ rules }: Given): Settings['rules'] =>
 export const algorithmOf = ({ algorithm }: Given): Settings['algorithm'] =>
   oneOf('algorithm', algorithm, ['q', 'sarsa'] as const)
 
-/** `0.999`: times so much after every episode; `visits` (α alone): times 10 / (9 + n) at the n-th update. */
+/** As `decayOf` of the sweeps; visits are counted for α alone. */
 export function decayOf(name: 'alpha-decay' | 'rho-decay', text: string | undefined): Decay {
-  if (text === undefined) return { kind: 'constant' }
-  if (text === 'visits' && name === 'alpha-decay') return { kind: 'visits' }
-  return { kind: 'episodes', factor: numberIn(name, text, 1, 0, 1) }
+  const visits = text === 'visits' && name === 'alpha-decay'
+  if (text !== undefined && !visits) numberIn(name, text, 1, 0, 1)
+  return readDecay(text)
 }

@@ -1,11 +1,11 @@
+import { csvOf, pieceOf, rowsOf } from '@botgarten/experiments/sweep'
 import type { Command } from '../commands.ts'
 import { CallError } from '../errors.ts'
 import { algorithmOf, limitsOf, rulesOf, seedOf, taskOf, taskOptions } from '../learn-options.ts'
 import { findMap } from '../maps.ts'
 import { options, refuseMore, wholeNumberIn } from '../options.ts'
 import { listOptions, settingsIn } from './grid.ts'
-import { csvOf, handOut, pieceOf, shardIn, tableOptions, tell } from './table.ts'
-import { rowsOf } from './threads.ts'
+import { handOut, shardIn, tableOptions, tell } from './table.ts'
 
 const known = { ...taskOptions, ...listOptions, ...tableOptions } as const
 

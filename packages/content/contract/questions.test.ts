@@ -1,16 +1,27 @@
+import { outcomeOf, type Given } from '@botgarten/experiments'
 import { learningIn } from '@botgarten/programs'
 import { describe, expect, it } from 'vitest'
 import { content } from '../files.ts'
 import { cardDocument } from '../index.ts'
 import { gradeOf } from '../items/readability.ts'
-import { outcomeOf, readQuestion, type Given, type QuestionRun } from '../questions/index.ts'
+import { readQuestion, type QuestionRun } from '../questions/index.ts'
 import { plainOf } from '../schema/markdown.ts'
+import type { ThingSet } from '../schema/thingTypes.ts'
+import { columnsOf, onPlane, rawOf } from '../things/index.ts'
 import './there.ts'
 
 const setNamed = (id: string) => content.sets.find((set) => set.id === id)!
 
+function thingsOf(set: ThingSet, features: readonly string[]): Given {
+  const columns = columnsOf(set, features)
+  const rows = set.things.map(
+    (thing) => [thing.id, columns.map((column) => onPlane(rawOf(set, thing, column), column))] as const,
+  )
+  return { kind: 'things', things: new Map(rows) }
+}
+
 function givenFor(run: QuestionRun): Given {
-  if (run.observe === 'group') return { kind: 'things', set: setNamed(run.set) }
+  if (run.observe === 'group') return thingsOf(setNamed(run.set), run.features)
   const { card, world } = content.card(run.card)!
   const program = content.program(run.card, run.file)!
   const document = cardDocument(world, card, program, 'start' in run ? run.start : 0)
@@ -44,16 +55,16 @@ describe('the questions', () => {
   })
 
   it('refuse what cannot be seen in what is given', () => {
-    const set = setNamed('vessels')
+    const things = thingsOf(setNamed('vessels'), ['width'])
     const run: QuestionRun = { observe: 'way', card: 'railway', file: 'solution' }
-    expect(() => outcomeOf(run, { kind: 'things', set })).toThrow(TypeError)
+    expect(() => outcomeOf(run, things)).toThrow(TypeError)
     const group = {
       observe: 'group',
       set: 'vessels',
       features: ['width'],
       flags: ['vessel-1', 'vessel-2'],
     } as const
-    expect(() => outcomeOf({ ...group, thing: 'vessel-99' }, { kind: 'things', set })).toThrow(RangeError)
+    expect(() => outcomeOf({ ...group, thing: 'vessel-99' }, things)).toThrow(RangeError)
   })
 
   it('refuse an answer that is no choice', () => {

@@ -1,3 +1,2 @@
 export type * from '../schema/questionTypes.ts'
 export { readQuestion, readQuestionText } from '../schema/question.ts'
-export { outcomeOf } from './answer.ts'

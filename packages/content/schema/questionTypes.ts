@@ -1,8 +1,4 @@
-import type { Document } from '@botgarten/lab'
-import type { Floor } from '@botgarten/simulation'
 import type { ItemMarkdown } from './itemTypes.ts'
-import type { MapFile } from '@botgarten/maps'
-import type { ThingSet } from './thingTypes.ts'
 
 /** `question.json` of a folder `content/materials/questions/<nn-id>/`: what will Bo do? */
 export interface Question {
@@ -35,12 +31,6 @@ export type QuestionRun =
       readonly flags: readonly string[]
       readonly thing: string
     }
-
-/** What a run needs, read by whoever asks. */
-export type Given =
-  | { readonly kind: 'lab'; readonly document: Document; readonly floor: Floor }
-  | { readonly kind: 'learning'; readonly document: Document; readonly map: MapFile }
-  | { readonly kind: 'things'; readonly set: ThingSet }
 
 /** A question in one language. */
 export interface QuestionText {

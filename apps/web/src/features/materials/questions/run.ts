@@ -1,7 +1,7 @@
-import { createLab } from '@botgarten/lab'
 import { cardDocument } from '@botgarten/content/document'
+import { rideOf as rideIn } from '@botgarten/experiments'
 import { learningIn } from '@botgarten/programs'
-import { paintFloor, TICKS_PER_SECOND, type LedColour, type Pose, type World } from '@botgarten/simulation'
+import { paintFloor, type LedColour, type Pose, type World } from '@botgarten/simulation'
 import { pictureIn } from '#lab/floor/pictures.ts'
 import type { Question } from '@botgarten/content/questions'
 import { programOf } from '../programs.ts'
@@ -24,16 +24,9 @@ export async function rideOf(run: LabRun): Promise<Ride> {
   const document = cardDocument(loaded.world, loaded.card, program, run.start)
   const { world } = document
   const picture = 'asset' in world.floor ? await pictureIn(world, undefined) : undefined
-  const lab = createLab()
-  lab.load(document, paintFloor(world, picture ?? undefined), { seed: 1, checks: [] })
-  const robot = () => lab.view().robots[0]!
-  const poses = [robot().pose]
-  lab.start()
-  for (let tick = 0; tick < run.seconds * TICKS_PER_SECOND; tick += EVERY) {
-    lab.advance(EVERY)
-    poses.push(robot().pose)
-  }
-  return { id: loaded.card.world, world, poses, led: robot().led }
+  const { poses, end } = rideIn(document, paintFloor(world, picture ?? undefined), run.seconds)
+  const points = poses.filter((_, tick) => tick % EVERY === 0)
+  return { id: loaded.card.world, world, poses: points, led: end.led }
 }
 
 /** What a program that learns is asked to learn. */

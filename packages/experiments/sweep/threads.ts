@@ -1,6 +1,6 @@
 import { availableParallelism } from 'node:os'
 import { Worker } from 'node:worker_threads'
-import type { Row, Work } from './runs.ts'
+import type { Row, Work } from './row.ts'
 
 /** Rows of all pieces of work, in their order, worked out by so many threads. `done` hears how many are ready. */
 export async function rowsOf(

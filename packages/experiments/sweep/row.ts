@@ -12,7 +12,7 @@ import {
   type Task,
 } from '@botgarten/learning/q-learning'
 import { stream } from '@botgarten/numbers'
-import { learnerSettings, nameOf, type Setting } from './grid.ts'
+import { learnerSettings, nameOf, type Setting } from './settings.ts'
 
 /** What every run of a sweep shares. Plain data: it goes to other threads. */
 export interface Job {

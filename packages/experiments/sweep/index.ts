@@ -1,0 +1,5 @@
+export { type Job, type Row, type Work } from './row.ts'
+export { decayOf, settingsOf, type Setting } from './settings.ts'
+export { csvOf, pieceOf, type Shard } from './table.ts'
+export { thesisWork } from './thesis.ts'
+export { rowsOf } from './threads.ts'
