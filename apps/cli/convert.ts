@@ -7,6 +7,7 @@ import { CallError } from './errors.ts'
 import { write } from './files.ts'
 import { options } from './options.ts'
 import { isOpenRoberta, readProjectFile } from './project-file.ts'
+import { say } from './words.ts'
 
 const known = { robot: { type: 'string' }, json: { type: 'boolean' } } as const
 
@@ -26,7 +27,12 @@ function convertFile(args: string[]): string {
   const unknown = [...new Set(blocks.filter((type) => !isBlockType(type)))].sort()
   return values.json
     ? JSON.stringify({ in: from, out: to, robot: robot.id, blocks: blocks.length, unknown })
-    : `${to}: ${blocks.length} blocks${unknown.length > 0 ? `; kept without being known here: ${unknown.join(', ')}` : ''}`
+    : sentenceOf(to, blocks.length, unknown)
+}
+
+function sentenceOf(path: string, count: number, unknown: readonly string[]): string {
+  const blocks = say('converted.blocks', { path, count })
+  return unknown.length === 0 ? blocks : say('converted.unknown', { blocks, types: unknown.join(', ') })
 }
 
 function robotOf({ world }: Project, id: string | undefined) {

@@ -48,15 +48,13 @@ function findGroups(args: string[]): string {
   const points = pointsOf(table.rows)
   const found = find(points, wholeNumberIn('k', values.k, 1, 1, points.count), distance, values)
   const { centres, labels, inertia, iterations } = found
-  note(`read ${readingOf(table)}.`)
+  note(say('groups.read', { how: readingOf(table) }))
   const { columns, rows, reading, encoding } = table
   const read = { columns: columns.length, rows: rows.length, ...reading, encoding }
   if (values.json) return JSON.stringify({ centres, labels, inertia, iterations, read })
-  return table.maybeOneColumn ? `${sentenceOf(found)}; ${eitherWay}` : sentenceOf(found)
+  const sentence = sentenceOf(found)
+  return table.maybeOneColumn ? say('groups.foundEitherWay', { found: sentence }) : sentence
 }
-
-const eitherWay =
-  'commas were read as marks between two columns, --decimal-comma reads one column of decimal numbers'
 
 function find(points: Points, groups: number, distance: Distance, values: Values): Clustering {
   const { init = '++' } = values
@@ -102,16 +100,21 @@ function tableIn(path: string, values: Values): ReadTable {
 
 function sentenceOf({ centres, labels, inertia, iterations }: Clustering): string {
   const sizes = centres.map((_, group) => labels.filter((label) => label === group).length)
-  return `After ${iterations} rounds: inertia ${inertia.at(-1)}, ${centres.length} groups of ${sizes.join(', ')} points`
+  return say('groups.found', {
+    ...{ iterations, inertia: inertia.at(-1)!, groups: centres.length },
+    sizes: sizes.join(', '),
+  })
 }
 
 /** How the file was understood: one column, decimal comma. */
 function readingOf({ columns, rows, reading: { mark, decimal, heading }, encoding }: ReadTable): string {
   return [
-    mark === null ? 'one column' : `${columns.length} columns with a ${mark} between them`,
-    ...(decimal === null ? [] : [`decimal ${decimal}`]),
-    ...(heading ? ['a heading'] : []),
-    `${rows.length} rows`,
+    mark === null
+      ? say('groups.oneColumn')
+      : say('groups.columns', { count: columns.length, mark: say(`groups.${mark}`) }),
+    ...(decimal === null ? [] : [say('groups.decimal', { mark: say(`groups.${decimal}`) })]),
+    ...(heading ? [say('groups.heading')] : []),
+    say('groups.rows', { count: rows.length }),
     ...(encoding === 'utf-8' ? [] : [encoding]),
   ].join(', ')
 }

@@ -7,6 +7,7 @@ import {
   type Plan,
   type Settings,
 } from '@botgarten/learning/q-learning'
+import { say } from './words.ts'
 
 /** Why there is no learned way, and the station that it is about. */
 interface NotLearned {
@@ -82,35 +83,41 @@ interface Report {
   readonly firstShortestMove: number | null
 }
 
-const doubts: { readonly [reason in LearnedWay['reason']]?: string } = {
-  alike: 'all roads are still alike',
-  unpaid: 'no road has paid yet',
-  untried: 'a road was never tried that is worth as much as the best',
-}
-
 export function sentenceOf(report: Report): string {
-  const { bestWay: way, reason, walked, notLearned, plan, moves, episodes, firstShortestMove } = report
-  const after = `After ${moves} moves in ${episodes} episodes`
-  if (plan) return `${after}: ${planSentence(plan, notLearned)}`
-  const doubt = notLearned && doubts[notLearned.reason]
-  if (notLearned && doubt) {
-    const shown = way ? `; the first of equal roads would give ${way.join(' → ')}` : ''
-    return `${after}: no way learned yet (${notLearned.reason}): at ${notLearned.station} ${doubt}${shown}`
-  }
-  if (way === null) return `${after}: no way yet (${reason}): ${walked.join(' → ')}`
-  const first =
-    firstShortestMove === null ? '' : `, a shortest one first shown after move ${firstShortestMove}`
-  return `${after}: ${way.join(' → ')}${first}`
+  const { bestWay, reason, walked, notLearned, plan, moves, episodes, firstShortestMove: first } = report
+  const after = say('learned.after', { moves, episodes })
+  if (plan) return planSentence(after, plan, notLearned)
+  const way = bestWay && joined(bestWay)
+  if (notLearned && isDoubt(notLearned.reason)) return doubtSentence(after, notLearned, way)
+  if (way === null) return say('learned.noWay', { after, reason, walked: joined(walked) })
+  return first === null ? say('learned.way', { after, way }) : say('learned.wayFirst', { after, way, first })
 }
 
-function planSentence(plan: PlanSaid, notLearned: NotLearned | null): string {
-  const { policy, expectedReturn, bestReturn, reachesGoal } = plan
-  const number = (value: number | null) =>
-    value === null ? 'no end' : Number(value.toPrecision(4)).toString()
-  const moves = Object.entries(policy)
+const joined = (stations: readonly number[]) => stations.join(' → ')
+
+const doubts = ['alike', 'unpaid', 'untried'] as const
+const isDoubt = (reason: LearnedWay['reason']): reason is (typeof doubts)[number] =>
+  doubts.some((doubt) => doubt === reason)
+
+function doubtSentence(after: string, { reason, station }: NotLearned, way: string | null): string {
+  const doubt = say(`learned.${reason as (typeof doubts)[number]}`)
+  const notYet = say('learned.notYet', { after, reason, station, doubt })
+  return way === null ? notYet : say('learned.notYetShown', { notYet, way })
+}
+
+function planSentence(after: string, plan: PlanSaid, notLearned: NotLearned | null): string {
+  const judged = say('learned.plan', {
+    after,
+    expected: numberSaid(plan.expectedReturn),
+    best: numberSaid(plan.bestReturn),
+    percent: (100 * plan.reachesGoal).toFixed(1),
+  })
+  const moves = Object.entries(plan.policy)
     .map(([station, move]) => `${station} ${move}`)
     .join(', ')
-  const judged = `moves are by chance, so there is no sure way; the policy expects ${number(expectedReturn)} (at best ${number(bestReturn)}) and gets to the goal in ${(100 * reachesGoal).toFixed(1)} of 100 attempts`
-  if (notLearned === null) return `${judged}: ${moves}`
-  return `${judged}; not learned yet (${notLearned.reason} at ${notLearned.station})${moves === '' ? '' : `: ${moves}`}`
+  const sentence = notLearned === null ? judged : say('learned.planNotYet', { plan: judged, ...notLearned })
+  return notLearned !== null && moves === '' ? sentence : say('learned.planMoves', { plan: sentence, moves })
 }
+
+const numberSaid = (value: number | null) =>
+  value === null ? say('learned.noEnd') : Number(value.toPrecision(4)).toString()

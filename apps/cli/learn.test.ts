@@ -78,6 +78,12 @@ describe('botgarten learn q', () => {
     expect(often).toMatchObject({ bestWay: [3, 2, 1], learned: true, notLearned: null })
   })
 
+  it('is said in the language of the call, one move as one', async () => {
+    const args = ['learn', 'q', ...railway, '--nu', '0', '--time', '1', '--lang']
+    expect((await botgarten(...args, 'en')).stdout).toMatch(/^After 1 move in 0 episodes: no way yet /)
+    expect((await botgarten(...args, 'de')).stdout).toMatch(/^Nach 1 Zug in 0 Versuchen: noch kein Weg /)
+  })
+
   it('judges a policy by what it expects where moves are by chance: the slippery lake', async () => {
     const settings = ['--alpha', '1', '--alpha-decay', 'visits', '--rho', '1', '--nu', '.5', '--gamma', '.95']
     const call = ['--map', 'lake', ...settings, '--time', '300000']

@@ -12,7 +12,7 @@ import { numberIn, options, wholeNumberIn } from './options.ts'
 import { isOpenRoberta, readProjectFile } from './project-file.ts'
 import { findMap } from './maps.ts'
 import { withWeights } from './weights.ts'
-import { sayProblem } from './words.ts'
+import { say, sayProblem } from './words.ts'
 
 const known = {
   solution: { type: 'boolean' },
@@ -144,13 +144,15 @@ function assertionsOf(lab: Lab) {
 }
 
 function sentenceOf({ seconds, pose, checks, assertions, hash }: ReturnType<typeof reportOf>): string {
-  const place = `${pose.x.toFixed(1)} cm, ${pose.y.toFixed(1)} cm, heading ${pose.heading.toFixed(1)}°`
-  const results = checks.map(
-    ({ id, passed, at }) =>
-      `  ${passed ? 'passed' : 'not yet'}  ${id}${at === null ? '' : ` at ${at.toFixed(1)} s`}`,
+  const [x, y, heading] = [pose.x, pose.y, pose.heading].map((value) => value.toFixed(1))
+  const place = say('ran.place', { x: x!, y: y!, heading: heading! })
+  const results = checks.map(({ id, passed, at }) => {
+    if (!passed) return say('ran.open', { id })
+    return at === null ? say('ran.passed', { id }) : say('ran.passedAt', { id, at: at.toFixed(1) })
+  })
+  const wrong = assertions.failed.map(({ text, expected, got }) =>
+    say('ran.asserted', { text, expected, got }),
   )
-  const said = assertions.failed.map(
-    ({ text, expected, got }) => `  asserted wrongly  ${text}: expected ${expected}, got ${got}`,
-  )
-  return [`${seconds} s: the robot stands at ${place} (hash ${hash})`, ...results, ...said].join('\n')
+  const lines = [...results, ...wrong].map((line) => `  ${line}`)
+  return [say('ran.end', { seconds, place, hash }), ...lines].join('\n')
 }

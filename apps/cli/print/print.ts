@@ -8,7 +8,7 @@ import { openBrowser } from './browser.ts'
 import { openHouse } from './house.ts'
 import type { FoundItem } from './items.ts'
 import { known, orderOf, type Order } from './order.ts'
-import type { Language } from '../words.ts'
+import { say, type Language } from '../words.ts'
 
 interface Written {
   readonly file: string
@@ -29,16 +29,11 @@ async function printAll(args: string[], asked?: Language): Promise<string> {
   const lines = written.map(({ file, bytes }) => `${file}  ${Math.ceil(bytes / 1000)} kB`)
   return [
     ...lines,
-    ...(order.paper === 'a4' && order.items.some(isCard) ? [howToTurn[order.turn]] : []),
+    ...(order.paper === 'a4' && order.items.some(isCard) ? [say(`printed.turn-${order.turn}`)] : []),
   ].join('\n')
 }
 
 const isCard = ({ item }: FoundItem) => item.paper === 'a5'
-
-const howToTurn = {
-  short: 'Cards: print on both sides, turned over the short edge, at full size; then cut in the middle.',
-  long: 'Cards: print on both sides, turned over the long edge, at full size; then cut in the middle.',
-}
 
 async function printed(order: Order): Promise<Written[]> {
   const house = await openHouse()

@@ -23,25 +23,14 @@ export interface Table {
 export type TableProblem =
   'empty' | 'manyRows' | 'manyColumns' | 'unequalRows' | 'noNumber' | 'twoPoints' | 'tooBig' | 'spreadsheet'
 
-/** A file that is no table of numbers. `problem` and `facts` say it to whoever has words; `message` says it in English. */
+/** A file that is no table of numbers. `problem` and `facts` say it to whoever has words. */
 export class TableError extends Error {
   readonly problem: TableProblem
   readonly facts: { readonly [name: string]: string | number }
 
   constructor(problem: TableProblem, facts: TableError['facts']) {
-    super(sentences[problem].replace(/\{(\w+)\}/g, (_, name: string) => String(facts[name])))
+    super(`${problem} ${JSON.stringify(facts)}`)
     this.problem = problem
     this.facts = facts
   }
-}
-
-const sentences: { readonly [problem in TableProblem]: string } = {
-  empty: 'There are no numbers in it.',
-  manyRows: 'It has more than {most} rows.',
-  manyColumns: 'It has {columns} columns; {most} are the most.',
-  unequalRows: 'Row {row} has {cells} cells, the others have {columns}.',
-  noNumber: 'Row {row}, column {column}: "{cell}" is not a number.',
-  twoPoints: 'Row {row}, column {column}: "{cell}" has a point where other numbers have a comma.',
-  tooBig: 'Row {row}, column {column}: "{cell}" is too big to be compared; {most} is the most.',
-  spreadsheet: 'It is a file of a spreadsheet: save it there as CSV.',
 }
