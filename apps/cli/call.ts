@@ -1,6 +1,7 @@
-import { addBlocks } from '@botgarten/blocks'
+import { addBlocks, knowMaps } from '@botgarten/blocks'
 import { expert } from '@botgarten/blocks/packs/expert'
 import { learning } from '@botgarten/blocks/packs/learning'
+import { content } from '@botgarten/content/files'
 import { findCommand } from './commands.ts'
 import { CallError, FileError } from './errors.ts'
 import { helpOf, listOf } from './help.ts'
@@ -11,6 +12,7 @@ import { languageOfMachine, say, speak, type Language } from './words.ts'
 // No screen waits for a smaller first part here.
 addBlocks(expert)
 addBlocks(learning)
+knowMaps((id) => content.stations[id] ?? 0)
 
 async function answerTo(args: readonly string[]): Promise<string> {
   const { lang, rest: words } = languageIn(args)

@@ -10,7 +10,7 @@ export {
   type HiddenLayer,
 } from './parts/layers.ts'
 export { nearestOption, optionFor } from './parts/options.ts'
-export { mostEpisodes, mostMoves } from './parts/maps.ts'
+export { knowMaps, mostEpisodes, mostMoves } from './parts/maps.ts'
 export { filledRows, plugged, rowCount, rowName } from './parts/rows.ts'
 export { emptySorting } from './parts/empty-sorting.ts'
 export { nothing } from './parts/texts.ts'

@@ -50,6 +50,8 @@ export interface Worlds {
 
 export interface Maps {
   readonly maps: readonly string[]
+  /** How many stations each map has. */
+  readonly stations: { readonly [map: string]: number }
   /** The drawing of a map, as SVG. */
   readonly map: (id: string) => string | null
 }

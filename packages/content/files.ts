@@ -43,6 +43,13 @@ export function contentIn(root: string): ContentFiles {
   const items = itemsIn(folder)
   const maps = once(() => folder.foldersWith('maps/*/map.svg').map(idOf))
   const map = (id: string) => (maps().includes(id) ? folder.text('maps', id, 'map.svg') : null)
+  const mapFile = (id: string) => {
+    const svg = map(id)
+    return svg === null ? null : readMap(svg).map
+  }
+  const stations = once(() =>
+    Object.fromEntries(maps().map((id) => [id, mapFile(id)?.map.moves.length ?? 0])),
+  )
   const setFolders = once(() => folder.foldersWith('things/*/things.json'))
   const sets = once(() => setFolders().map((one) => named(one, readThings(folder.json(one, 'things.json')))))
 
@@ -69,6 +76,9 @@ export function contentIn(root: string): ContentFiles {
     get maps() {
       return maps()
     },
+    get stations() {
+      return stations()
+    },
     get sets() {
       return sets()
     },
@@ -78,7 +88,7 @@ export function contentIn(root: string): ContentFiles {
     get questions() {
       return items.questions()
     },
-    ...{ map, floorOf, path: folder.path, cardFolder: cards.folderOf },
+    ...{ map, mapFile, floorOf, path: folder.path, cardFolder: cards.folderOf },
     ...{ card: cards.card, program: cards.program, world: cards.world },
     pictureOfCard: cards.pictureOfCard,
     filesBelow: () =>
@@ -92,10 +102,6 @@ export function contentIn(root: string): ContentFiles {
         setFolders().find((one) => idOf(one) === set)!,
         `${thing}.svg`,
       ),
-    mapFile(id) {
-      const svg = map(id)
-      return svg === null ? null : readMap(svg).map
-    },
     alignment: () => readAlignment(folder.json('materials/alignment.json')),
     references: () => readReferences(folder.json('materials/references.json')),
   }

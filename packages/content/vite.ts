@@ -83,6 +83,7 @@ const modules: Parts = {
       const drawings = ${drawings.table}
       export default {
         maps: ${data(content.maps)},
+        stations: ${data(content.stations)},
         map: async (id) => (Object.hasOwn(drawings, id) ? (await fetch(drawings[id])).text() : null),
       }`
   },

@@ -1,18 +1,15 @@
-/** How many stations each map has; the drawings are in content/maps. */
-const stations = { MAP_RAILWAY: 6, MAP_FOREST: 10, MAP_CITY: 20, MAP_MARS: 9 } as const
+/** The maps that a block offers, as Open Roberta names them: `MAP_CITY` is the map `city`. */
+export const mapNames = ['MAP_MARS', 'MAP_RAILWAY', 'MAP_FOREST', 'MAP_CITY'] as const
 
-type MapName = keyof typeof stations
+let stationsOn: (map: string) => number = () => Infinity
 
-export const mapNames = [
-  'MAP_MARS',
-  'MAP_RAILWAY',
-  'MAP_FOREST',
-  'MAP_CITY',
-] as const satisfies readonly MapName[]
+/** How many stations a map has, 0 where it is not there: maps are content, which blocks do not know. Until then any station may be there. */
+export function knowMaps(stations: (map: string) => number): void {
+  stationsOn = stations
+}
 
-/** Stations of a map by the name in a block's field; 0 for a map that is not there. */
-export const stationsOf = (name: string): number =>
-  Object.hasOwn(stations, name) ? stations[name as MapName] : 0
+/** Stations of a map by the name in a block's field. */
+export const stationsOf = (name: string): number => stationsOn(name.replace(/^MAP_/, '').toLowerCase())
 
 /** What the fields of a learner take at most. */
 export const mostEpisodes = 100_000

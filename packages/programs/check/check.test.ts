@@ -1,5 +1,6 @@
 import { describe, expect, it } from 'vitest'
-import type { Template } from '@botgarten/blocks'
+import { addBlocks, knowMaps, type Template } from '@botgarten/blocks'
+import { learning } from '@botgarten/blocks/packs/learning'
 import { check } from '../index.ts'
 import {
   block,
@@ -286,5 +287,24 @@ describe('loops', () => {
 
   it('are looked into', () => {
     expect(problems(forever(forever(show(distance('4')))))).toEqual(['problem.noDistanceSensorEmpty'])
+  })
+})
+
+describe('a map to learn on', () => {
+  const map = (START: string, FINISH: string) =>
+    block('ai_q_learning_states_and_actions_map', { MAP: 'MAP_CITY', START, FINISH })
+
+  it('has the stations that its drawing has', () => {
+    addBlocks(learning)
+    expect(problems(map('0', '499'))).toEqual([])
+    knowMaps((id) => (id === 'city' ? 20 : 0))
+    expect(problems(map('0', '19'))).toEqual([])
+    const nowhere = { problem: 'problem.noSuchStation', facts: { last: 19 }, stops: true }
+    for (const row of [map('0', '20'), map('20', '0')]) expect(findings(row)).toMatchObject([nowhere])
+  })
+
+  it('asks for a way between two places', () => {
+    addBlocks(learning)
+    expect(problems(map('3', '3'))).toEqual(['problem.startIsGoal'])
   })
 })

@@ -1,8 +1,10 @@
+import maps from 'content:maps'
 import {
   addBlocks,
   definitions,
-  packOf,
+  knowMaps,
   optionFor,
+  packOf,
   type Block,
   type Definition,
   type FieldLook,
@@ -16,6 +18,9 @@ type Expert = Pick<typeof import('./expert/expert.ts'), 'expertShelf' | 'everyth
 
 /** Words of the blocks for deeper networks, for maps and groups. */
 const ofPacks = ['blocks-network', 'blocks-q-learning', 'blocks-sorting'] as const
+
+// Maps are content, which the language does not know.
+knowMaps((id) => maps.stations[id] ?? 0)
 
 let expert: Expert | null = null
 /** As it is before more is brought. */
