@@ -25,7 +25,7 @@ const sum = (OP: string, A: Template, B: Template): Template => ({
 
 interface Course {
   readonly name: string
-  /** Blocks that are carried out in one pass, the loop's turn included. */
+  /** Blocks that are executed in one pass, the loop's turn included. */
   readonly blocks: number
   readonly body: readonly Template[]
   /** The same in JavaScript, as Blockly's generator writes it. */

@@ -22,7 +22,7 @@ async function answerTo(args: readonly string[]): Promise<string> {
   const asksForHelp = rest.includes('--help') || rest.includes('-h')
   if (typeof found === 'function') {
     const command = await found()
-    return asksForHelp ? helpOf(path, command) : command.carryOut(rest, language)
+    return asksForHelp ? helpOf(path, command) : command.execute(rest, language)
   }
   if (asksForHelp) return listOf(path, found)
   const [name] = rest

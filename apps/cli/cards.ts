@@ -5,7 +5,7 @@ import { options, refuseMore } from './options.ts'
 const known = { json: { type: 'boolean' } } as const
 
 /** `botgarten cards [--json]`: every card, its start poses, checks and typical wrong answers. */
-export const cards: Command = { options: known, carryOut: listCards }
+export const cards: Command = { options: known, execute: listCards }
 
 function listCards(args: string[]): string {
   const { values, positionals } = options(args, known)

@@ -12,7 +12,7 @@ import type { Language } from './words.ts'
 export interface Command {
   readonly options: Options
   /** Gives what is printed on standard output. `language`: the one that the call asks for. @throws {CallError | FileError} */
-  carryOut(args: string[], language?: Language): string | Promise<string>
+  execute(args: string[], language?: Language): string | Promise<string>
 }
 
 export type Commands = { readonly [name: string]: (() => Command | Promise<Command>) | Commands }

@@ -12,7 +12,7 @@ import { say } from './words.ts'
 const known = { robot: { type: 'string' }, json: { type: 'boolean' } } as const
 
 /** `botgarten convert IN OUT`: a project or an Open Roberta file as the other of them, by the files' endings. */
-export const convert: Command = { options: known, carryOut: convertFile }
+export const convert: Command = { options: known, execute: convertFile }
 
 function convertFile(args: string[]): string {
   const { values, positionals } = options(args, known)

@@ -51,7 +51,7 @@ describe('botgarten learn kmeans', () => {
     )
   })
 
-  it('reads one column with decimal commas; where nothing tells, it says so, and takes the word of whoever calls', async () => {
+  it('reads one column with decimal commas; where nothing tells, it says so, and takes the word of the call', async () => {
     const centres = async (...args: string[]) =>
       ((await kMeans(...args, '--k', '1', '--json')).json() as unknown as { centres: number[][] }).centres
     expect(await centres('--data', file('Länge\n1,5\n2,5\n'))).toEqual([[2]])

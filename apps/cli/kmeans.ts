@@ -36,7 +36,7 @@ const limits = { rows: 1_000_000, columns: 100, largest: LARGEST }
 const distances: readonly Distance[] = ['euclidean', 'manhattan', 'cosine']
 
 /** `botgarten learn kmeans`: groups in a table of numbers. */
-export const kMeans: Command = { options: known, carryOut: findGroups }
+export const kMeans: Command = { options: known, execute: findGroups }
 
 function findGroups(args: string[]): string {
   const { values, positionals } = options(args, known)

@@ -28,7 +28,7 @@ const known = {
 type Values = ReturnType<typeof options<typeof known>>['values']
 
 /** `botgarten learn q …`: a way on a map, learned by trying. */
-export const q: Command = { options: known, carryOut: learnWay }
+export const q: Command = { options: known, execute: learnWay }
 
 function learnWay(args: string[]): string {
   const { values, positionals } = options(args, known)

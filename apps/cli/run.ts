@@ -35,7 +35,7 @@ interface Runnable {
 }
 
 /** `botgarten run FILE|CARD …`: a project or a card without a screen. */
-export const run: Command = { options: known, carryOut: runOnce }
+export const run: Command = { options: known, execute: runOnce }
 
 function runOnce(args: string[]): string {
   const { values, positionals } = options(args, known)

@@ -204,7 +204,7 @@ export interface NetMemory {
 
 // ---- how a block runs: data in, data out ----
 
-/** One block that is being carried out. `got`: values that its inputs have given so far. */
+/** One block that is being executed. `got`: values that its inputs have given so far. */
 export interface Frame {
   block: string
   stage: number
@@ -216,13 +216,13 @@ export interface Frame {
 
 /** What the interpreter does next. */
 export type Next =
-  /** Carry out the block in a value input; its value is added to `got`. `given` stands in the child's `got` at its start (copied). */
+  /** Execute the block in a value input; its value is added to `got`. `given` stands in the child's `got` at its start (copied). */
   | { readonly next: 'value'; readonly input: string; readonly given?: readonly Value[] }
-  /** Carry out the blocks in a statement input, then come back. */
+  /** Execute the blocks in a statement input, then come back. */
   | { readonly next: 'statements'; readonly input: string }
   /** This block is done; a value block hands up its value. `cost`: blocks of the tick's budget it took besides its own. */
   | { readonly next: 'done'; readonly value?: Value; readonly cost?: number }
-  /** Carry out a function of the program; what it gives is added to `got`. */
+  /** Execute a function of the program; what it gives is added to `got`. */
   | { readonly next: 'call'; readonly name: string; readonly args: readonly Value[] }
   /** Leave the function that runs. */
   | { readonly next: 'return'; readonly value?: Value }
@@ -327,7 +327,7 @@ export interface Look {
   readonly icon?: 'play' | 'network' | 'repeat' | 'map' | 'gear'
   readonly fields: readonly FieldLook[]
   readonly inputs: readonly InputLook[]
-  /** A list that grows: `items` rows `ADD0…`, each with its own minus, a plus at the foot (mutation `items`). */
+  /** A list that grows: `items` rows `ADD0…`, each with its own minus, a plus at its end (mutation `items`). */
   readonly items?: {
     readonly prefix: 'ADD'
     readonly min: number
@@ -386,7 +386,7 @@ export interface Face {
   readonly tint?: 'sensor' | 'actuator'
   readonly items?: {
     readonly accepts: readonly ValueType[]
-    /** Message key beside the plus at the foot. */
+    /** Message key beside the plus at the end. */
     readonly add: string
     /** What a new row comes with. */
     readonly fresh: Template
@@ -415,7 +415,7 @@ export interface Finding {
   readonly problem: string
   readonly facts?: Facts
   /**
-   * Ways out: setting a field of the block to a value mends it, with `plug` when such a sensor is plugged in there first.
+   * Ways out: setting a field of the block to a value fixes it, with `plug` when such a sensor is plugged in there first.
    * `words`: message key for the button, with its facts.
    */
   readonly fixes?: readonly {
@@ -447,7 +447,7 @@ export type Pack = 'core' | 'learning' | 'expert'
 
 export interface Definition {
   readonly type: string
-  /** The pack that brings the block. `npm run blocks` writes the packs' tables from this field. */
+  /** The pack that loads the block. `npm run blocks` writes the packs' tables from this field. */
   readonly pack: Pack
   /** Not in the toolbox: only `old` files hold it, or the `program` decides which ones there are (its variables, its functions). */
   readonly outsideToolbox?: 'old' | 'program'

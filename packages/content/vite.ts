@@ -158,7 +158,7 @@ function moduleFor(context: Rolldown.PluginContext, id: string) {
   return { code: modules[part]!(content, of), map: null, moduleType: 'js' as const }
 }
 
-/** While somebody writes a card, every page that shows content/ is read anew. */
+/** While somebody writes a card, every page that shows content/ is read again. */
 function refresh({ watcher, environments }: ViteDevServer) {
   watcher.add(root)
   watcher.on('all', (_, file) => {
@@ -184,7 +184,7 @@ async function pixelsModule(context: Rolldown.PluginContext, id: string) {
   return `export default import.meta.ROLLUP_FILE_URL_${name}`
 }
 
-/** The one plugin that brings content/ to a page. */
+/** The one plugin that serves content/ to a page. */
 export const contentPlugin: Plugin = {
   name: 'botgarten-content',
   enforce: 'pre',

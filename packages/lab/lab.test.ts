@@ -166,7 +166,7 @@ describe('a lab', () => {
     expect(whole.hash()).toBe(stepped.hash())
   })
 
-  it('rule 9: blocks that are edited while it runs begin anew where the robot stands', () => {
+  it('rule 9: blocks that are edited while it runs begin again where the robot stands', () => {
     const lab = labWith(program(forever(drive('a', 50, 1))))
     lab.start()
     lab.advance(120)

@@ -25,7 +25,7 @@ const main = program(
 )
 
 describe('a stop', () => {
-  it('pauses before its block is carried out, every time it is reached, and going on goes past it', () => {
+  it('pauses before its block is executed, every time it is reached, and going on goes past it', () => {
     const lab = labWith(main)
     lab.setStops(['left'])
     lab.start()

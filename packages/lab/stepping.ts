@@ -11,7 +11,7 @@ export interface Walk {
   tick(): void
 }
 
-/** Ids of the blocks at which a run stops before they are carried out. */
+/** Ids of the blocks at which a run stops before they are executed. */
 export type Stops = ReadonlySet<string>
 
 /** Each program's next block, inside this tick. */

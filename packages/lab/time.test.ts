@@ -1,7 +1,7 @@
 import fc from 'fast-check'
 import { describe, expect, it } from 'vitest'
 import type { Lab } from './index.ts'
-import { afresh, begin, carryOut, until, type Act, type Course } from './testing/course.ts'
+import { afresh, begin, execute, until, type Act, type Course } from './testing/course.ts'
 import { drive, forever, labWith, net, program, turn } from './testing/scene.ts'
 
 const minute = 3600
@@ -101,7 +101,7 @@ describe('rule 9: the timeline', () => {
   it.each([
     ['Start', (lab: Lab) => lab.start()],
     ['edited blocks', (lab: Lab) => lab.edit({ main: program(drive('a', 50, 1)) })],
-    ['a world built anew', (lab: Lab) => lab.rebuild(lab.document())],
+    ['a world built again', (lab: Lab) => lab.rebuild(lab.document())],
   ])('%s: ends the other future', (_, end) => {
     const lab = running()
     lab.advance(100)
@@ -255,7 +255,7 @@ describe('rules 2, 8, 9: any moment is the moment that was', () => {
         let course: Course = []
         let other: Course | null = null
         for (const { acts, jump: to } of chapters) {
-          for (const one of acts) course = [...course, carryOut(lab, one)]
+          for (const one of acts) course = [...course, execute(lab, one)]
           const end = lab.view().tick
           const tick = Math.floor(end * to.back)
           lab.goTo(tick)

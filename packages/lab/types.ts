@@ -135,10 +135,10 @@ export interface Lab {
     floor: Floor,
     options: { readonly seed: number; readonly checks: readonly Check[] },
   ): void
-  /** Blocks were edited: brains follow them. While it runs, programs begin anew where the robots stand (running.md 9). */
+  /** Blocks were edited: brains follow them. While it runs, programs begin again where the robots stand (running.md 9). */
   edit(programs: Document['programs']): void
   /**
-   * Takes another document up without beginning anew: what is in both goes on from where it stands, what is new or has
+   * Takes another document up without beginning again: what is in both goes on from where it stands, what is new or has
    * another start pose stands there (or at the nearest free place). The way back in time ends here.
    * `stood`: where things stood when a step was done that is taken back: there they stand again, their start is as before.
    */

@@ -10,8 +10,8 @@ const mapNamed = (id: string): MapFile => content.mapFile(id)!
 
 const start: Template = { type: 'robControls_start', mutation: { attrs: { declare: 'false' } } }
 addBlocks(blocks, learningToolbox)
-const shelf = toolbox.find(({ category }) => category === 'q-learning')!.blocks
-const byType = (type: string) => shelf.find((template) => template.type === type)!
+const templates = toolbox.find(({ category }) => category === 'q-learning')!.blocks
+const byType = (type: string) => templates.find((template) => template.type === type)!
 
 function documentOf(...rows: readonly Template[]) {
   let next = 0
@@ -34,7 +34,7 @@ function documentOf(...rows: readonly Template[]) {
 }
 
 const learning = ['states_and_actions_map', 'config', 'rule', 'draw', 'drive'].map((part) =>
-  shelf.find(({ type }) => type.includes(part))!,
+  templates.find(({ type }) => type.includes(part))!,
 )
 
 function run(document: ReturnType<typeof documentOf>, seconds: number): Pose {

@@ -61,7 +61,7 @@ test.each(Object.entries(graphs))('%s is drawn on its true graph', (id, edges) =
   expect(edgesOf(mapOf(id)).join(' ')).toBe(edges)
 })
 
-test('the roundabout pays for walking in circles, and a step cost mends it', () => {
+test('the roundabout pays for walking in circles, and a step cost fixes it', () => {
   const { map, start, goal } = mapOf('roundabout')
   const way = (stepCost: number) => {
     const world = layOutWorld({ map, start: start!, goal: goal!, stepCost })

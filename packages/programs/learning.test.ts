@@ -5,8 +5,8 @@ import { learningIn, ownText } from './index.ts'
 import type { Program } from './types.ts'
 
 addBlocks(learning, learningToolbox)
-const shelf = toolbox.find(({ category }) => category === 'q-learning')!.blocks
-const from = (part: string) => shelf.find(({ type }) => type.includes(part))!
+const templates = toolbox.find(({ category }) => category === 'q-learning')!.blocks
+const from = (part: string) => templates.find(({ type }) => type.includes(part))!
 const start: Template = { type: 'robControls_start' }
 
 function programOf(...stacks: readonly (readonly Template[])[]): Program {

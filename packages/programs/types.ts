@@ -50,7 +50,7 @@ export interface Thread {
   /** Seconds of the tick that is over for this thread; running it again in that tick does nothing. */
   overAt: number
   ended: boolean
-  /** Variables by name: first those of the program, then of each function that is being carried out. */
+  /** Variables by name: first those of the program, then of each function that is being executed. */
   scopes: Scope[]
   /** The stream of the program's random numbers. */
   random: StreamState
@@ -204,7 +204,7 @@ export interface Project {
   readonly sorting?: { readonly [part: string]: unknown }
   readonly assets: { readonly [sha256: string]: { readonly type: 'image/png'; readonly base64: string } }
   readonly progress?: Progress
-  /** The shelf of blocks that its child has chosen. */
+  /** The toolbox that its child has chosen. */
   readonly shelf?: 'plain' | 'all'
 }
 

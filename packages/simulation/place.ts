@@ -14,24 +14,24 @@ const CLOSE_UP = 20
 const SPREAD = 1.05
 
 /**
- * Puts a robot or an obstacle down: on the floor, and where it overlaps nothing, as near as can be to the wish (rings
+ * Puts a robot or an obstacle down: on the floor, and where it overlaps nothing, as near as can be to the target (rings
  * half a centimetre apart, beyond 20 cm ever farther; in a ring the first place counter-clockwise from the right). A fixed obstacle may overlap other
  * fixed ones. Where there is no free place at all it stays where it was. Unknown ids change nothing.
  */
-export function placeByHand(scene: Scene, id: string, wish: Pose): Pose {
+export function placeByHand(scene: Scene, id: string, target: Pose): Pose {
   const { world, state } = scene
   const robot = world.robots.findIndex((placement) => placement.id === id)
   const obstacle = state.obstacles.findIndex((thing) => thing.id === id)
   const body = robot >= 0 ? robot : world.robots.length + obstacle
   const thing = state.robots[robot] ?? state.obstacles[obstacle]
-  if (!thing || !isFinitePose(wish)) return wish
-  const heading = radiansOf(wish.heading)
-  const free = nearestFree(scene, body, wish.x, wish.y, heading)
+  if (!thing || !isFinitePose(target)) return target
+  const heading = radiansOf(target.heading)
+  const free = nearestFree(scene, body, target.x, target.y, heading)
   if (free) Object.assign(thing, free, { heading })
   Object.assign(thing, obstacle >= 0 ? { vx: 0, vy: 0, spin: 0 } : { spin: 0 })
   letGo(scene, id)
   takeUpState(scene)
-  return { x: thing.x, y: thing.y, heading: free ? wish.heading : degreesOf(thing.heading) }
+  return { x: thing.x, y: thing.y, heading: free ? target.heading : degreesOf(thing.heading) }
 }
 
 /**

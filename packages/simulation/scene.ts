@@ -63,7 +63,7 @@ export function createScene(world: World, seed: number): Scene {
   return scene
 }
 
-/** Everything that is worked out from the state, anew. */
+/** Everything that is worked out from the state, again. */
 export function takeUpState(scene: Scene): void {
   const { state, places, ground } = scene
   scene.physics = null

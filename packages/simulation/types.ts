@@ -69,7 +69,7 @@ export interface SensorPlace {
 /** What is plugged in at a motor port. Only large motors drive wheels. */
 export interface MotorPlug {
   readonly kind: 'large' | 'medium' | 'other'
-  /** Turns the other way. Of the left wheel's motor: whoever drives, turns or curves goes the other way. */
+  /** Turns the other way. Of the left wheel's motor: what drives, turns or curves goes the other way. */
   readonly reversed?: true
   /** Says nothing here; a real motor without it is slower under load. */
   readonly unregulated?: true

@@ -5,7 +5,7 @@ import type { Command } from '../commands.ts'
 import { causeOf, FileError } from '../errors.ts'
 import { write } from '../files.ts'
 import { openBrowser } from './browser.ts'
-import { openHouse } from './house.ts'
+import { startServer } from './server.ts'
 import type { FoundItem } from './items.ts'
 import { known, orderOf, type Order } from './order.ts'
 import { say, type Language } from '../words.ts'
@@ -16,10 +16,10 @@ interface Written {
 }
 
 /** A page that takes longer than this has gone wrong. */
-const patience = 60_000
+const timeout = 60_000
 
 /** `botgarten print ITEM…|all …`: materials as PDF, by the very pages that the lab prints. */
-export const print: Command = { options: known, carryOut: printAll }
+export const print: Command = { options: known, execute: printAll }
 
 async function printAll(args: string[], asked?: Language): Promise<string> {
   const order = orderOf(args, asked)
@@ -36,14 +36,14 @@ async function printAll(args: string[], asked?: Language): Promise<string> {
 const isCard = ({ item }: FoundItem) => item.paper === 'a5'
 
 async function printed(order: Order): Promise<Written[]> {
-  const house = await openHouse()
+  const server = await startServer()
   try {
     const browser = await openBrowser()
     try {
       const written: Written[] = []
       for (const language of order.languages) {
         const context = await browser.newContext({
-          baseURL: house.url,
+          baseURL: server.url,
           // Dates as in Europe.
           locale: language === 'en' ? 'en-GB' : language,
           serviceWorkers: 'block',
@@ -55,7 +55,7 @@ async function printed(order: Order): Promise<Written[]> {
       await browser.close()
     }
   } finally {
-    house.close()
+    server.close()
   }
 }
 
@@ -82,7 +82,7 @@ async function pdfOf(page: Page, { item }: FoundItem, { paper, turn, address }: 
   page.on('pageerror', hear)
   try {
     await page.goto(`/materials/${item.kind}/${item.id}?${wishes.toString()}`)
-    await page.locator('html[data-print=ready]').waitFor({ state: 'attached', timeout: patience })
+    await page.locator('html[data-print=ready]').waitFor({ state: 'attached', timeout })
     return await page.pdf({ preferCSSPageSize: true, printBackground: true, tagged: true, outline: true })
   } catch (error) {
     const said = troubles[0] ?? (error as Error).message

@@ -10,7 +10,7 @@ import { handOut, shardIn, tableOptions, tell } from './table.ts'
 const known = { ...taskOptions, ...listOptions, ...tableOptions } as const
 
 /** `botgarten learn q-sweep …`: all combinations of the given lists, many runs each, on all cores. */
-export const sweep: Command = { options: known, carryOut: sweepAll }
+export const sweep: Command = { options: known, execute: sweepAll }
 
 async function sweepAll(args: string[]): Promise<string> {
   const { values, positionals } = options(args, known)

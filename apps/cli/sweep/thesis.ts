@@ -9,7 +9,7 @@ import { handOut, shardIn, tableOptions, tell } from './table.ts'
 const known = { ...tableOptions, seed: { type: 'string' } } as const
 
 /** `botgarten learn q-thesis …`: 225 settings, 50 runs each, on three maps, by the study rules. */
-export const thesis: Command = { options: known, carryOut: sweepThesis }
+export const thesis: Command = { options: known, execute: sweepThesis }
 
 async function sweepThesis(args: string[]): Promise<string> {
   const { values, positionals } = options(args, known)

@@ -1,13 +1,13 @@
 import { number, show, start } from '../parts/examples.ts'
 import { field } from '../parts/fields.ts'
 import { rows, statements, words } from '../parts/looks.ts'
-import { again, carryOut, done, fail } from '../parts/next.ts'
+import { again, execute, done, fail } from '../parts/next.ts'
 import { numberIn } from '../parts/numbers.ts'
 import type { Definition } from '../types.ts'
 
 const type = 'controls_repeat'
 
-const body = carryOut('DO')
+const body = execute('DO')
 
 /** An old block: field TIMES instead of an input. */
 export const controls_repeat: Definition = {

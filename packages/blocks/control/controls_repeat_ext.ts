@@ -1,12 +1,12 @@
 import { number, show, start } from '../parts/examples.ts'
 import { rows, statements, value, words } from '../parts/looks.ts'
-import { again, ask, carryOut, done } from '../parts/next.ts'
+import { again, ask, execute, done } from '../parts/next.ts'
 import { numberAt } from '../parts/numbers.ts'
 import type { Definition } from '../types.ts'
 
 const type = 'controls_repeat_ext'
 const times = ask('TIMES')
-const body = carryOut('DO')
+const body = execute('DO')
 
 export const controls_repeat_ext: Definition = {
   type,

@@ -1,13 +1,13 @@
 import { number, show, start } from '../parts/examples.ts'
 import { field } from '../parts/fields.ts'
 import { choice, rows, statements, value, worded, words } from '../parts/looks.ts'
-import { again, ask, carryOut, done } from '../parts/next.ts'
+import { again, ask, execute, done } from '../parts/next.ts'
 import type { Definition } from '../types.ts'
 
 const type = 'controls_whileUntil'
 
 const condition = ask('BOOL')
-const body = carryOut('DO')
+const body = execute('DO')
 
 /** MODE WHILE: as long as BOOL is true · UNTIL: as long as it is not. Asked before every pass. */
 export const controls_whileUntil: Definition = {

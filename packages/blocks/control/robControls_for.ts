@@ -1,7 +1,7 @@
 import { number, show, start } from '../parts/examples.ts'
 import { field } from '../parts/fields.ts'
 import { rows, statements, value, words } from '../parts/looks.ts'
-import { again, ask, carryOut, done, fail } from '../parts/next.ts'
+import { again, ask, execute, done, fail } from '../parts/next.ts'
 import { numberAt } from '../parts/numbers.ts'
 import { makeName, variable } from '../parts/variables.ts'
 import type { Context, Definition, Frame, Next } from '../types.ts'
@@ -11,7 +11,7 @@ const type = 'robControls_for'
 const from = ask('FROM')
 const to = ask('TO')
 const by = ask('BY')
-const body = carryOut('DO')
+const body = execute('DO')
 
 function goTo(frame: Frame, stage: number, next: Next): Next {
   frame.stage = stage

@@ -4,14 +4,14 @@ import { field } from '../parts/fields.ts'
 import { plainKindField, typedBy } from '../parts/kinds.ts'
 import { listAt } from '../parts/lists.ts'
 import { rows, statements, words } from '../parts/looks.ts'
-import { again, ask, carryOut, done } from '../parts/next.ts'
+import { again, ask, execute, done } from '../parts/next.ts'
 import { makeName, variable } from '../parts/variables.ts'
 import type { Definition } from '../types.ts'
 
 const type = 'robControls_forEach'
 
 const list = ask('LIST')
-const body = carryOut('DO')
+const body = execute('DO')
 
 /** VAR (of type TYPE) is each entry of LIST in turn; the list may change meanwhile. */
 export const robControls_forEach: Definition = {

@@ -1,7 +1,7 @@
 import { number, show, start } from '../parts/examples.ts'
 import { decide } from '../parts/decisions.ts'
 import { rows, statements, value, words } from '../parts/looks.ts'
-import { carryOut } from '../parts/next.ts'
+import { execute } from '../parts/next.ts'
 import type { Definition } from '../types.ts'
 
 const type = 'robControls_ifElse'
@@ -20,7 +20,7 @@ export const robControls_ifElse: Definition = {
   },
   words: words(type),
   acts: false,
-  run: decide(carryOut('ELSE')),
+  run: decide(execute('ELSE')),
   example: [
     start,
     {

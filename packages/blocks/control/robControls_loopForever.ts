@@ -1,10 +1,10 @@
 import { forever, number, show, start } from '../parts/examples.ts'
 import { rows, statements, words } from '../parts/looks.ts'
-import { again, carryOut } from '../parts/next.ts'
+import { again, execute } from '../parts/next.ts'
 import type { Definition } from '../types.ts'
 
 const type = 'robControls_loopForever'
-const body = carryOut('DO')
+const body = execute('DO')
 
 export const robControls_loopForever: Definition = {
   type,

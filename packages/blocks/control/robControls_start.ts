@@ -1,10 +1,10 @@
 import { number, show, start } from '../parts/examples.ts'
 import { hidden, rows, words } from '../parts/looks.ts'
-import { carryOut, done } from '../parts/next.ts'
+import { execute, done } from '../parts/next.ts'
 import type { Definition } from '../types.ts'
 
 const type = 'robControls_start'
-const variables = carryOut('ST')
+const variables = execute('ST')
 
 export const robControls_start: Definition = {
   type,

@@ -1,13 +1,13 @@
 import { sayIt, saying } from '../parts/function-examples.ts'
 import { start } from '../parts/examples.ts'
 import { rows, statements, words } from '../parts/looks.ts'
-import { carryOut, done } from '../parts/next.ts'
+import { execute, done } from '../parts/next.ts'
 import { makeName } from '../parts/variables.ts'
 import type { Definition } from '../types.ts'
 
 const type = 'robProcedures_defnoreturn'
 
-const body = carryOut('STACK')
+const body = execute('STACK')
 
 /** A function: parameters in ST (mutation `declare` true), body in STACK. */
 export const robProcedures_defnoreturn: Definition = {

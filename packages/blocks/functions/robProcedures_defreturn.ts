@@ -2,13 +2,13 @@ import { doubled, showTwice } from '../parts/function-examples.ts'
 import { start } from '../parts/examples.ts'
 import { kindField, typedBy } from '../parts/kinds.ts'
 import { rows, statements, words } from '../parts/looks.ts'
-import { ask, carryOut, give } from '../parts/next.ts'
+import { ask, execute, give } from '../parts/next.ts'
 import { makeName } from '../parts/variables.ts'
 import type { Definition } from '../types.ts'
 
 const type = 'robProcedures_defreturn'
 
-const body = carryOut('STACK')
+const body = execute('STACK')
 const result = ask('RETURN')
 
 /** A function with a result: parameters in ST, body in STACK, result RETURN. Mutation `return_type` as TYPE. */

@@ -1,7 +1,7 @@
 import { distanceNeuron, motorNeuron, netProgram } from '../parts/examples.ts'
 import { rows, words } from '../parts/looks.ts'
 import { ask, done } from '../parts/next.ts'
-import { carryOutOrders } from '../parts/orders.ts'
+import { executeOrders } from '../parts/orders.ts'
 import { inputListOf } from '../parts/layers.ts'
 import { filledRows, plugged } from '../parts/rows.ts'
 import type { Block, Definition, Frame, InputLook, Next, Value } from '../types.ts'
@@ -55,7 +55,7 @@ export const ai_neural_network: Definition = {
       frame.stage = 2
       return askOutputs(context.think(block.id, lastList(frame) as readonly number[]))
     }
-    carryOutOrders(lastList(frame), context.robot)
+    executeOrders(lastList(frame), context.robot)
     return done
   },
   example: netProgram([distanceNeuron('2'), distanceNeuron('3')], [motorNeuron('C'), motorNeuron('B')]),

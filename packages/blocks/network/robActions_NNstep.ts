@@ -1,12 +1,12 @@
 import { netStart } from '../parts/net-examples.ts'
 import { rows, statements, words } from '../parts/looks.ts'
 import { runNet } from '../parts/nets.ts'
-import { carryOut, done, fail } from '../parts/next.ts'
+import { execute, done, fail } from '../parts/next.ts'
 import type { Definition } from '../types.ts'
 
 const type = 'robActions_NNstep'
 
-const neurons = carryOut('IONEURON')
+const neurons = execute('IONEURON')
 
 /** One run of the network that the start block carries (field `data`). Old files: it carries it itself, with neurons in IONEURON (see semantics.md). */
 export const robActions_NNstep: Definition = {

@@ -1,20 +1,20 @@
 import type { Definition, Next } from '../types.ts'
-import { ask, carryOut, done } from './next.ts'
+import { ask, execute, done } from './next.ts'
 
 interface Way {
   readonly ask: Next
-  readonly carryOut: Next
+  readonly execute: Next
 }
 
 const ways: Way[] = []
 
 function wayAt(k: number): Way {
-  while (ways.length <= k) ways.push({ ask: ask(`IF${ways.length}`), carryOut: carryOut(`DO${ways.length}`) })
-  return ways[k] ?? { ask: done, carryOut: done }
+  while (ways.length <= k) ways.push({ ask: ask(`IF${ways.length}`), execute: execute(`DO${ways.length}`) })
+  return ways[k] ?? { ask: done, execute: done }
 }
 
 /**
- * Asks its conditions (mutation `elseif`: how many more than one) until one is true, carries out that way, and is done.
+ * Asks its conditions (mutation `elseif`: how many more than one) until one is true, executes that way, and is done.
  * `otherwise`: what happens when none is true.
  */
 export const decide =
@@ -28,5 +28,5 @@ export const decide =
       return wayAt(asked).ask
     }
     frame.stage = -1
-    return holds ? wayAt(asked - 1).carryOut : otherwise
+    return holds ? wayAt(asked - 1).execute : otherwise
   }

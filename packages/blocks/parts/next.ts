@@ -9,7 +9,7 @@ export const wait: Next = Object.freeze({ next: 'wait' })
 export const give = (value: Value): Next => ({ next: 'done', value })
 
 export const ask = (input: string): Next => Object.freeze({ next: 'value', input })
-export const carryOut = (input: string): Next => Object.freeze({ next: 'statements', input })
+export const execute = (input: string): Next => Object.freeze({ next: 'statements', input })
 
 /** `name`: the problem's name in the section `problem` of the words. */
 export const fail = (name: string, facts?: Facts): Next => ({

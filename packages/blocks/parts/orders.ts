@@ -40,7 +40,7 @@ function show(values: readonly Value[], robot: Robot) {
 }
 
 /** What the output neurons want, together: all motors and words, of lamps and tones one each. */
-export function carryOutOrders(values: readonly Value[], robot: Robot): void {
+export function executeOrders(values: readonly Value[], robot: Robot): void {
   drive(values, robot)
   show(values, robot)
   if (has('led', values)) robot.led(highest('led', values)?.colour ?? null)

@@ -2,29 +2,28 @@ import type { BlockType } from '../packs/packs.ts'
 import type { Definition, Next, Pack } from '../types.ts'
 import { number, show, start } from './examples.ts'
 import { rows, statements, value, words } from './looks.ts'
-import { ask, carryOut, done, wait } from './next.ts'
+import { ask, execute, done, wait } from './next.ts'
 
 interface Way {
   readonly ask: Next
-  readonly carryOut: Next
+  readonly execute: Next
 }
 
 const ways: Way[] = []
 
 function wayAt(k: number): Way {
-  while (ways.length <= k)
-    ways.push({ ask: ask(`WAIT${ways.length}`), carryOut: carryOut(`DO${ways.length}`) })
-  return ways[k] ?? { ask: done, carryOut: done }
+  while (ways.length <= k) ways.push({ ask: ask(`WAIT${ways.length}`), execute: execute(`DO${ways.length}`) })
+  return ways[k] ?? { ask: done, execute: done }
 }
 
-/** Asks its conditions from the first on in every tick, until one is true; carries out what belongs to it. */
+/** Asks its conditions from the first on in every tick, until one is true; executes what belongs to it. */
 const waitFor: Definition['run'] = (block, frame) => {
   if (frame.counter === 1) return done
   const count = 1 + (Number(block.mutation?.attrs.wait) || 0)
   const asked = frame.stage
   if (asked > 0 && frame.got[asked - 1] === true) {
     frame.counter = 1
-    return wayAt(asked - 1).carryOut
+    return wayAt(asked - 1).execute
   }
   if (asked < count) {
     frame.stage++
@@ -35,7 +34,7 @@ const waitFor: Definition['run'] = (block, frame) => {
   return wait
 }
 
-/** Waits until one of WAIT0, WAIT1, … is true (mutation `wait`: how many more than one), then carries out its DO. */
+/** Waits until one of WAIT0, WAIT1, … is true (mutation `wait`: how many more than one), then executes its DO. */
 export const waitingBlock = (type: BlockType, pack: Pack): Definition => ({
   type,
   pack,

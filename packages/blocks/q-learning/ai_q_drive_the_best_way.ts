@@ -1,10 +1,10 @@
 import { learningProgram } from '../parts/learning-examples.ts'
 import { rows, statements, words } from '../parts/looks.ts'
-import { carryOut, done } from '../parts/next.ts'
+import { execute, done } from '../parts/next.ts'
 import type { Definition } from '../types.ts'
 
 const type = 'ai_q_drive_the_best_way'
-const body = carryOut('DO')
+const body = execute('DO')
 
 /** A frame for what follows the drawn way: a line follower, as it comes from the toolbox. */
 export const ai_q_drive_the_best_way: Definition = {

@@ -20,7 +20,7 @@ export type Feature =
   /** Things with the same option are alike, all others equally unlike. */
   | { readonly id: string; readonly kind: 'choice'; readonly options: readonly string[] }
 
-/** A number of each thing, and how it is brought to the plane's scale of 0 to 10. */
+/** A number of each thing, and how it is scaled to the plane's of 0 to 10. */
 export interface Column {
   readonly feature: string
   /** `red`, `green`, `blue` of a colour; the option of a choice; '' where the feature is one number. */

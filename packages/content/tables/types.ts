@@ -23,7 +23,7 @@ export interface Table {
 export type TableProblem =
   'empty' | 'manyRows' | 'manyColumns' | 'unequalRows' | 'noNumber' | 'twoPoints' | 'tooBig' | 'spreadsheet'
 
-/** A file that is no table of numbers. `problem` and `facts` say it to whoever has words. */
+/** A file that is no table of numbers. `problem` and `facts` say it to who has words. */
 export class TableError extends Error {
   readonly problem: TableProblem
   readonly facts: { readonly [name: string]: string | number }

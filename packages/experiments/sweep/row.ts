@@ -48,7 +48,7 @@ export interface Row extends Setting {
   readonly bestReturn?: number | null
 }
 
-/** Carries out all runs of one setting: the same numbers in whatever thread, order or shard. */
+/** Executes all runs of one setting: the same numbers in whatever thread, order or shard. */
 export function rowOf(job: Job, setting: Setting): Row {
   const world = layOutWorld(job.task)
   const settings = learnerSettings(setting, job)

@@ -26,7 +26,7 @@ export function begin(main: Program, robots: number): Lab {
 }
 
 /** Does an act in the present. */
-export function carryOut(lab: Lab, act: Act): Done {
+export function execute(lab: Lab, act: Act): Done {
   const from = lab.view().tick
   if (act.act === 'advance') {
     lab.resume()
@@ -50,6 +50,6 @@ export const until = (course: Course, tick: number): Course =>
 /** A lab that has done nothing but this, and never went back. */
 export function afresh(main: Program, robots: number, course: Course): Lab {
   const lab = begin(main, robots)
-  for (const { act } of course) carryOut(lab, act)
+  for (const { act } of course) execute(lab, act)
   return lab
 }

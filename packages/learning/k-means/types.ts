@@ -13,7 +13,7 @@ export interface KState {
   readonly distance: Distance
   /** By group: its centre, a number a feature. */
   readonly centres: readonly (readonly number[])[]
-  /** Where they were when this round began: whoever moves first must not change where the next one goes. */
+  /** Where they were when this round began: the first to move must not change where the next one goes. */
   readonly before: readonly (readonly number[])[]
   /** By point: its group; −1: none yet. */
   readonly labels: readonly number[]

@@ -24,7 +24,7 @@ export function knowCurves(curves: Curves): void {
   softmax = curves.softmax
 }
 
-/** A layer's sums become its outputs, in place. @throws TypeError for an activation that was not brought. */
+/** A layer's sums become its outputs, in place. @throws TypeError for an activation that is not loaded. */
 export function activate(neurons: readonly Neuron[], sums: number[]): void {
   let shared = false
   for (let k = 0; k < neurons.length; k++) {

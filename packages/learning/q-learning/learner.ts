@@ -29,7 +29,7 @@ export interface QLearner {
   readonly last: Last
 }
 
-/** Written anew by every move, so that no move allocates. `move` −1: no road led away. */
+/** Written again by every move, so that no move allocates. `move` −1: no road led away. */
 interface Last {
   readonly draws: Float64Array
   from: number

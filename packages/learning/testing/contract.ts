@@ -9,7 +9,7 @@ const exempt: { readonly [folder: string]: string } = {
   'neural-network': 'It computes and explains, and learns nothing yet: it joins when it trains.',
 }
 
-/** A short run that every learner brings, so that what holds for all of them can be tried on it. */
+/** A short run that every learner has, so that what holds for all of them can be tried on it. */
 export interface Example {
   readonly parameters: object
   readonly data: unknown

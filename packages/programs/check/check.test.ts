@@ -93,7 +93,7 @@ describe('a sensor at the wrong port', () => {
     expect(check(program, { sensors: { ...sockets.sensors, 4: { kind } } })).toEqual([])
   })
 
-  it('a fix mends it', () => {
+  it('a fix fixes it', () => {
     expect(findings(net([seen('1')], [motor]))).toEqual([])
     expect(problems(show(distance('1')))).toEqual(['problem.noDistanceSensorHere'])
     expect(problems(show(distance('2')))).toEqual([])

@@ -17,7 +17,7 @@ export type Unsaid = 'severalNetworks' | 'curved' | 'tone' | 'noStart'
 
 /**
  * The program with its network as today's Open Roberta has it: the weights in the start block's data, and around
- * `robActions_NNstep` blocks that set the inputs and carry out the outputs (semantics.md, rules 15 and 38); or why that
+ * `robActions_NNstep` blocks that set the inputs and execute the outputs (semantics.md, rules 15 and 38); or why that
  * cannot be. `set`: the robot's weights, by name.
  */
 export function inSteps(program: Program, brains: Project['brains'], set = ''): Program | Unsaid {

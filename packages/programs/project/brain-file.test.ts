@@ -101,7 +101,7 @@ describe('a brain as a file', () => {
   })
 })
 
-describe('a name on the shelf', () => {
+describe('a name among saved brains', () => {
   it('is there once, not too long, and never empty', () => {
     expect(shelfName('  shy   Bo ', [], 'Brain')).toBe('shy Bo')
     expect(shelfName('', ['Brain'], 'Brain')).toBe('Brain 2')

@@ -88,7 +88,7 @@ function dataIn(text: string): unknown {
   try {
     data = JSON.parse(text)
   } catch {
-    // JSON knows no such number; whoever writes one means one.
+    // JSON knows no such number; who writes one means one.
     const odd = /[:,[]\s*-?(NaN|Infinity)\b/.test(text) && /"brain"/.test(text)
     throw new BrainError(odd ? 'notANumber' : 'notJson')
   }
@@ -109,7 +109,7 @@ function refuseShape(data: unknown): void {
   if (count > mostNeurons) throw new BrainError('tooManyNeurons', { count, most: mostNeurons })
 }
 
-/** A name that can stand on a shelf. */
+/** A name that a saved brain can have. */
 export function shelfName(name: string, taken: readonly string[], fallback: string): string {
   const plain = freeOfSpace(name).slice(0, longestName).trim() || fallback
   const base = isReserved(plain) ? fallback : plain

@@ -13,7 +13,7 @@ export interface Salvaged {
 type Part = { [key: string]: unknown } | unknown[]
 const isPart = (value: unknown): value is Part => typeof value === 'object' && value !== null
 
-/** So often the schema is asked; one round mends whatever it names. */
+/** So often the schema is asked; one round fixes all that it names. */
 const mostRounds = 40
 
 /**
@@ -23,29 +23,29 @@ const mostRounds = 40
  */
 export function salvageProject(data: unknown, fallback: Project): Salvaged | null {
   if (!isPart(data) || Array.isArray(data) || data['botgarten'] !== 1) return null
-  const mender = new Mender()
-  const draft = mender.copy(data)
+  const fixer = new Fixer()
+  const draft = fixer.copy(data)
   if (!draft) return null
   const { botgarten, programs, world } = fallback
   for (let round = 0; round < mostRounds; round += 1) {
     if (isPart(draft['programs']) && Object.keys(draft['programs']).length === 0) delete draft['programs']
-    mender.fill(draft, { botgarten, name: '', programs, world, brains: {}, assets: {} })
-    mender.fill(draft['world'], {
+    fixer.fill(draft, { botgarten, name: '', programs, world, brains: {}, assets: {} })
+    fixer.fill(draft['world'], {
       ...world,
       floor: { colour: '#FFFFFF' },
       areas: [],
       lines: [],
       obstacles: [],
     })
-    mender.separate(draft)
+    fixer.separate(draft)
     const result = v.safeParse(projectSchema, draft)
-    if (result.success) return { project: result.output, lost: mender.lost }
-    mender.mend(draft, result.issues)
+    if (result.success) return { project: result.output, lost: fixer.lost }
+    fixer.fix(draft, result.issues)
   }
   return null
 }
 
-class Mender {
+class Fixer {
   lost = false
 
   /** Plain data alone, no deeper and no larger than a project may be. Pictures go first where it is too large. */
@@ -156,7 +156,7 @@ class Mender {
   }
 
   /** Cuts what is too long, and takes out of the draft what the schema names, or what lacks what it must have. */
-  mend(draft: { [key: string]: unknown }, issues: readonly v.BaseIssue<unknown>[]): void {
+  fix(draft: { [key: string]: unknown }, issues: readonly v.BaseIssue<unknown>[]): void {
     const lists = new Set<unknown[]>()
     for (const issue of issues) this.#mendOne(draft, issue, lists)
     for (const list of lists) list.splice(0, list.length, ...list.filter((one) => one !== gone))

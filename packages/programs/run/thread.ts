@@ -61,7 +61,7 @@ function findNodes({ thread, nodes }: Machine, { blocks }: ProgramIndex): void {
 
 /**
  * Runs a thread to the end of the tick that `host.now` names (semantics.md). With `untilNextBlock` it stops already
- * where a statement block has been begun, which the next call carries out.
+ * where a statement block has been begun, which the next call executes.
  * @returns Is the tick over for this thread? Called again in the same tick it has nothing more to do.
  */
 export function runThread(thread: Thread, index: ProgramIndex, host: Host, untilNextBlock = false): boolean {

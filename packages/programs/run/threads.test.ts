@@ -53,7 +53,7 @@ describe('rules 17 and 18: failing and ending', () => {
 })
 
 describe('rule 19: stepping from block to block', () => {
-  it('lights each statement block before it is carried out', () => {
+  it('lights each statement block before it is executed', () => {
     const recording = recordingRobot()
     const index = indexProgram(programOf([start, lamp('RED'), wait(20), lamp('GREEN')]))
     const thread = startThread(index)

@@ -155,7 +155,7 @@ const sorted = (program: Program): string =>
 
 /**
  * What becomes of a file: the program, or why it was refused. An opened one can be written, read again the same, and looked
- * through for what a child should mend. @throws whatever else happens: a crash
+ * through for what a child should fix. @throws whatever else happens: a crash
  */
 export function opened(text: string): Program | ProjectError {
   let program: Program

@@ -178,7 +178,7 @@ const newOnes: readonly ToolboxCategory[] = [
   },
 ]
 
-/** What the playgrounds bring stands at the end. */
+/** What the playgrounds need stands at the end. */
 const plain = learningToolbox.reduce(withRow, coreToolbox)
 const last: readonly Category[] = ['network', 'q-learning', 'sorting']
 

@@ -2,7 +2,7 @@ import { indexProgram } from '../../run/index-program.ts'
 import { runThread, startThread } from '../../run/thread.ts'
 import type { Program } from '../../types.ts'
 import { nextTick, recordingRobot, type Recording } from '../recording-robot.ts'
-import { carryOut } from './statements.ts'
+import { execute } from './statements.ts'
 import { WholeTwin } from './twin.ts'
 import { valueOf } from './values.ts'
 
@@ -50,7 +50,7 @@ function interpreted(program: Program) {
 function told(program: Program) {
   const twin: { now?: WholeTwin } = {}
   const run = recorded((recording) => {
-    twin.now ??= new WholeTwin(program, recording.context, { carryOut, valueOf })
+    twin.now ??= new WholeTwin(program, recording.context, { execute, valueOf })
     const letter = letterAt(recording.tick)
     if (letter) twin.now.letters.push({ ...letter })
     twin.now.tick()

@@ -3,7 +3,7 @@ import type { LedColour, MotorPort, SensorPort } from '@botgarten/simulation'
 import { fieldOf, percent } from './parts.ts'
 import { Failure, type Steps, type WholeTwin } from './twin.ts'
 
-/** Rule 15: reads, thinks, carries out. */
+/** Rule 15: reads, thinks, executes. */
 export function* network(twin: WholeTwin, block: Block): Steps<void> {
   const { robot } = twin.host
   const levels: number[] = []

@@ -78,7 +78,7 @@ function* assert(twin: WholeTwin, block: Block): Steps<void> {
 }
 
 /** What a block in a row does. */
-export function* carryOut(twin: WholeTwin, block: Block): Steps<void> {
+export function* execute(twin: WholeTwin, block: Block): Steps<void> {
   const { type } = block
   const { robot, mail } = twin.host
   const port = fieldOf(block, 'MOTORPORT') as MotorPort

@@ -34,7 +34,7 @@ export class Returning extends Error {
 
 /** What blocks mean: one that stands in a row, one that gives a value. */
 export interface Meanings {
-  carryOut(twin: WholeTwin, block: Block): Steps<void>
+  execute(twin: WholeTwin, block: Block): Steps<void>
   valueOf(twin: WholeTwin, block: Block): Steps<Value>
 }
 
@@ -136,7 +136,7 @@ export class WholeTwin {
       if (acting.test(block.type)) this.acts += 1
       this.lit = block.id
       yield 'block'
-      yield* this.#meanings.carryOut(this, block)
+      yield* this.#meanings.execute(this, block)
     }
   }
 

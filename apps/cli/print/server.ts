@@ -8,7 +8,7 @@ import { FileError } from '../errors.ts'
 
 type Handler = (request: IncomingMessage, response: ServerResponse, next: () => void) => void
 
-export interface House {
+export interface BuiltLab {
   readonly url: string
   close(): void
 }
@@ -16,7 +16,7 @@ export interface House {
 const built = join(import.meta.dirname, '../../web/build/server/handler.js')
 
 /** Serves the built lab to this machine alone, on a free port. @throws FileError where it is not built */
-export async function openHouse(): Promise<House> {
+export async function startServer(): Promise<BuiltLab> {
   if (!existsSync(built)) throw new FileError('file.notBuilt')
   const { handler } = (await import(pathToFileURL(built).href)) as { handler: Handler }
   const server = createServer((request, response) =>
