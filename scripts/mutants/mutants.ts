@@ -5,7 +5,7 @@ import { inHouse } from '../prepare/house.mjs'
 import { asScript, Trouble } from '../prepare/run.mjs'
 import { copyTree } from './copy.ts'
 import { reportOf, shareOf, type RoomReport, type Tried } from './report.ts'
-import { rooms } from './rooms.ts'
+import { rooms, type Room } from './rooms.ts'
 import { filesOf, sampleOf, type Equivalent } from './sample.ts'
 import { Warm } from './warm.ts'
 
@@ -28,9 +28,9 @@ async function tryRoom(
   // Mutants of one file follow each other, since their tests are warm then.
   for (const mutant of own.toSorted((a, b) => a.file.localeCompare(b.file) || a.line - b.line)) {
     const { file, text } = mutant
-    if (tried.at(-1)?.mutant.file !== file) await refuseFailing(file, room.tests, warm)
-    const { kind: outcome } = await warm.ask({ file, text, tests: room.tests })
-    if (outcome === 'ready') throw new Error('Vitest has started anew.')
+    if (tried.at(-1)?.mutant.file !== file) await refuseFailing(file, room, warm)
+    const { kind: outcome } = await warm.ask({ file, text, ...asked(room) })
+    if (outcome === 'ready') throw new Error('Vitest has started again.')
     tried.push({ mutant, outcome })
     console.log(
       `${name} ${tried.length}/${own.length} ${outcome.padEnd(8)} ${file}:${mutant.line}  ${mutant.change}`,
@@ -39,10 +39,12 @@ async function tryRoom(
   return { name, room, among, equivalent: known, tried }
 }
 
+const asked = ({ tests, walking = [] }: Room) => ({ tests, walking })
+
 /** Tests that fail without any fault would kill every mutant. */
-async function refuseFailing(file: string, tests: readonly string[], warm: Warm): Promise<void> {
+async function refuseFailing(file: string, room: Room, warm: Warm): Promise<void> {
   for (let left = 1; ; left--) {
-    const answer = await warm.ask({ file, text: readFileSync(inHouse(file), 'utf8'), tests })
+    const answer = await warm.askFirst({ file, text: readFileSync(inHouse(file), 'utf8'), ...asked(room) })
     if (answer.kind !== 'killed' && answer.kind !== 'timeout') return
     const why = `The tests of ${file} fail as it is: ${'by' in answer ? answer.by : answer.kind}`
     if (left === 0) throw new Trouble(why)

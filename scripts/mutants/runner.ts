@@ -9,6 +9,8 @@ export interface Request {
   readonly text: string
   /** Tests outside of these folders are not asked. */
   readonly tests: readonly string[]
+  /** Tests that are asked whatever they import. */
+  readonly walking: readonly string[]
 }
 
 export type Answer =
@@ -25,25 +27,31 @@ const vitest = await createVitest('test', {
 type Tests = readonly (readonly TestSpecification[])[]
 const specs = new Map<string, Promise<Tests>>()
 
-/** The tests of these folders that import a file: those that are called like it, then the others. */
-function testsOf(file: string, folders: readonly string[]): Promise<Tests> {
-  const found = specs.get(file) ?? related(join(root, file), folders)
+/** The tests that are asked about a file: those that are called like it, then the others. */
+function testsOf({ file, tests, walking }: Request): Promise<Tests> {
+  const found = specs.get(file) ?? related(join(root, file), tests, walking)
   specs.set(file, found)
   return found
 }
 
-async function related(path: string, folders: readonly string[]): Promise<Tests> {
+async function related(path: string, folders: readonly string[], walking: readonly string[]): Promise<Tests> {
   vitest.config.related = [path]
-  const all = await vitest.getRelevantTestSpecifications(folders.map((folder) => join(root, folder, '/')))
+  const importing = await vitest.getRelevantTestSpecifications(
+    folders.map((folder) => join(root, folder, '/')),
+  )
+  const asked = new Set(importing.map(({ moduleId }) => moduleId))
+  const found = walking.length === 0 ? [] : await vitest.globTestSpecifications([...walking])
+  const all = [...importing, ...found.filter(({ moduleId }) => !asked.has(moduleId))]
   const name = path.replace(/(\.svelte)?\.ts$/, '.')
   const isOwn = ({ moduleId }: TestSpecification) => moduleId.startsWith(name)
   return [all.filter(isOwn), all.filter((one) => !isOwn(one))].filter(({ length }) => length > 0)
 }
 
-async function ask({ file, text, tests }: Request): Promise<Answer> {
+async function ask(request: Request): Promise<Answer> {
+  const { file, text } = request
   const path = join(root, file)
   const before = readFileSync(path, 'utf8')
-  const chosen = await testsOf(file, tests)
+  const chosen = await testsOf(request)
   if (chosen.length === 0) return { kind: 'unasked' }
   put(path, text)
   try {

@@ -3,25 +3,41 @@ import { readFileSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'
 import type { Answer, Request } from './runner.ts'
 
-/** The first request of a process reads all code; later ones only what has changed. */
-const patience = { first: 240_000, later: 60_000 }
+/** A first request reads all code. */
+const FIRST = 240_000
+/** A fault may make tests so many times as slow, or take so long, before it counts as an endless loop. */
+const [SLOWER, LEAST] = [5, 60_000]
 
 /** A warm Vitest that is started again when a fault has made it hang. */
 export class Warm {
   readonly #copy: string
   #child: ChildProcess | null = null
   #isFirst = true
+  /** How long the tests of this file took without a fault. */
+  #took = 0
 
   constructor(copy: string) {
     this.#copy = copy
   }
 
+  /** Asks about a file as it is: how long that takes says how long a fault may take. */
+  async askFirst(request: Request): Promise<Answer | { readonly kind: 'timeout' }> {
+    const began = performance.now()
+    const answer = await this.#ask(request, FIRST)
+    this.#took = performance.now() - began
+    return answer
+  }
+
   /** `timeout`: no answer came; the fault has been found by its endless loop. */
-  async ask(request: Request): Promise<Answer | { readonly kind: 'timeout' }> {
+  ask(request: Request): Promise<Answer | { readonly kind: 'timeout' }> {
+    return this.#ask(request, this.#isFirst ? FIRST : Math.max(LEAST, SLOWER * this.#took))
+  }
+
+  async #ask(request: Request, most: number): Promise<Answer | { readonly kind: 'timeout' }> {
     const child = this.#child ?? (await this.#start())
     const path = join(this.#copy, request.file)
     const before = readFileSync(path, 'utf8')
-    const answer = await answerOf(child, request, this.#isFirst ? patience.first : patience.later)
+    const answer = await answerOf(child, request, most)
     this.#isFirst = false
     if (answer.kind === 'timeout') {
       this.close()
@@ -40,7 +56,7 @@ export class Warm {
     })
     this.#child = child
     this.#isFirst = true
-    const ready = await answerOf(child, null, patience.first)
+    const ready = await answerOf(child, null, FIRST)
     if (ready.kind !== 'ready') throw new Error('Vitest does not start.')
     return child
   }

@@ -23,6 +23,11 @@ import {
 
 knowCurves(curves)
 
+it('a brain without any layer has no inputs and gives nothing', () => {
+  const net = layOut({ ...emptyBrain, layers: [] })
+  expect([net.inputs, net.layers, forward(net, [])]).toEqual([0, [], []])
+})
+
 type Layer = readonly [
   activations: readonly Activation[],
   biases: readonly number[],

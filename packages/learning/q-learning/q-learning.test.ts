@@ -1,4 +1,4 @@
-import { stream } from '@botgarten/numbers'
+import { fastDraw, fastStream, stream } from '@botgarten/numbers'
 import fc from 'fast-check'
 import { describe, expect, test } from 'vitest'
 import {
@@ -180,6 +180,29 @@ describe('odd maps', () => {
     ],
     [{ map: { moves: [[{ to: 0, length: -1 }]] }, goal: 0 }, 'Road 0-0 has the length -1.'],
     [
+      { map: { moves: [[{ to: 0 }]], rewards: { 0: NaN } }, goal: 0 },
+      'The reward of station 0 is NaN, not a number that counts.',
+    ],
+    [
+      {
+        map: {
+          moves: [
+            [
+              {
+                to: 0,
+                outcomes: [
+                  { probability: -0.5, to: 0 },
+                  { probability: 1.5, to: 0 },
+                ],
+              },
+            ],
+          ],
+        },
+        goal: 0,
+      },
+      'The probabilities of Road 0-0 add up to 1, not to 1.',
+    ],
+    [
       { map: { moves: [[{ to: 0, outcomes: [{ probability: 0.5, to: 0 }] }]] }, goal: 0 },
       'The probabilities of Road 0-0 add up to 0.5, not to 1.',
     ],
@@ -192,6 +215,39 @@ describe('odd maps', () => {
       expect(() => learnerOf(line(2), { [name]: value })).toThrow(
         new RangeError(`${name} is ${value}; it must be a number from 0 to 1.`),
       )
+  })
+
+  test('a state that has chosen a move which is not there is refused', () => {
+    const state = { ...saveLearner(learnerOf(line(3))), chosen: 2 }
+    expect(() => restoreLearner(learnerOf(line(3)), state)).toThrow('stands on a station that is not there')
+    expect(() => restoreLearner(learnerOf(line(3)), { ...state, chosen: 1 })).not.toThrow()
+  })
+
+  test('a shortest way is counted in stations, along the roads of each station alone', () => {
+    const roads = [[{ to: 1 }], [{ to: 2 }], [{ to: 3 }], []]
+    const task = { map: { moves: roads }, start: 0, goal: 3 }
+    expect(shortestWay(layOutWorld(task))).toBe(4)
+    const shorter = [[{ to: 1 }, { to: 2 }], ...roads.slice(1)]
+    expect(shortestWay(layOutWorld({ ...task, map: { moves: shorter } }))).toBe(3)
+    expect(shortestWay(layOutWorld({ ...task, start: 3, goal: 0 }))).toBeNull()
+  })
+
+  test('a learner that has not moved has nothing to show of its last move', () => {
+    const { last } = learnerOf(line(3))
+    expect(last).toMatchObject({ from: 0, to: 0, move: -1, teleported: false, explores: false, ends: null })
+    expect(last).toMatchObject({ reward: 0, before: 0, bestNext: 0, after: 0, alpha: 0 })
+  })
+
+  test('the two draws of a move are the first two of its stream', () => {
+    const learner = learnerOf(line(3))
+    const dice = fastStream(seeded())
+    step(learner)
+    expect([...learner.last.draws]).toEqual([fastDraw(dice), fastDraw(dice)])
+  })
+
+  test('a grid is walked to the left, down, to the right and up, in this order', () => {
+    const { map } = gridMap(['FFF', 'FSF', 'FFG'])
+    expect(map.moves[4]!.map(({ name }) => name)).toEqual(['left', 'down', 'right', 'up'])
   })
 
   test('a state of another map is refused', () => {

@@ -1,9 +1,10 @@
 import { describe, expect, test } from 'vitest'
 import { cardConfig } from '../configs.ts'
 import { COLOURS } from '../floor/colours.ts'
-import { startMove } from '../index.ts'
+import { startMove, tone } from '../index.ts'
 import { hashOf, pose, robotAt, run, square, start, thing } from '../testing/worlds.ts'
-import type { RobotConfig, SensorPlace, SensorPort } from '../types.ts'
+import type { RobotConfig, SensorKind, SensorPlace, SensorPort } from '../types.ts'
+import { MODES_OF } from './readings.ts'
 
 const withSensors = (sensors: { readonly [port in SensorPort]?: SensorPlace }, noise = 0): RobotConfig => ({
   ...cardConfig,
@@ -171,6 +172,34 @@ describe('noise', () => {
     const first = trail()
     sim.restore(keyframe)
     expect(trail()).toEqual(first)
+  })
+
+  const sensor = (kind: SensorKind): SensorPlace => ({ kind, x: 0, y: 0, angle: 0 })
+
+  test('shifts both coordinates of a place alike, and its heading by as much of half a turn', () => {
+    const sim = start({ robots: [robotAt(pose(100, 200, 90), withSensors({ '1': sensor('position') }, 10))] })
+    run(sim, 50, () => {
+      const read = (mode: 'x' | 'y' | 'heading') => Number(sim.read(0, '1', mode))
+      expect(read('y') - 200).toBeCloseTo(read('x') - 100, 9)
+      expect(read('heading') - 90).toBeCloseTo(1.8 * (read('x') - 100), 9)
+    })
+  })
+
+  test('never makes a sound louder than 100', () => {
+    const sim = start({ robots: [robotAt(pose(100, 200), withSensors({ '1': sensor('sound') }, 10))] })
+    tone(sim, 0, 440, 60)
+    const heard: number[] = []
+    run(sim, 100, () => heard.push(Number(sim.read(0, '1', 'sound'))))
+    expect(Math.max(...heard)).toBe(100)
+    expect(Math.min(...heard)).toBeLessThan(100)
+  })
+
+  test.each(Object.entries(MODES_OF))('a sensor of kind %s reads each of its modes', (kind, modes) => {
+    const sim = start({
+      robots: [robotAt(pose(100, 200), withSensors({ '1': sensor(kind as SensorKind) }))],
+    })
+    for (const mode of modes) expect(sim.read(0, '1', mode), mode).not.toBeNull()
+    expect(modes).toHaveLength(kind === 'irseeker' ? 0 : modes.length || 1)
   })
 
   test('off by default: nothing is drawn', () => {

@@ -88,9 +88,11 @@ describe('the bumper', () => {
       y: fc.double({ min: 190, max: 210, noNaN: true }),
       heading: fc.integer({ min: 0, max: 359 }),
     })
+    const anyTurn = fc.integer({ min: 0, max: 359 })
     fc.assert(
-      fc.property(shape, near, (form: Shape, at) => {
-        const sim = start({ ...alone(bumper), obstacles: [thing('it', form, at)] })
+      fc.property(shape, near, anyTurn, (form: Shape, ahead, turn) => {
+        const at = turnedRound(ahead, pose(300, 200), turn)
+        const sim = start({ ...alone(bumper, pose(300, 200, turn)), obstacles: [thing('it', form, at)] })
         const { x, y, heading } = sim.state.robots[0]!
         const [inner, outer] = [
           barHits(form, at, 0.1, { x, y, heading }),
@@ -104,6 +106,12 @@ describe('the bumper', () => {
     )
   })
 })
+
+function turnedRound({ x, y, heading }: Pose, centre: Pose, degrees: number): Pose {
+  const [c, s] = [Math.cos((degrees * Math.PI) / 180), Math.sin((degrees * Math.PI) / 180)]
+  const [dx, dy] = [x - centre.x, y - centre.y]
+  return pose(centre.x + c * dx - s * dy, centre.y + s * dx + c * dy, heading + degrees)
+}
 
 /** Is one of many points of a bar across the front, so deep, inside the shape? */
 function barHits(
