@@ -46,6 +46,16 @@ test('what is to be learned is read from the blocks, wherever they stand under s
   expect(learning.blocks).not.toHaveProperty('draw')
 })
 
+test('each share of a learner is read from the field of its name', () => {
+  const config = changed(from('config'), { ALPHA: '0.1', GAMMA: '0.2', NU: '0.3', RHO: '0.4' })
+  const { settings } = learningIn(programOf([start, from('states'), config]))!
+  expect(settings).toMatchObject({ alpha: 0.1, gamma: 0.2, nu: 0.3, rho: 0.4 })
+})
+
+test('a stack without blocks is no start', () => {
+  expect(learningIn(programOf([], [start, from('states')]))?.start).toBe(3)
+})
+
 test('a block under start comes before one that lies about; one that is switched off does not count', () => {
   const other = changed(from('states'), { START: '5' })
   expect(learningIn(programOf([other], [start, from('states')]))?.start).toBe(3)

@@ -23,9 +23,11 @@ import {
 
 knowCurves(curves)
 
-it('a brain without any layer has no inputs and gives nothing', () => {
-  const net = layOut({ ...emptyBrain, layers: [] })
-  expect([net.inputs, net.layers, forward(net, [])]).toEqual([0, [], []])
+it('a net has as many inputs as the first layer has neurons', () => {
+  const neuron = (id: string) => ({ id, bias: 0, activation: 'identity' as const })
+  const layers = [['a', 'b', 'c'].map(neuron), [neuron('d')]]
+  expect(layOut({ ...emptyBrain, layers }).inputs).toBe(3)
+  expect(layOut({ ...emptyBrain, layers: [] }).inputs).toBe(0)
 })
 
 type Layer = readonly [

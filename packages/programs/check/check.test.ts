@@ -2,6 +2,7 @@ import { describe, expect, it } from 'vitest'
 import { addBlocks, knowMaps, type Template } from '@botgarten/blocks'
 import { learning } from '@botgarten/blocks/packs/learning'
 import { check } from '../index.ts'
+import { fits } from './check.ts'
 import {
   block,
   calculate,
@@ -287,6 +288,15 @@ describe('loops', () => {
 
   it('are looked into', () => {
     expect(problems(forever(forever(show(distance('4')))))).toEqual(['problem.noDistanceSensorEmpty'])
+  })
+})
+
+describe('a value fits', () => {
+  it('where its type is accepted, or nothing is known of one of the two', () => {
+    expect(fits('Number', ['Number', 'String'])).toBe(true)
+    expect(fits('Number', 'any')).toBe(true)
+    expect(fits('any', ['Boolean'])).toBe(true)
+    expect(fits('Number', ['Boolean'])).toBe(false)
   })
 })
 
