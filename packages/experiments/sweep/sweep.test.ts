@@ -5,7 +5,7 @@ import { rowOf } from './row.ts'
 
 const { map, start, goal } = gridMap(['SFF', 'FWF', 'FFG'])
 const job: Job = {
-  task: { map, start: start!, goal: goal!, closed: [] },
+  task: { map, start: start, goal: goal, closed: [] },
   ...{ rules: 'standard', algorithm: 'q', moves: 400, episodes: 40, runs: 3, seed: 1 },
 }
 const settings = settingsOf({ alpha: [0.3, 0.5], gamma: [0.8], nu: [0.1], rho: [0.2, 0.9] })
