@@ -130,6 +130,12 @@ export default {
       to: { path: '^apps/web/src/features/', pathNot: '^apps/web/src/features/$1/' },
     },
     {
+      name: 'a-feature-has-one-door',
+      severity: 'error',
+      from: { path: '^apps/web/src/(app|routes)/' },
+      to: { path: '^apps/web/src/features/', pathNot: '^apps/web/src/features/[^/]+/feature\\.ts$' },
+    },
+    {
       name: 'resolvable',
       severity: 'error',
       from: {},

@@ -18,7 +18,6 @@ for (const language of languagesOf(import.meta.filename)) {
       await page.getByRole('link', { name: child.card('forward'), exact: true }).click()
       await child.seesLab()
       await child.pressesStart()
-      await new TimeHands(child).hurries()
       await expect(child.button('lab.start').first()).toBeVisible()
       await child.seesCheck('forward', 'arrives', false)
       await child.typesNumber('driveDistance', '170')

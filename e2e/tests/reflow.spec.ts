@@ -14,9 +14,6 @@ const sizes = [
   { width: 1366, height: 768 },
 ]
 
-/** Where a phone shows hint, world and network at once, the sum of a neuron has no room; zoomed, the page scrolls. */
-const crowded: readonly string[] = ['hint, 390 × 844']
-
 type Faces = { readonly [name: string]: (child: Child) => Promise<unknown> }
 
 const goes = (path: string) => async (child: Child) => {
@@ -95,7 +92,6 @@ for (const language of languages)
             await page.evaluate(() => document.fonts.ready)
             for (const size of sizes) {
               const name = `${face}, ${size.width} × ${size.height}`
-              if (crowded.includes(name)) continue
               await page.setViewportSize(size)
               await child.watches(3)
               const faults = await outOfReach(page)

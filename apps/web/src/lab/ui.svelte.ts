@@ -147,8 +147,14 @@ export class LabUi {
     this.#success = null
   }
 
+  /** Starts the program as the hand has left it: blocks that it has just joined run with it. */
   start(): void {
+    // Browsers let a page sound only while a press is being answered.
     this.speaker.wake()
+    void told().then(() => this.#begin())
+  }
+
+  #begin(): void {
     this.notice = null
     this.#succeeded = false
     this.#success = null
@@ -163,9 +169,12 @@ export class LabUi {
   }
 
   step(kind: StepKind): void {
-    const { phase } = this.#session.lab.view
-    if (phase === 'ready' || phase === 'ended') this.start()
-    if (!this.#shown) this.#session.lab.step(kind)
+    this.speaker.wake()
+    void told().then(() => {
+      const { phase } = this.#session.lab.view
+      if (phase === 'ready' || phase === 'ended') this.#begin()
+      if (!this.#shown) this.#session.lab.step(kind)
+    })
   }
 
   /** A program that cannot go on is shown, whosever it is. */

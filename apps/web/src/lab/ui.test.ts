@@ -45,12 +45,20 @@ const turnAway = (hidden: boolean) => {
   page.document.hidden = hidden
   page.document.dispatchEvent(new Event('visibilitychange'))
 }
+/** Blockly has told of everything that a hand has done. */
+async function told() {
+  for (let turn = 0; turn < 4; turn += 1) {
+    draw(0)
+    await new Promise((done) => setTimeout(done, 1))
+  }
+}
 const place = (x: number) => ({ kind: 'place', id: 'bo', after: { x, y: 300, heading: 0 } }) as const
 
 describe('a hidden page', () => {
   test('pauses a run, saves, and says so on return', async () => {
     const { session, ui } = opened()
     ui.start()
+    await told()
     draw()
     session.apply(place(100))
     turnAway(false)
@@ -69,9 +77,10 @@ describe('a hidden page', () => {
 })
 
 describe('keys', () => {
-  test('Escape stops, other keys do not', () => {
+  test('Escape stops, other keys do not', async () => {
     const { session, ui } = opened()
     ui.start()
+    await told()
     press('x')
     expect(session.lab.view.phase).toBe('running')
     press('Escape')
@@ -82,12 +91,6 @@ describe('keys', () => {
     const { session } = opened()
     session.apply(place(100))
     const x = () => session.lab.view.robots[0]!.pose.x
-    const told = async () => {
-      for (let turn = 0; turn < 4; turn += 1) {
-        draw()
-        await new Promise((done) => setTimeout(done, 1))
-      }
-    }
     expect(press('z', { ctrlKey: true }).defaultPrevented).toBe(true)
     expect(x()).toBe(100)
     await told()
@@ -98,10 +101,11 @@ describe('keys', () => {
     expect(press('z').defaultPrevented).toBe(false)
   })
 
-  test('are heard no more once it is closed', () => {
+  test('are heard no more once it is closed', async () => {
     const { session, ui, close } = opened()
     const closed = vi.spyOn(ui.speaker, 'close')
     ui.start()
+    await told()
     close()
     press('Escape')
     turnAway(true)
@@ -111,30 +115,46 @@ describe('keys', () => {
 })
 
 describe('a run', () => {
-  test('from elsewhere than the card says is told so; a new one, or a start pose, takes the words away', () => {
+  test('has the blocks that a hand has joined just before, of which Blockly tells a little later', async () => {
+    const { stacks, ...program } = friendship.programs['main']!
+    const [first] = stacks
+    const short = { ...program, stacks: [{ ...first!, blocks: first!.blocks.slice(0, 1) }] }
+    const { session, ui } = opened({ ...friendship, programs: { main: short } }, { isCard: false })
+    ui.start()
+    draw()
+    session.apply({ kind: 'program', program: 'main', after: friendship.programs['main']! })
+    await told()
+    for (let frame = 0; frame < 20; frame += 1) draw()
+    expect(session.lab.view.phase).toBe('running')
+  })
+
+  test('from elsewhere than the card says is told so; a new one, or a start pose, takes the words away', async () => {
     const { session, ui } = opened()
     session.apply(place(111))
     ui.start()
+    await told()
     expect(ui.notice).toBe('elsewhere')
     session.lab.stop()
     ui.chooseStart(1)
     expect([ui.notice, session.chosenStart]).toEqual([null, 1])
     ui.notice = 'bumped'
     ui.start()
+    await told()
     expect(ui.notice).toBeNull()
   })
 
-  test('that cannot begin shows why, and steps nowhere', () => {
+  test('that cannot begin shows why, and steps nowhere', async () => {
     const { session, ui } = opened()
     session.apply({ kind: 'config', id: 'bo', after: { ...session.config, sensors: {} } })
     ui.step('block')
+    await told()
     expect(ui.shown?.stops).toBe(true)
     expect(session.lab.view.phase).toBe('ready')
     ui.show(null)
     expect(ui.shown).toBeNull()
   })
 
-  test('is begun by a step, also again when it has ended, but not while it goes on', () => {
+  test('is begun by a step, also again when it has ended, but not while it goes on', async () => {
     const { stacks, ...program } = friendship.programs['main']!
     const [first] = stacks
     const short = { ...program, stacks: [{ ...first!, blocks: first!.blocks.slice(0, 1) }] }
@@ -145,16 +165,20 @@ describe('a run', () => {
     const ui = new LabUi(session)
     ui.open()
     ui.step('block')
+    await told()
     expect(begun).toEqual(['begun'])
     session.lab.resume()
     for (let frame = 0; frame < 20; frame += 1) draw()
     expect(session.lab.view.phase).toBe('ended')
     ui.step('block')
+    await told()
     expect(begun).toEqual(['begun', 'begun'])
     const going = opened()
     going.ui.start()
+    await told()
     going.session.listen(({ kind }) => begun.push(kind))
     going.ui.step('block')
+    await told()
     expect(begun).toHaveLength(2)
   })
 })

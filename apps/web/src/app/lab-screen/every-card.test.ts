@@ -2,10 +2,10 @@ import { cardProject, type CardProgram } from '@botgarten/content'
 import { content } from '@botgarten/content/files'
 import { withLearnedWay } from '@botgarten/maps'
 import { allCards, loadCard, type LoadedCard } from '#content/cards.ts'
-import { bringFor } from '#features/editor/packs.ts'
+import { packs } from '#features/editor/feature.ts'
 import { LabSession } from '#lab/session.svelte.ts'
 import { afterAll, afterEach, beforeAll, describe, expect, test, vi } from 'vitest'
-import { bedOf } from '#features/home/home.ts'
+import { bedOf } from '#features/home/feature.ts'
 import { againFrom, nextStep } from './card.ts'
 
 // Every card is walked to its end by the classes that the screen uses, merely because it is there.
@@ -42,7 +42,7 @@ afterAll(() => {
 async function opened(card: LoadedCard, program: CardProgram): Promise<LabSession> {
   const fresh = cardProject(card.world, card.card, program, card.card.id)
   const project = { ...fresh, ...withLearnedWay(fresh, content.mapFile) }
-  const expert = await bringFor(project)
+  const expert = await packs.bringFor(project)
   const session = new LabSession({
     ...{ id: card.card.id, revision: 0, project, card, floor: content.floorOf(project.world), expert },
     ...{ floorAddress: null, trouble: null, damaged: null, keeps: true },

@@ -40,9 +40,13 @@ export class Layout {
   readonly above = $derived.by(
     () => this.pages || (this.#ui.filled !== null && this.#ui.filled !== 'program'),
   )
-  /** On a phone a small world stands above the network. */
+  /** On a phone a small world stands above the network; a hint has its place while it is open. */
   readonly compactWorld = $derived.by(
-    () => this.pages && this.#ui.page === 'network' && !this.#screen.session.learns,
+    () =>
+      this.pages &&
+      this.#ui.page === 'network' &&
+      !this.#screen.session.learns &&
+      !(this.#ui.hintOpen && this.stripSize === 'phone'),
   )
 
   seen(pane: PaneName): boolean {

@@ -37,16 +37,18 @@ export function closeSessions(): void {
 
 /** Frames of a screen, which come when they are drawn. Returns how to draw one, so many milliseconds later. */
 export function screen(): (milliseconds?: number) => void {
-  let next: ((now: number) => void) | null = null
+  const waiting = new Map<number, (now: number) => void>()
+  let asked = 0
   let now = performance.now()
   vi.stubGlobal('requestAnimationFrame', (frame: (now: number) => void) => {
-    next = frame
-    return 1
+    waiting.set(++asked, frame)
+    return asked
   })
-  vi.stubGlobal('cancelAnimationFrame', () => (next = null))
+  vi.stubGlobal('cancelAnimationFrame', (id: number) => waiting.delete(id))
   return (milliseconds = 100) => {
-    const frame = next
-    next = null
-    frame?.((now = Math.max(now, performance.now()) + milliseconds))
+    const frames = [...waiting.values()]
+    waiting.clear()
+    now = Math.max(now, performance.now()) + milliseconds
+    for (const frame of frames) frame(now)
   }
 }
