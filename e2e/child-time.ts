@@ -48,6 +48,8 @@ export class TimeHands {
 
   /** The same by keys alone. */
   async hurriesByKeys() {
+    // The clock can be opened once something runs.
+    await expect(this.#child.button('lab.stop').first()).toBeVisible()
     await this.#child.tabsAndPresses('time.open')
     await this.#child.tabsTo(this.speed)
     await this.#child.types('End')

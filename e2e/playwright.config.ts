@@ -20,8 +20,8 @@ const unused = ['journey', 'kept', 'late-parts', 'offline', 'own-house', 'said',
 export default defineConfig<{ hand: 'mouse' | 'finger' }>({
   testDir: 'tests',
   outputDir: 'test-results',
-  // Two cores: more browsers at once only wait for each other.
-  workers: 2,
+  // Tests wait as long as they compute: a third keeps two cores busy.
+  workers: 3,
   fullyParallel: true,
   forbidOnly: true,
   retries: 0,
