@@ -9,7 +9,18 @@ import {
   type Scene,
 } from '@botgarten/programs'
 import type { Pose, RobotConfig } from '@botgarten/simulation'
-import { posesOf, type Poses } from './poses.ts'
+
+/** By the ids of robots and things. */
+type Poses = { readonly [id: string]: Pose }
+
+interface Placed {
+  readonly id: string
+  readonly pose: Pose
+}
+
+/** Where everything of a world, or of a view of one, stands. */
+const posesOf = ({ robots, obstacles }: { robots: readonly Placed[]; obstacles: readonly Placed[] }): Poses =>
+  Object.fromEntries([...robots, ...obstacles].map(({ id, pose }) => [id, pose]))
 import type { RunningLab } from './running.svelte.ts'
 
 /** What is to become of a part of the project, as data. It happens through `LabSession.apply` and in no other way. */

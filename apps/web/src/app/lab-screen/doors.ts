@@ -4,6 +4,7 @@ import { resolve } from '$app/paths'
 import { placeOf } from '#content/cards.ts'
 import { openRoberta } from '#features/open-roberta/feature.ts'
 import { sorting, type SortingDoor } from '#features/sorting/feature.ts'
+import type { Opened } from '#lab/opening.ts'
 import type { LabUi } from '#lab/ui.svelte.ts'
 import type { LabSession } from '#lab/session.svelte.ts'
 import { freshId } from '#storage/projects.ts'
@@ -76,4 +77,9 @@ export async function sortingDoors(session: LabSession): Promise<readonly Sortin
   const sorts = session.opened.card?.card.playground === 'sorting' || session.project.sorting
   if (!sorts && readings.length === 0) return []
   return (await bring(sorting)).doorsOf(session, readings)
+}
+
+/** What could not be read here stays where it is: the new start has an address of its own from now on. */
+export function leaveBroken({ id, project, damaged }: Opened): void {
+  if (damaged) void replaceState(addressOf(placeOf(project), id), {})
 }
