@@ -35,3 +35,5 @@ writeFileSync(
   join(outdir, 'files.ts'),
   `export type Locale = ${union(languages)}\nexport type WordsFile = ${union(files)}\n`,
 )
+// Paraglide leaves timers behind that would hold the process for half a minute.
+process.exit()
