@@ -78,6 +78,36 @@ export const pagesOfModules: Plugin = {
   },
 }
 
+interface Built {
+  readonly type: string
+  readonly fileName: string
+  imports?: string[]
+  readonly dynamicImports?: readonly string[]
+}
+
+/**
+ * SvelteKit has a page fetch what it imports before anything runs, but leaves out what it has met before behind a part that
+ * is asked for later. So pages name all that they import, and first of it what asks for nothing later.
+ */
+export const allOfPagesAtOnce: Plugin = {
+  name: 'all-of-pages-at-once',
+  generateBundle(_options, bundle) {
+    const built = bundle as unknown as { readonly [file: string]: Built }
+    for (const chunk of Object.values(built)) {
+      if (chunk.type !== 'chunk' || !/[\\/]nodes[\\/]/.test(chunk.fileName)) continue
+      const all = new Set<string>()
+      const add = (file: string) => {
+        if (all.has(file)) return
+        all.add(file)
+        built[file]?.imports?.forEach(add)
+      }
+      chunk.imports?.forEach(add)
+      const asks = (file: string) => Number((built[file]?.dynamicImports ?? []).length > 0)
+      chunk.imports = [...all].sort((a, b) => asks(a) - asks(b))
+    }
+  },
+}
+
 /**
  * What the first page shares with others is a chunk, and what the same other pages share is one: who has been on one of them
  * has it. What lazy parts need besides stands apart, so that they do not bring a page along. Null for what no page imports.
