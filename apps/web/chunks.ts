@@ -56,8 +56,11 @@ function modulesOfFirst(modules: Modules): Set<string> {
   for (const id of pagesOf.keys()) lengths.set(nameOf(id), (lengths.get(nameOf(id)) ?? 0) + lengthOf(id))
   const isShared = (id: string) => pagesOf.get(id)!.size > 1 || isInLazyPart.has(id)
   const own = (id: string) => pagesOf.get(id)!.has('')
+  const asks = (id: string) => (modules.getModuleInfo(id)?.dynamicallyImportedIds ?? []).length > 0
   const found = new Set(
-    [...pagesOf.keys()].filter((id) => own(id) || (isShared(id) && lengths.get(nameOf(id))! < few)),
+    [...pagesOf.keys()].filter(
+      (id) => own(id) || (isShared(id) && !asks(id) && lengths.get(nameOf(id))! < few),
+    ),
   )
   const imports = (id: string) => modules.getModuleInfo(id)?.importedIds ?? []
   for (let before = 0; before !== found.size;) {
