@@ -1,5 +1,5 @@
 import { error } from '@sveltejs/kit'
-import { fetchBlocklyWords, packs } from '#features/editor/feature.ts'
+import { editor, fetchBlocklyWords, packs } from '#features/editor/feature.ts'
 import { allCards } from '#content/cards.ts'
 import { openLab } from '#lab/opening.ts'
 import type { EntryGenerator, PageLoad } from './$types'
@@ -10,6 +10,8 @@ export const prerender = 'auto'
 export const entries: EntryGenerator = () => [{ card: 'free' }, ...allCards.map(({ id }) => ({ card: id }))]
 
 export const load: PageLoad = async ({ params, url }) => {
+  // The heaviest part travels while the screen is made. The screen asks for it too, and says so where it cannot come.
+  editor.load().catch(() => undefined)
   const [opened] = await Promise.all([
     openLab(params.card, url.searchParams.get('p'), packs),
     fetchBlocklyWords(),
