@@ -70,7 +70,7 @@ for (const language of languagesOf(import.meta.filename)) {
       await lights(child, 'eyeLeft')
       await node(child, 'showSum', motor(child)).focus()
       await lights(child, 'wheelLeft')
-      const wheel = await child.middleOf(page.locator('.world [data-part="motor B"]'))
+      const wheel = await child.middleOf(page.locator('.world .grip rect[fill="#5B4436"]').last())
       await page.mouse.click(wheel.x, wheel.y)
       await page.mouse.move(4, 300)
       await lights(child, 'wheelRight')

@@ -22,6 +22,13 @@ export const clamp = (value: number, least: number, most: number): number =>
 /** Which way `b` lies from `a`: degrees clockwise from the right. */
 export const degrees = (a: Point, b: Point): number => (Math.atan2(b.y - a.y, b.x - a.x) * 180) / Math.PI
 
+/** Turned about 0 by degrees clockwise, y down. */
+export function turned({ x, y }: Point, degrees: number): Point {
+  const turn = (degrees * Math.PI) / 180
+  const [sin, cos] = [Math.sin(turn), Math.cos(turn)]
+  return { x: x * cos - y * sin, y: x * sin + y * cos }
+}
+
 export const distance = (a: Point, b: Point): number => Math.hypot(b.x - a.x, b.y - a.y)
 
 /** Where on the line through `a` and `b` the point nearest to `p` lies: 0 at `a`, 1 at `b`, beyond them outside 0..1. */

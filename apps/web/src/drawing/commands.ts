@@ -1,0 +1,71 @@
+import type { Point } from './points.ts'
+
+// What is painted, as data: a canvas paints it on the screen, SVG on paper and in pictures. Lengths are in units of the
+// group around it, y down.
+
+/** How a shape is filled and outlined. Lines have round ends and corners. */
+export interface Ink {
+  /** Nothing is filled without it. */
+  readonly fill?: string
+  /** No outline without it. */
+  readonly stroke?: string
+  /** 1 where nothing is said. */
+  readonly lineWidth?: number
+  /** Lengths of dashes and gaps in turn. */
+  readonly dash?: readonly number[]
+  /** 0 to 1. */
+  readonly opacity?: number
+}
+
+/** `d` is SVG path data; one that stays the same for many frames is read once. */
+type Path = { readonly kind: 'path'; readonly d: string } & Ink
+
+type Line = {
+  readonly kind: 'line'
+  readonly points: readonly Point[]
+  readonly closed?: boolean
+} & Ink
+
+/** `ry`: the upright half axis of an ellipse. */
+type Circle = { readonly kind: 'circle'; readonly r: number; readonly ry?: number } & Point & Ink
+
+/** `x`, `y`: its upper left corner; `round`: radius of its corners. */
+export type Rect = {
+  readonly kind: 'rect'
+  readonly width: number
+  readonly height: number
+  readonly round?: number
+} & Point &
+  Ink
+
+/** One line of letters; `x`, `y`: where its base line begins, has its middle or ends. */
+export type Letters = {
+  readonly kind: 'text'
+  readonly text: string
+  readonly size: number
+  readonly font: Font
+  /** 700 where nothing is said. */
+  readonly weight?: number
+  readonly align?: 'start' | 'middle' | 'end'
+} & Point &
+  Ink
+
+/** The lab's letters for titles and for reading (`--title`, `--read` of its style). */
+export type Font = 'title' | 'read'
+
+/** Moved to `x`, `y`, then turned by `turn` (degrees clockwise), then scaled. */
+export type Group = {
+  readonly kind: 'group'
+  readonly turn?: number
+  /** Along x and y, or both alike. */
+  readonly scale?: number | readonly [number, number]
+  /** 0 to 1, of each shape in it. */
+  readonly opacity?: number
+  readonly shapes: readonly Command[]
+} & Partial<Point>
+
+export type Command = Path | Line | Circle | Rect | Letters | Group
+
+/** Along x and y. */
+export const scales = ({ scale = 1 }: Group): readonly [number, number] =>
+  typeof scale === 'number' ? [scale, scale] : scale
