@@ -14,7 +14,7 @@ interface Modules {
 
 const page = /[\\/]src[\\/]routes(.*)[\\/]\+(?:page|layout|error)\.(?:svelte|ts)$/
 /** Letters of code that are not worth a request of their own. */
-const few = 16_000
+const few = 24_000
 
 /** Pages that bring a module along at once, by their folder; the frame of all pages is the first page's. */
 const pagesOf = new Map<string, Set<string>>()
@@ -52,15 +52,12 @@ const nameOf = (id: string) =>
 /** What the first page imports, and the little that only some other pages share, as far as it needs nothing large. */
 function modulesOfFirst(modules: Modules): Set<string> {
   const lengths = new Map<string, number>()
-  const lengthOf = (id: string) => modules.getModuleInfo(id)?.code?.length ?? 0
+  const lengthOf = (id: string) => (chunkOfWords(id) ? 0 : (modules.getModuleInfo(id)?.code?.length ?? 0))
   for (const id of pagesOf.keys()) lengths.set(nameOf(id), (lengths.get(nameOf(id)) ?? 0) + lengthOf(id))
   const isShared = (id: string) => pagesOf.get(id)!.size > 1 || isInLazyPart.has(id)
   const own = (id: string) => pagesOf.get(id)!.has('')
-  const asks = (id: string) => (modules.getModuleInfo(id)?.dynamicallyImportedIds ?? []).length > 0
   const found = new Set(
-    [...pagesOf.keys()].filter(
-      (id) => own(id) || (isShared(id) && !asks(id) && lengths.get(nameOf(id))! < few),
-    ),
+    [...pagesOf.keys()].filter((id) => own(id) || (isShared(id) && lengths.get(nameOf(id))! < few)),
   )
   const imports = (id: string) => modules.getModuleInfo(id)?.importedIds ?? []
   for (let before = 0; before !== found.size;) {
@@ -85,29 +82,37 @@ interface Built {
   readonly type: string
   readonly fileName: string
   imports?: string[]
-  readonly dynamicImports?: readonly string[]
+  dynamicImports?: string[]
 }
+
+/** The chunk of a page or of its frame. */
+const isNode = ({ type, fileName }: Built) => type === 'chunk' && /[\\/]nodes[\\/]/.test(fileName)
 
 /**
  * SvelteKit has a page fetch what it imports before anything runs, but leaves out what it has met before behind a part that
- * is asked for later. So pages name all that they import, and first of it what asks for nothing later.
+ * is asked for later. So pages name all that they import, and only they name what may be asked for later.
  */
 export const allOfPagesAtOnce: Plugin = {
   name: 'all-of-pages-at-once',
   generateBundle(_options, bundle) {
     const built = bundle as unknown as { readonly [file: string]: Built }
-    for (const chunk of Object.values(built)) {
-      if (chunk.type !== 'chunk' || !/[\\/]nodes[\\/]/.test(chunk.fileName)) continue
-      const all = new Set<string>()
+    const nodes = Object.values(built).filter(isNode)
+    const shared = new Set<Built>()
+    for (const node of nodes) {
+      const all = new Map<string, Built>()
       const add = (file: string) => {
-        if (all.has(file)) return
-        all.add(file)
-        built[file]?.imports?.forEach(add)
+        const chunk = built[file]
+        if (!chunk || all.has(file)) return
+        all.set(file, chunk)
+        shared.add(chunk)
+        chunk.imports?.forEach(add)
       }
-      chunk.imports?.forEach(add)
-      const asks = (file: string) => Number((built[file]?.dynamicImports ?? []).length > 0)
-      chunk.imports = [...all].sort((a, b) => asks(a) - asks(b))
+      node.imports?.forEach(add)
+      node.imports = [...all.keys()]
+      const later = [node, ...all.values()].flatMap(({ dynamicImports = [] }) => dynamicImports)
+      node.dynamicImports = [...new Set(later)]
     }
+    for (const chunk of shared) if (!isNode(chunk)) chunk.dynamicImports = []
   },
 }
 

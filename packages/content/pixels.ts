@@ -1,6 +1,6 @@
 import { readFile } from 'node:fs/promises'
 import { deflateSync } from 'node:zlib'
-import { readPng } from '@botgarten/simulation'
+import { readPng } from '@botgarten/simulation/png'
 
 /** A picture's pixels (width, height, then R, G, B), deflated. */
 export async function packedPixels(file: string): Promise<Buffer> {

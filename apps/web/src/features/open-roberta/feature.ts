@@ -7,5 +7,5 @@ export const openRoberta = {
   id: 'open-roberta',
   words: ['open-roberta'],
   load: () => import('./lazy.ts'),
-  budget: { part: 20_000 },
+  budget: { part: 26_000 },
 } satisfies Feature

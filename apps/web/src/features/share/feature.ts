@@ -5,5 +5,5 @@ export const share = {
   id: 'share',
   words: ['share'],
   load: () => import('./ShareDialog.svelte'),
-  budget: { part: 6_000 },
+  budget: { part: 8_000 },
 } satisfies Feature

@@ -1,6 +1,6 @@
 import { pixelsAddress } from '#content/cards.ts'
 import type { Project } from '@botgarten/programs'
-import { readPng, type Picture, type World } from '@botgarten/simulation'
+import type { Picture, World } from '@botgarten/simulation'
 
 /**
  * The picture that a world lies on, unpacked: a child's own from the project, ours from the pixels that the build has made
@@ -11,7 +11,10 @@ export async function pictureIn(
   world: Pick<World, 'floor'>,
   own: Project['assets'][string] | undefined,
 ): Promise<Picture | null> {
-  if (own) return readPng(Uint8Array.fromBase64(own.base64))
+  if (own) {
+    const { readPng } = await import('@botgarten/simulation/png')
+    return readPng(Uint8Array.fromBase64(own.base64))
+  }
   const address = pixelsAddress(world)
   return address === null ? null : unpack(await fetch(address))
 }

@@ -1,5 +1,6 @@
 import { sha256, writeProject, type Project } from '@botgarten/programs'
-import { readPng, type Picture } from '@botgarten/simulation'
+import type { Picture } from '@botgarten/simulation'
+import { readPng } from '@botgarten/simulation/png'
 import { readPictureHead } from './picture-file.ts'
 
 /** A picture for the floor, as it is kept. */
