@@ -1,5 +1,5 @@
 import { afterEach, beforeEach, expect, test, vi } from 'vitest'
-import * as packs from '#features/editor/packs.ts'
+import * as packs from '#features/editor/model/packs.ts'
 import { load, save } from '#storage/projects.ts'
 import { deviceThatKeepsNothing, freshDevice, recordIn } from '#storage/testing/device.ts'
 import { friendship, withPicture } from '#storage/testing/sample.ts'

@@ -1,3 +1,3 @@
-export { default as Editor } from './Editor.svelte'
-export { drawBlock, drawProgram } from './pictures/blocks.ts'
-export { explain } from './shelf/explain.ts'
+export { default as Editor } from './view/Editor.svelte'
+export { drawBlock, drawProgram } from './view/pictures/blocks.ts'
+export { explain } from './view/shelf/explain.ts'

@@ -1,0 +1,45 @@
+import * as Blockly from 'blockly/core'
+import type { Program } from '@botgarten/programs'
+import { watchCopies, type Copy } from '../model/copies.ts'
+import { followNeurons } from './follow.ts'
+
+export interface Reports {
+  change(program: Program): void
+  /** Blockly can take back one step more. */
+  undoStep(): void
+  select(id: string | null): void
+  copied(pairs: readonly Copy[]): void
+}
+
+/** What happens within this many milliseconds is one change for the page. */
+const settle = 16
+
+/** Tells the page what happens on the workspace; `emit` is called once for what changes within a frame. */
+export function listen(workspace: Blockly.WorkspaceSvg, reports: Reports, emit: () => void): () => void {
+  const copiesIn = watchCopies(workspace)
+  const follow = followNeurons(workspace, () => workspace.isDragging())
+  let group: string | null = null
+  let waiting: ReturnType<typeof setTimeout> | undefined
+
+  const hear = (event: Blockly.Events.Abstract) => {
+    if (event instanceof Blockly.Events.Selected) reports.select(event.newElementId ?? null)
+    follow(event)
+    if (event.isUiEvent) return
+    if (event.recordUndo && (event.group === '' || event.group !== group)) {
+      group = event.group
+      reports.undoStep()
+    }
+    const copies = copiesIn(event)
+    if (copies.length > 0) reports.copied(copies)
+    waiting ??= setTimeout(() => {
+      waiting = undefined
+      emit()
+    }, settle)
+  }
+
+  workspace.addChangeListener(hear)
+  return () => {
+    clearTimeout(waiting)
+    workspace.removeChangeListener(hear)
+  }
+}

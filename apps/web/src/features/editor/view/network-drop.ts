@@ -1,0 +1,66 @@
+import * as Blockly from 'blockly/core'
+import type { NetworkDrop } from '#lab/blocks.ts'
+import { holdsNetwork } from '../model/put-in.ts'
+
+class DropTarget extends Blockly.DragTarget {
+  override id = 'networkPane'
+  readonly #drop: NetworkDrop
+  readonly #dropped: (block: string) => void
+  isOver = false
+
+  constructor(drop: NetworkDrop, dropped: (block: string) => void) {
+    super()
+    this.#drop = drop
+    this.#dropped = dropped
+  }
+
+  override getClientRect() {
+    const { top, bottom, left, right } = this.#drop.place()?.getBoundingClientRect() ?? new DOMRect()
+    return right > left ? new Blockly.utils.Rect(top, bottom, left, right) : null
+  }
+
+  override onDragEnter(held: Blockly.IDraggable) {
+    this.isOver = true
+    if (isNetwork(held)) this.#drop.hover('over')
+  }
+
+  override onDragExit(held: Blockly.IDraggable) {
+    this.isOver = false
+    if (isNetwork(held)) this.#drop.hover('away')
+  }
+
+  override onDrop(held: Blockly.IDraggable) {
+    this.isOver = false
+    this.#drop.hover(null)
+    if (isNetwork(held)) this.#dropped(held.id)
+  }
+}
+
+const isNetwork = (held: Blockly.IDraggable): held is Blockly.BlockSvg =>
+  held instanceof Blockly.BlockSvg && holdsNetwork(held)
+
+/** `dropped` is called when Blockly has let the block go, in the same step of undo. Returns how to measure the place anew. */
+export function takeNetworks(
+  paper: Blockly.WorkspaceSvg,
+  drop: NetworkDrop,
+  dropped: (block: string) => void,
+): () => void {
+  const component = new DropTarget(drop, (block) => {
+    const group = Blockly.Events.getGroup()
+    queueMicrotask(() => {
+      Blockly.Events.setGroup(group || true)
+      dropped(block)
+      Blockly.Events.setGroup(false)
+    })
+  })
+  const capabilities = [Blockly.ComponentManager.Capability.DRAG_TARGET]
+  paper.getComponentManager().addComponent({ component, weight: 2, capabilities })
+  paper.addChangeListener((event) => {
+    if (!(event instanceof Blockly.Events.BlockDrag)) return
+    const held = paper.getBlockById(event.blockId ?? '')
+    if (!event.isStart) drop.hover(null)
+    // Blockly tells of the beginning a little later: the hand may be there already.
+    else if (held && holdsNetwork(held) && !component.isOver) drop.hover('away')
+  })
+  return () => paper.recordDragTargets()
+}

@@ -1,0 +1,287 @@
+import * as Blockly from 'blockly/core'
+import type { Finding, Template } from '@botgarten/blocks'
+import type { Program } from '@botgarten/programs'
+import type { RobotConfig } from '@botgarten/simulation'
+import { setClosed } from '../model/closed-roads.ts'
+import { listen, type Reports } from './events.ts'
+import { keepEscape } from './escape.ts'
+import { show, type Fill } from './large/fill.ts'
+import { letAsk, letPaste } from './menus.ts'
+import { addNeuron } from '../model/network.ts'
+import type { NetworkDrop } from '#lab/blocks.ts'
+import { takeNetworks } from './network-drop.ts'
+import { deleteSelected, place, reveal, setFields, step, typeAt, unseen } from './on-paper.ts'
+import { forgetParted, part, tidy } from '../model/positions.ts'
+import { restore, statesOn, toProgram } from '../model/program.ts'
+import { networkType, putIn, putNetworkIn, switchOn } from '../model/put-in.ts'
+import { fontReady, options, scaleOf, spaceLetters, type Looks } from './looks.ts'
+import { nameParts, setUp, speak } from './setup.ts'
+import { explain } from './shelf/explain.ts'
+import { Shelf } from './shelf/shelf.ts'
+import { Showing } from './showing.ts'
+import { knowRobot } from '../model/fresh.ts'
+import { themeFor } from './theme.ts'
+import type { Locale } from '#words/language.svelte.ts'
+import { wordsIn } from '#words/say.ts'
+
+/** What the pane tells the page. */
+export interface PaneReports extends Reports {
+  finding(finding: Finding): void
+}
+
+/** One Blockly workspace in a pane, with the verbs that the page needs. */
+export class Pane {
+  readonly #workspace: Blockly.WorkspaceSvg
+  readonly #reports: PaneReports
+  readonly #stops: (() => void)[]
+  readonly #host: HTMLElement
+  /** A pane that is not shown has no size: the view finds its place when it is. */
+  #placed: boolean
+  #locale: Locale
+  #looks: Looks
+  #program: Program
+  readonly shelf: Shelf
+  /** What is shown at blocks. */
+  readonly showing: Showing
+  #fill: Fill | undefined
+
+  constructor(
+    host: HTMLElement,
+    locale: Locale,
+    program: Program,
+    media: string,
+    looks: Looks,
+    reports: PaneReports,
+  ) {
+    setUp()
+    speak(locale)
+    this.#locale = locale
+    this.#program = program
+    this.#reports = reports
+    this.#looks = looks
+    this.#workspace = Blockly.inject(host, options(locale, media, looks))
+    this.shelf = new Shelf(this.#workspace, () => wordsIn(this.#locale), {
+      speak: () => speak(this.#locale),
+      redraw: () => this.#redraw(),
+    })
+    this.showing = new Showing(
+      this.#workspace,
+      () => wordsIn(this.#locale),
+      (finding) => reports.finding(finding),
+    )
+    spaceLetters(looks.letters)
+    this.#workspace.MAX_UNDO = Infinity
+    this.#host = host
+    this.#placed = host.clientWidth > 0
+    this.#show(program)
+    if (program.raw) part(this.#workspace)
+    if (this.#placed) this.#place()
+    // Blockly measures words on a canvas at the end of the body; it shows nothing.
+    document.querySelector('.blocklyComputeCanvas')?.setAttribute('aria-hidden', 'true')
+    nameParts(this.#workspace, wordsIn(this.#locale))
+    letPaste(this.#workspace, () => this.shelf.learn())
+    letAsk(this.#workspace, (type) => void explain(this.#workspace, type))
+    this.#stops = [listen(this.#workspace, reports, () => this.#emit()), keepEscape(host, this.#workspace)]
+  }
+
+  dispose(): void {
+    for (const stop of this.#stops) stop()
+    this.#fill?.stop()
+    this.#workspace.dispose()
+  }
+
+  /** Shows another program. The one that this pane gave out itself is on the screen already. */
+  load(program: Program): void {
+    const shown = program === this.#program || JSON.stringify(program) === JSON.stringify(this.#program)
+    this.#program = program
+    if (shown) return
+    this.#refill(() => this.#show(program))
+    this.#workspace.clearUndo()
+    this.#workspace.setScale(scaleOf(this.#looks))
+    this.#place()
+  }
+
+  /** The paper with the blocks, for what comes late. */
+  get paper(): Blockly.WorkspaceSvg {
+    return this.#workspace
+  }
+
+  /** Builds every block again, as it looks now. */
+  #redraw() {
+    this.#fill?.finish()
+    const states = statesOn(this.#workspace)
+    speak(this.#locale)
+    this.shelf.fill()
+    this.#refill(() => restore(states, this.#workspace))
+  }
+
+  setLocale(locale: Locale): void {
+    if (locale === this.#locale) return
+    this.#locale = locale
+    this.#redraw()
+  }
+
+  /** Draws the blocks again where their font or their size is another. */
+  async setLooks(looks: Looks): Promise<void> {
+    const { letters, large } = this.#looks
+    this.#looks = looks
+    if (looks.large !== large) {
+      this.#workspace.setScale(scaleOf(looks))
+      // Its shelf is wider then.
+      this.#workspace.getToolbox()?.position()
+      this.resize()
+    }
+    if (looks.letters === letters) return
+    await fontReady(looks.letters)
+    if (this.#looks !== looks) return
+    this.#fill?.finish()
+    spaceLetters(looks.letters)
+    const states = statesOn(this.#workspace)
+    this.#workspace.setTheme(themeFor(looks.letters))
+    this.#refill(() => restore(states, this.#workspace))
+  }
+
+  /** The type of the block that an element of the pane belongs to, on the paper or on the open shelf. */
+  typeAt(element: Element): string | null {
+    return typeAt(this.#workspace, element)
+  }
+
+  typeOf(id: string): string | null {
+    return this.#workspace.getBlockById(id)?.type ?? null
+  }
+
+  /** Takes back one step of the blocks; false where there is none, or a hand holds a block. */
+  undo(): boolean {
+    this.#fill?.finish()
+    return step(this.#workspace, false)
+  }
+
+  redo(): boolean {
+    this.#fill?.finish()
+    return step(this.#workspace, true)
+  }
+
+  zoomBy(direction: 1 | -1): void {
+    this.#workspace.zoomCenter(direction)
+  }
+
+  resize(): void {
+    Blockly.svgResize(this.#workspace)
+    if (!this.#placed) this.#place()
+  }
+
+  /**
+   * Adds a neuron to a network's layer; without a template one more of what is there, at the next free port. The id of
+   * its block, null where the layer is full or there is no such network.
+   */
+  addNeuron(networkId: string, layer: 'input' | 'output', template?: Template): string | null {
+    this.#fill?.finish()
+    return addNeuron(this.#workspace, networkId, layer, template)
+  }
+
+  /** Puts a block among those that run: a network into the loop. */
+  putIn(id: string): void {
+    this.#fill?.finish()
+    putIn(this.#workspace, this.#program, id)
+    this.#seen(id)
+  }
+
+  /** A network of the toolbox, put into the loop. */
+  putNetworkIn(): void {
+    this.#fill?.finish()
+    this.#seen(putNetworkIn(this.#workspace, this.#program))
+  }
+
+  switchOn(id: string): void {
+    this.#fill?.finish()
+    switchOn(this.#workspace, id)
+  }
+
+  /** Networks that are dropped there go into the loop. Returns how to measure the place again. */
+  takeNetworks(drop: NetworkDrop): () => void {
+    return takeNetworks(this.#workspace, drop, (id) => {
+      const network = this.#workspace
+        .getBlockById(id)
+        ?.getDescendants(false)
+        .find(({ type }) => type === networkType)
+      if (network) this.putIn(network.id)
+    })
+  }
+
+  #seen(id: string): void {
+    void Blockly.renderManagement.finishQueuedRenders().then(() => reveal(this.#workspace, id))
+  }
+
+  /** Makes these the closed roads of a map block. */
+  setClosed(map: string, roads: readonly (readonly [number, number])[]): void {
+    this.#fill?.finish()
+    setClosed(this.#workspace, map, roads)
+  }
+
+  deleteSelected(): void {
+    this.#fill?.finish()
+    deleteSelected()
+  }
+
+  /** Brings a block into sight; with `focus` the keyboard goes there as well. */
+  reveal(id: string, focus = false): void {
+    this.#fill?.finish()
+    this.resize()
+    reveal(this.#workspace, id, focus)
+  }
+
+  /** Puts all stacks below each other, as one step, and the first of them into sight. */
+  tidy(): void {
+    this.#fill?.finish()
+    tidy(this.#workspace)
+    this.#place()
+  }
+
+  /** What is plugged into the robot: new neurons take ports that fit. */
+  setRobot(config: RobotConfig): void {
+    knowRobot(this.#workspace, config)
+  }
+
+  /** Several fields of a block, as one step. */
+  setFields(blockId: string, fields: { readonly [name: string]: string }): void {
+    this.#fill?.finish()
+    setFields(this.#workspace, blockId, fields)
+  }
+
+  #place() {
+    place(this.#workspace)
+    this.#placed = this.#host.clientWidth > 0
+  }
+
+  #emit() {
+    const program = toProgram(this.#workspace, this.#program)
+    this.#program = program
+    this.#reports.change(program)
+  }
+
+  /** Builds all blocks again under their ids: what is chosen, lit or marked is so again. */
+  #refill(fill: () => void) {
+    this.#fill?.drop()
+    const build = () => {
+      this.#workspace.clear()
+      fill()
+    }
+    unseen(this.#workspace, build, () => this.#filled())
+  }
+
+  #show(program: Program) {
+    forgetParted(this.#workspace)
+    this.#fill = show(program, this.#workspace, this.#fill, () => this.#filled())
+  }
+
+  /** Blocks were built: stacks of a foreign file may lie on each other, since they are higher here. */
+  #filled() {
+    if (this.#program.raw) part(this.#workspace)
+    this.#markAll()
+  }
+
+  #markAll() {
+    nameParts(this.#workspace, wordsIn(this.#locale))
+    this.showing.again()
+  }
+}

@@ -1,0 +1,67 @@
+import type * as Blockly from 'blockly/core'
+import { toolbox } from '@botgarten/blocks'
+import type { Words } from '#words/say.ts'
+import { bringExpert, bringLearning, expertParts } from '../../model/packs.ts'
+import { toolboxInfo } from '../toolbox.ts'
+
+interface DrawnBlocks {
+  /** Gives blocks that have come their words. */
+  speak(): void
+  /** Builds all blocks again, and fills the shelf. */
+  redraw(): void
+}
+
+/** Which blocks a workspace offers: the plain ones, with hidden layers or without, or all of them. */
+export class Shelf {
+  readonly #workspace: Blockly.WorkspaceSvg
+  /** In the language that the pane speaks now. */
+  readonly #words: () => Words
+  readonly #blocks: DrawnBlocks
+  #all = false
+  /** Are blocks drawn as the whole language draws them? */
+  #knowsAll = expertParts() !== null
+  #layers = false
+
+  constructor(workspace: Blockly.WorkspaceSvg, words: () => Words, blocks: DrawnBlocks) {
+    this.#workspace = workspace
+    this.#words = words
+    this.#blocks = blocks
+  }
+
+  /** Everything, or the plain shelf. The language is brought first where it is not there yet. */
+  async showAll(all: boolean): Promise<void> {
+    if (all === this.#all) return
+    this.#all = all
+    if (all) await this.learn()
+    this.fill()
+  }
+
+  /** Brings the whole language, for the paper too. */
+  async learn(): Promise<void> {
+    if (this.#knowsAll) return
+    await bringExpert()
+    this.#knowsAll = true
+    this.#blocks.redraw()
+  }
+
+  /** Offers hidden layers, or does not. */
+  async offerLayers(offered: boolean): Promise<void> {
+    if (offered === this.#layers) return
+    this.#layers = offered
+    if (offered) {
+      await bringLearning()
+      this.#blocks.speak()
+    }
+    this.fill()
+  }
+
+  fill(): void {
+    const words = this.#words()
+    const parts = this.#all ? expertParts() : null
+    this.#workspace.updateToolbox(
+      parts
+        ? parts.expertShelf(words, this.#workspace)
+        : toolboxInfo(words, toolbox, this.#layers ? '' : undefined),
+    )
+  }
+}
