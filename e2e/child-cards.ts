@@ -36,5 +36,5 @@ export async function opensSettings(child: Child, where: 'lab' | 'home') {
 }
 
 /** A switch of the settings. */
-export const wish = (child: Child, name: 'projector' | 'quiet' | 'letters' | 'aloud'): Locator =>
+export const option = (child: Child, name: 'projector' | 'quiet' | 'letters' | 'aloud'): Locator =>
   child.page.getByRole('switch', { name: child.word(`comfort.${name}`), exact: true })

@@ -50,17 +50,17 @@ mkdirSync(folder, { recursive: true })
 const server = await startServer({ port: 0, host: '127.0.0.1' })
 const browser = await launchBrowser()
 const wanted = process.argv.slice(2)
-const wishes = screens
+const requests = screens
   .filter(({ name }) => wanted.length === 0 || wanted.some((part) => name.includes(part)))
   .flatMap((screen) => languages.flatMap((language) => sizes.map((size) => ({ screen, language, size }))))
   .filter(({ screen, size }) => (isPhone(size) ? !screen.neverPhone : !screen.phoneOnly))
 const missing: string[] = []
-for (const wish of wishes)
-  await take(browser, server.url, wish).catch((cause: unknown) => {
+for (const request of requests)
+  await take(browser, server.url, request).catch((cause: unknown) => {
     const [what] = String(cause).split('\n\nCall log')
-    missing.push(`${wish.screen.name} ${wish.language} ${wish.size.width}: ${what}`)
+    missing.push(`${request.screen.name} ${request.language} ${request.size.width}: ${what}`)
   })
-console.log(`${wishes.length - missing.length} of ${wishes.length} pictures in ${folder}`)
+console.log(`${requests.length - missing.length} of ${requests.length} pictures in ${folder}`)
 for (const line of missing) console.error(line)
 await browser.close()
 await server.close()

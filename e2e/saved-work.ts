@@ -15,7 +15,7 @@ import { startServer } from '../scripts/server.ts'
 import { launchBrowser } from './browser.ts'
 import { bigFile } from './big-file.ts'
 import { Builder } from './child-build.ts'
-import { opensSettings, wish } from './child-cards.ts'
+import { opensSettings, option } from './child-cards.ts'
 import { Learner } from './child-learning.ts'
 import { NetHands } from './child-network.ts'
 import { Comer } from './child-open-roberta.ts'
@@ -170,7 +170,7 @@ async function setsUp(child: Child) {
   await child.types('Escape')
   await child.opensHome()
   await opensSettings(child, 'home')
-  await wish(child, 'letters').click()
+  await option(child, 'letters').click()
   await child.types('Escape')
   await child.speaks('de')
 }

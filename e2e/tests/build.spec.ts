@@ -271,7 +271,7 @@ test('taking back a change of a thing that Bo has pushed leaves it where it was 
   await expect(thing).toHaveCount(0)
   await child.presses('lab.undo')
   await stays()
-  // A run that begins anew still begins where it began.
+  // A run that begins again still begins where it began.
   await child.presses('lab.resetWorld')
   await expect.poll(() => builder.placeOf(thing)).toEqual(started)
 })

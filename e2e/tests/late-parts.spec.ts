@@ -13,7 +13,7 @@ for (const language of languagesOf(import.meta.filename))
     // What the browser itself says about it: the cause stays in its console.
     test.use({ language, complaints: [/ERR_FAILED|Failed to fetch/] })
 
-    test('is said, every press asks for it again, and once it is there the page loads anew with all that was done', async ({
+    test('is said, every press asks for it again, and once it is there the page loads again with all that was done', async ({
       child,
       page,
     }) => {

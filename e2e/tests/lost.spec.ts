@@ -25,7 +25,7 @@ for (const language of languagesOf(import.meta.filename)) {
         await expect(page.getByRole('heading', { level: 1 })).toContainText(child.word('home.title'))
       })
 
-    test('a project that is not there: its card begins anew', async ({ child, page }) => {
+    test('a project that is not there: its card begins again', async ({ child, page }) => {
       await page.goto('/lab/fear?p=fear-nosuchproject')
       await child.seesBlocks()
       await expect(child.knobs).toHaveCount(4)

@@ -1,6 +1,6 @@
 // Rooms: materials
 import { axeFindings } from '../axe.ts'
-import { opensSettings, wish } from '../child-cards.ts'
+import { opensSettings, option } from '../child-cards.ts'
 import { expect, test } from '../house.ts'
 import { readPdf } from '../pdf.ts'
 import { givesVoice, heardOn, said } from '../voice.ts'
@@ -60,7 +60,7 @@ for (const language of languagesOf(import.meta.filename))
       await expect(page.locator(ready)).toBeVisible()
       await opensSettings(child, 'home')
       for (const name of ['quiet', 'letters', 'aloud'] as const) {
-        await wish(child, name).focus()
+        await option(child, name).focus()
         await child.types('Space')
       }
       await child.types('Escape')

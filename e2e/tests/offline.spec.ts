@@ -137,7 +137,7 @@ for (const language of languagesOf(import.meta.filename)) {
         .poll(() =>
           page
             .evaluate(async () => (await navigator.serviceWorker.getRegistration())?.waiting ?? 'nobody')
-            .catch(() => 'the page loads anew'),
+            .catch(() => 'the page loads again'),
         )
         .toBe('nobody')
       await child.seesTitle()

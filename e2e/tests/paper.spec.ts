@@ -38,8 +38,8 @@ const oneOfEach = [
 
 const home = 'https://botgarten.example.org'
 
-async function opensPaper(page: Page, item: string, wish = 'paper=a4', address = home) {
-  await page.goto(`/materials/${item}?${wish}&address=${address}`)
+async function opensPaper(page: Page, item: string, option = 'paper=a4', address = home) {
+  await page.goto(`/materials/${item}?${option}&address=${address}`)
   await page.locator('html[data-print=ready]').waitFor({ state: 'attached' })
 }
 

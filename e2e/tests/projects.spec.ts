@@ -1,7 +1,7 @@
 // Rooms: projects
 import type { BrowserContext } from '@playwright/test'
 import { Child, leftEye, leftWheel, rightEye, rightWheel } from '../child.ts'
-import { opensSettings, wish } from '../child-cards.ts'
+import { opensSettings, option } from '../child-cards.ts'
 import { Shelf } from '../child-projects.ts'
 import { expect, test } from '../house.ts'
 import { freeProgram } from '../projects.ts'
@@ -191,7 +191,7 @@ for (const language of languagesOf(import.meta.filename)) {
       await shelf.hears('projects.thrown', { name: 'Due' })
       await child.opensHome()
       await opensSettings(child, 'home')
-      await wish(child, 'letters').click()
+      await option(child, 'letters').click()
       await shelf.opens()
       const file = await shelf.takesHome()
 
@@ -211,10 +211,10 @@ for (const language of languagesOf(import.meta.filename)) {
       await there.goesToBin()
       await expect(there.inBin('Due')).toHaveCount(1)
 
-      // Another wish is there by now.
+      // Another option is there by now.
       await home.opensHome()
       await opensSettings(home, 'home')
-      await wish(home, 'letters').click()
+      await option(home, 'letters').click()
       await there.opens()
       await there.opensFile('home.botgarten.json', file)
       await expect(dialog).toContainText(home.word('projects.keptSettings'))

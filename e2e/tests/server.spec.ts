@@ -68,7 +68,7 @@ test('a broken address is refused and does not end the server', async ({ request
   expect((await request.get('/')).status()).toBe(200)
 })
 
-test('what has a hash in its name is kept for a year and comes as brotli, pages are asked for anew', async ({
+test('what has a hash in its name is kept for a year and comes as brotli, pages are asked for again', async ({
   request,
 }) => {
   const page = await request.get('/')

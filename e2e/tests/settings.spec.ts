@@ -1,6 +1,6 @@
 // Rooms: home, app
 import { axeFindings } from '../axe.ts'
-import { opensSettings, wish } from '../child-cards.ts'
+import { opensSettings, option } from '../child-cards.ts'
 import type { Child } from '../child.ts'
 import { expect, test } from '../house.ts'
 import { givesVoice, said } from '../voice.ts'
@@ -23,9 +23,9 @@ for (const language of languagesOf(import.meta.filename)) {
       await child.opensHome()
       await opensSettings(child, 'home')
       for (const name of ['projector', 'quiet', 'letters'] as const) {
-        await wish(child, name).focus()
+        await option(child, name).focus()
         await child.types('Space')
-        await expect(wish(child, name)).toBeChecked()
+        await expect(option(child, name)).toBeChecked()
       }
       await child.types('Escape')
       await child.opensLab('friendship')
@@ -35,7 +35,7 @@ for (const language of languagesOf(import.meta.filename)) {
       await expect(page.locator('.strip .piep')).toBeHidden()
       await expect(child.button('lab.hint')).toBeVisible()
       await opensSettings(child, 'lab')
-      await wish(child, 'quiet').click()
+      await option(child, 'quiet').click()
       await child.types('Escape')
       await expect(page.locator('.strip .peek')).toBeVisible()
     })
@@ -55,7 +55,7 @@ for (const language of languagesOf(import.meta.filename)) {
       const before = await width()
       const words = await child.blockWords()
       await opensSettings(child, 'lab')
-      await wish(child, 'letters').click()
+      await option(child, 'letters').click()
       await child.types('Escape')
       await expect.poll(width).not.toBe(before)
       expect(fonts.length).toBeGreaterThan(0)
@@ -73,7 +73,7 @@ for (const language of languagesOf(import.meta.filename)) {
       const height = async () => (await child.block('wheelLeft').boundingBox())!.height
       const before = await height()
       await opensSettings(child, 'lab')
-      await wish(child, 'projector').click()
+      await option(child, 'projector').click()
       await child.types('Escape')
       await expect.poll(height).toBeGreaterThan(before * 1.2)
       const sideways = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth)
@@ -85,7 +85,7 @@ for (const language of languagesOf(import.meta.filename)) {
       await child.opensLab('friendship')
       await expect(child.button('comfort.read', { what: child.word('comfort.theTask') })).toHaveCount(0)
       await opensSettings(child, 'lab')
-      await wish(child, 'aloud').click()
+      await option(child, 'aloud').click()
       await child.types('Escape')
       await reads(child, 'theTask')
       await child.presses('lab.card')
@@ -114,7 +114,7 @@ for (const language of languagesOf(import.meta.filename)) {
       await givesVoice(child.page, ['fr-FR'])
       await child.opensLab('friendship')
       await opensSettings(child, 'lab')
-      await wish(child, 'aloud').click()
+      await option(child, 'aloud').click()
       await child.types('Escape')
       await reads(child, 'theTask')
       await expect(page.getByText(child.word('comfort.noVoice'))).toBeVisible()

@@ -30,7 +30,7 @@ for (const language of languagesOf(import.meta.filename)) {
   test.describe(`files in a folder of a web space, in ${language}`, () => {
     test.use({ language })
 
-    test('the lab opens from home, drives, keeps and loads anew; nothing outside of the folder is asked for', async ({
+    test('the lab opens from home, drives, keeps and loads again; nothing outside of the folder is asked for', async ({
       child,
       page,
       space,

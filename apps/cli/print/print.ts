@@ -76,12 +76,12 @@ const nameOf = ({ item, folder }: FoundItem, language: string, paper: string) =>
   `${item.kind}-${folder}-${language}${item.paper === 'a5' ? `-${paper}` : ''}.pdf`
 
 async function pdfOf(page: Page, { item }: FoundItem, { paper, turn, address }: Order): Promise<Buffer> {
-  const wishes = new URLSearchParams({ paper, turn, address: address ?? '' })
+  const options = new URLSearchParams({ paper, turn, address: address ?? '' })
   const troubles: string[] = []
   const hear = (error: Error) => troubles.push(error.message)
   page.on('pageerror', hear)
   try {
-    await page.goto(`/materials/${item.kind}/${item.id}?${wishes.toString()}`)
+    await page.goto(`/materials/${item.kind}/${item.id}?${options.toString()}`)
     await page.locator('html[data-print=ready]').waitFor({ state: 'attached', timeout })
     return await page.pdf({ preferCSSPageSize: true, printBackground: true, tagged: true, outline: true })
   } catch (error) {

@@ -5,10 +5,10 @@ import type { Change, LabEvent } from './change.ts'
 
 export const noProgram: Program = { stacks: [], config: { stacks: [] } }
 
-/** After these there may be something else to mend. */
+/** After these there may be something else to fix. */
 const looksAnew: readonly Change['kind'][] = ['program', 'config', 'robots']
 
-/** What there is to mend in the programs of all robots. */
+/** What there is to fix in the programs of all robots. */
 export class Findings {
   /** By the id of the robot. */
   #all = $state.raw<{ readonly [robot: string]: readonly Finding[] }>({})
@@ -34,7 +34,7 @@ export class Findings {
     return this.#all[robot] ?? []
   }
 
-  /** The first robot whose program has to be mended before it can run. */
+  /** The first robot whose program has to be fixed before it can run. */
   get stuck(): string | undefined {
     const { robots } = this.#document().world
     return robots.find(({ id }) => this.of(id).some(({ stops }) => stops))?.id

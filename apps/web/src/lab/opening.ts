@@ -29,9 +29,9 @@ export interface Opened {
 /** Brings the blocks that programs need. */
 export interface Packs {
   /** @returns whether the project's programs hold more than the plain language */
-  bringFor(project: Pick<Project, 'programs' | 'brains'>): Promise<boolean>
+  loadFor(project: Pick<Project, 'programs' | 'brains'>): Promise<boolean>
   /** The blocks for deeper networks, for maps and groups. */
-  bringLearning(): Promise<void>
+  loadLearning(): Promise<void>
 }
 
 /** What a route of the lab shows: a card, or `free`; null where no card has this name. */
@@ -43,8 +43,8 @@ export async function openLab(name: string, projectId: string | null, packs: Pac
   const project = kept.project ?? fresh
   const [floor, expert] = await Promise.all([
     floorOf(project),
-    packs.bringFor(project),
-    ...(name === 'free' ? [packs.bringLearning()] : []),
+    packs.loadFor(project),
+    ...(name === 'free' ? [packs.loadLearning()] : []),
   ])
   return {
     id: kept.id,

@@ -8,7 +8,7 @@ import type { Slots } from './slots.ts'
 import { backFrom, type Change, type LabEvent, type Part } from './change.ts'
 import { Extras } from './extras.svelte.ts'
 import { Findings, noProgram } from './findings.svelte.ts'
-import { Keeper, savesTo } from './keeper.svelte.ts'
+import { ProjectAutosave, savesTo } from './autosave.svelte.ts'
 import { floorPictureOf, type Opened } from './opening.ts'
 import { CardProgress } from './progress.svelte.ts'
 import { RunningLab } from './running.svelte.ts'
@@ -22,7 +22,7 @@ const goesOn: readonly Change['kind'][] = ['place', 'weight', 'brain']
 export class LabSession {
   readonly lab: RunningLab
   readonly undo: UndoStack
-  readonly keeper: Keeper
+  readonly autosave: ProjectAutosave
   readonly weights: HandOnWeights
   readonly opened: Opened
   /** Takes one of Blockly's own steps back or forth; the editor sets it. */
@@ -53,13 +53,13 @@ export class LabSession {
       hasFuture: () => this.lab.facts.other,
       now: () => this.lab.view.time.now,
     })
-    this.keeper = new Keeper(opened.id, opened.revision)
-    this.keeper.whenRenamed = (name) => (this.#extras.name = name)
+    this.autosave = new ProjectAutosave(opened.id, opened.revision)
+    this.autosave.whenRenamed = (name) => (this.#extras.name = name)
     // What can be kept nowhere is not called saved, not even before the first change.
-    if (!opened.keeps) this.keeper.changed(() => this.project)
+    if (!opened.keeps) this.autosave.changed(() => this.project)
     this.listen(this.#findings.hear)
     this.listen(this.undo.hear)
-    this.listen(savesTo(this.keeper, () => this.project))
+    this.listen(savesTo(this.autosave, () => this.project))
   }
 
   /** The robot whose program and network are on the screen. */
@@ -223,7 +223,7 @@ export class LabSession {
   /** From here on this is a project of its own. */
   continueAsCopy(id: string, name: string): Promise<void> {
     this.#extras.name = name
-    return this.keeper.continueAs(id, () => this.project)
+    return this.autosave.continueAs(id, () => this.project)
   }
 
   choose(robot: string): void {
@@ -281,7 +281,7 @@ export class LabSession {
   }
 }
 
-/** After these a program that has to be mended first runs no longer. */
+/** After these a program that has to be fixed first runs no longer. */
 const halts: readonly Change['kind'][] = ['program', 'config']
 
 /** The block that says on which map. */

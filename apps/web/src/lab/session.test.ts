@@ -46,14 +46,14 @@ describe('every change', () => {
     const { session } = sessionOf()
     turn(session, 0.25)
     session.apply({ kind: 'place', id: 'bo', after: pose(120) })
-    expect(session.keeper.state).toBe('saving')
+    expect(session.autosave.state).toBe('saving')
     vi.advanceTimersByTime(PAUSE)
-    await until(() => session.keeper.state === 'saved')
+    await until(() => session.autosave.state === 'saved')
     const project = (await savedProject())!
     expect(project.brains['net']?.weights['eyeLeft']?.['wheelRight']).toBe(0.25)
     expect(project.world.robots[0]!.pose.x).toBe(120)
-    expect(session.keeper.storage).toBe('ok')
-    expect(session.keeper.id).toBe('friendship')
+    expect(session.autosave.storage).toBe('ok')
+    expect(session.autosave.id).toBe('friendship')
     expect(session.project).toEqual({ ...project, progress: { starts: [], hints: 0 } })
   })
 
@@ -61,12 +61,12 @@ describe('every change', () => {
     const { session } = sessionOf()
     const makeRoom = fillDisk()
     turn(session, 0.25)
-    await session.keeper.flush()
-    expect([session.keeper.state, session.keeper.storage]).toEqual(['failed', 'full'])
-    expect(session.keeper.status).toMatchObject({ id: 'friendship', state: 'failed', refusal: null })
+    await session.autosave.flush()
+    expect([session.autosave.state, session.autosave.storage]).toEqual(['failed', 'full'])
+    expect(session.autosave.status).toMatchObject({ id: 'friendship', state: 'failed', refusal: null })
     makeRoom()
-    session.keeper.retry()
-    await until(() => session.keeper.state === 'saved')
+    session.autosave.retry()
+    await until(() => session.autosave.state === 'saved')
     expect(await savedProject()).toEqual(session.project)
   })
 
@@ -88,7 +88,7 @@ describe('every change', () => {
     session.weights.change('net', (brain) => brain)
     expect(kinds()).toEqual([])
     expect(session.undo.canUndo).toBe(false)
-    expect(session.keeper.state).toBe('saved')
+    expect(session.autosave.state).toBe('saved')
   })
 })
 
@@ -99,14 +99,14 @@ describe('two tabs with one project', () => {
     const { session } = sessionOf(friendship, { revision })
     const tab = await openTab()
     await tab.save('friendship', { ...friendship, name: 'theirs' }, revision)
-    await until(() => session.keeper.state === 'elsewhere')
+    await until(() => session.autosave.state === 'elsewhere')
     turn(session, 0.25)
     vi.advanceTimersByTime(60_000)
     await settle()
     expect((await savedProject())?.name).toBe('theirs')
     await session.continueAsCopy('friendship-copy', 'mine')
     expect((await load('friendship-copy'))?.project).toEqual(session.project)
-    expect([session.name, session.keeper.id, session.keeper.state]).toEqual([
+    expect([session.name, session.autosave.id, session.autosave.state]).toEqual([
       'mine',
       'friendship-copy',
       'saved',
@@ -122,15 +122,15 @@ describe('two tabs with one project', () => {
     await tab.rename('friendship', 'new name')
     await until(() => session.name === 'new name')
     turn(session, 0.25)
-    await session.keeper.flush()
-    expect(session.keeper.state).toBe('saved')
+    await session.autosave.flush()
+    expect(session.autosave.state).toBe('saved')
     expect((await savedProject())?.name).toBe('new name')
   })
 })
 
 test('what can be kept nowhere is not called saved, not even before the first change', () => {
-  expect(sessionOf(friendship, { keeps: false }).session.keeper.state).toBe('saving')
-  expect(sessionOf().session.keeper.state).toBe('saved')
+  expect(sessionOf(friendship, { keeps: false }).session.autosave.state).toBe('saving')
+  expect(sessionOf().session.autosave.state).toBe('saved')
 })
 
 describe('taken back and done again', () => {
@@ -240,7 +240,7 @@ describe('taken back and done again', () => {
     session.undo.redo()
     expect(asked).toEqual(['undo main', 'redo main'])
     // The program that they say then is what is saved.
-    expect(session.keeper.state).toBe('saved')
+    expect(session.autosave.state).toBe('saved')
   })
 
   test('blocks of another robot are taken back where they are seen', () => {
@@ -317,7 +317,7 @@ describe('a program that has to be mended', () => {
     expect(session.lab.view.phase).not.toBe('running')
   })
 
-  test('is looked through anew with every edit', () => {
+  test('is looked through again with every edit', () => {
     const { session } = sessionOf()
     const before = session.findings
     session.apply({ kind: 'program', program: 'main', after: without })
@@ -355,10 +355,10 @@ describe('in a moment of the past (rule 9)', () => {
     runs(session, 60, 20)
     session.lab.goTo(30)
     expect(kinds()).toEqual(['begun'])
-    expect(session.keeper.state).toBe('saved')
+    expect(session.autosave.state).toBe('saved')
     session.resume()
     expect(kinds()).toEqual(['begun', 'branched'])
-    expect(session.keeper.state).toBe('saving')
+    expect(session.autosave.state).toBe('saving')
     expect(session.lab.view.phase).toBe('running')
     session.goOn()
     expect(kinds()).toEqual(['begun', 'branched'])
@@ -385,7 +385,7 @@ describe('how far a child has come', () => {
     session.start()
     session.noteSuccess()
     expect(session.progress.starts).toEqual([0, 1, 2])
-    await session.keeper.flush()
+    await session.autosave.flush()
     expect((await savedProject())?.progress).toEqual({ starts: [0, 1, 2], hints: 0 })
   })
 
@@ -410,7 +410,7 @@ describe('how far a child has come', () => {
     session.askHint(2)
     session.askHint(1)
     expect(session.progress).toEqual({ starts: [], hints: 2 })
-    expect(session.keeper.state).toBe('saving')
+    expect(session.autosave.state).toBe('saving')
   })
 
   test('there is no start pose where there is none, and without a card', () => {
@@ -434,7 +434,7 @@ describe('what else a project holds', () => {
     session.apply({ kind: 'learned', program: 'main', after: learned })
     session.apply({ kind: 'learned', program: 'other', after: { ...learned, seed: 2 } })
     expect(session.learned).toEqual(learned)
-    await session.keeper.flush()
+    await session.autosave.flush()
     expect((await savedProject())?.q).toEqual({ main: learned, other: { ...learned, seed: 2 } })
     expect(sessionOf(session.project).session.learned).toEqual(learned)
     expect(session.undo.count).toBe(0)

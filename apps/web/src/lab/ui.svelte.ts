@@ -80,7 +80,7 @@ export class LabUi {
 
   /** Begins to let time pass and to listen to the page. Returns how to end it. */
   open(): () => void {
-    const { lab, keeper, opened } = this.#session
+    const { lab, autosave, opened } = this.#session
     const stopFrames = lab.run()
     const stopWatching = $effect.root(() => {
       const { phase, heard, problem, succeeded, touching } = $derived(lab.facts)
@@ -107,7 +107,7 @@ export class LabUi {
       stopWatching()
       stopFrames()
       this.speaker.close()
-      keeper.close()
+      autosave.close()
     }
   }
 
@@ -130,7 +130,7 @@ export class LabUi {
   /** A hidden page pauses the run and says so on return (running.md 12). */
   #turnedAway(): void {
     if (!document.hidden) return
-    void this.#session.keeper.flush()
+    void this.#session.autosave.flush()
     if (this.#session.lab.view.phase !== 'running') return
     this.#session.lab.pause()
     this.notice = 'away'

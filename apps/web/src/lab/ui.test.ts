@@ -66,7 +66,7 @@ describe('a hidden page', () => {
     turnAway(true)
     expect([session.lab.view.phase, ui.notice]).toEqual(['paused', 'away'])
     // Without waiting for the pause after which it would be saved.
-    await until(() => session.keeper.state !== 'saving')
+    await until(() => session.autosave.state !== 'saving')
   })
 
   test('says nothing where nothing ran', () => {

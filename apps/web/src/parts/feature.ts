@@ -26,5 +26,5 @@ interface Lazy<Part> extends Feature {
  * The lazy part of a feature, once its messages have come too.
  * @param failed takes back the request where it cannot be loaded, so that the next press asks again
  */
-export const bring = <Part>({ load, words }: Lazy<Part>, failed?: () => void): Promise<Part> =>
+export const loadPart = <Part>({ load, words }: Lazy<Part>, failed?: () => void): Promise<Part> =>
   withWords(load(), words, failed)

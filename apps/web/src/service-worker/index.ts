@@ -24,7 +24,7 @@ async function keepAll(): Promise<void> {
   const kept = await caches.open(store)
   const pages = new Set([...own.pages].map((page) => oneOf(page, own)))
   const asked = [...own.files, ...pages].map(
-    // What has no hash in its name is asked for anew.
+    // What has no hash in its name is asked for again.
     (address) => new Request(address, address.includes('/immutable/') ? {} : { cache: 'reload' }),
   )
   await kept.addAll(asked)

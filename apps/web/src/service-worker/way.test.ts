@@ -37,7 +37,7 @@ test('one page is kept for all learning materials, beside the library', () => {
   expect([library, plan, sheet].map((page) => oneOf(page, { scope, pages }))).toEqual([library, plan, plan])
 })
 
-test('what the operator writes is asked for anew', () =>
+test('what the operator writes is asked for again', () =>
   expect(way('operator.md', 'cors').kind).toBe('newest'))
 
 test('an address that is no page leads home where there is no server', () =>

@@ -224,7 +224,7 @@ test('every later day counts once; a clock that goes back counts none twice', as
 })
 
 test.each([['x'], [-1], [1.5], [0], [undefined]])(
-  'a count that is %j begins anew, on the same day too',
+  'a count that is %j begins again, on the same day too',
   async (count) => {
     await days('2026-11-22')
     await recordIn('days', 'used', { id: 'used', count, last: '2026-11-22' })

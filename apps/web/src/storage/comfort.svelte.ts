@@ -6,25 +6,25 @@ const names = ['projector', 'quiet', 'letters', 'aloud'] as const
  * `projector`: larger words and stronger lines for the wall · `quiet`: no mascots in the work area · `letters`: letters
  * that are hard to mix up · `aloud`: texts can be read aloud.
  */
-type Wish = (typeof names)[number]
+type Option = (typeof names)[number]
 
-type Wishes = { readonly [wish in Wish]?: unknown }
+type Options = { readonly [option in Option]?: unknown }
 
-/** How the screen meets the one before it, kept on this device. The page's root carries every wish as `data-<wish>`. */
+/** How the screen meets the one before it, kept on this device. The page's root carries every option as `data-<option>`. */
 class Comfort {
-  #wishes = $state.raw<Wishes>(readSetting<Wishes | null>('comfort', null) ?? {})
+  #options = $state.raw<Options>(readSetting<Options | null>('comfort', null) ?? {})
 
   constructor() {
     this.#show()
   }
 
-  has(wish: Wish): boolean {
-    return this.#wishes[wish] === true
+  has(option: Option): boolean {
+    return this.#options[option] === true
   }
 
-  set(wish: Wish, on: boolean): void {
-    this.#wishes = Object.fromEntries(names.map((name) => [name, name === wish ? on : this.has(name)]))
-    writeSetting('comfort', this.#wishes)
+  set(option: Option, on: boolean): void {
+    this.#options = Object.fromEntries(names.map((name) => [name, name === option ? on : this.has(name)]))
+    writeSetting('comfort', this.#options)
     this.#show()
   }
 

@@ -93,7 +93,7 @@ async function open(): Promise<Opened> {
   const asked = openDB<Schema>('botgarten', migrations.length, {
     upgrade: (db, from) => migrations.slice(from).forEach((migrate) => migrate(db)),
     blocked: wait,
-    // A tab with a newer version waits: this one lets go, and asks anew with its next save.
+    // A tab with a newer version waits: this one lets go, and asks again with its next save.
     blocking: (_now, _wanted, event) => {
       ;(event.target as IDBDatabase).close()
       forget()

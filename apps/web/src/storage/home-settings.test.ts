@@ -64,7 +64,7 @@ test.each([
   ['a size beyond the screen', { sizes: { columns: [0.5, 7] } }],
   ['a size that is no number', { sizes: { columns: ['a', 'b'] } }],
   ['a language nobody speaks here', { language: 'xx' }],
-  ['a wish nobody knows', { comfort: { quiet: true, evil: true } }],
+  ['an option nobody knows', { comfort: { quiet: true, evil: true } }],
   ['a switch that is a word', { sound: 'on', settings: { rays: 'yes', trail: true } }],
   ['sorted things without end', { sorting: { rows: 'x'.repeat(1_000_001) } }],
   ['names of every object', { constructor: true, toString: 'x', hasOwnProperty: 1 }],

@@ -84,7 +84,7 @@ export const deviceDrawer: Drawer = {
 
 /** Lets the page that is open follow settings that have just come. */
 export function follow({ taken }: MergedSettings, settings: HomeSettings): void {
-  const wishes = taken.includes('comfort') ? (settings.comfort as object) : {}
-  for (const [name, on] of Object.entries(wishes)) if (on === true) comfort.set(name as 'quiet', true)
+  const options = taken.includes('comfort') ? (settings.comfort as object) : {}
+  for (const [name, on] of Object.entries(options)) if (on === true) comfort.set(name as 'quiet', true)
   if (taken.includes('language')) void language.speak(settings.language as Locale)
 }

@@ -38,7 +38,7 @@ describe('a project', () => {
       ...{ changed: kept.changed, revision: kept.revision },
     })
     expect(kept.changed).toBeGreaterThanOrEqual(before)
-    // A moment: a key that is used anew after the bin never comes back to a revision of before.
+    // A moment: a key that is used again after the bin never comes back to a revision of before.
     expect(kept.revision).toBeGreaterThanOrEqual(before)
     expect(await open('friendship')).toEqual(kept)
   })

@@ -22,7 +22,7 @@ const revisionOf = (value: unknown): number =>
   typeof value === 'number' && Number.isSafeInteger(value) && value > 0 ? value : 1
 
 /**
- * A revision for a project that has none yet: a moment. A key that is used anew after the bin never comes back to a
+ * A revision for a project that has none yet: a moment. A key that is used again after the bin never comes back to a
  * revision that an old tab still holds.
  */
 export const firstRevision = (): number => Date.now()

@@ -1,7 +1,7 @@
 import { languages } from 'content:words'
 import * as v from 'valibot'
 
-const wish = v.optional(v.boolean())
+const option = v.optional(v.boolean())
 const level = v.picklist(['starter', 'explorer', 'expert'])
 const share = v.pipe(v.number(), v.minValue(0), v.maxValue(1))
 const two = v.optional(v.tuple([share, share]))
@@ -10,7 +10,7 @@ const mostSorted = 1_000_000
 
 /** All that is set on a device, and what each may be. A setting without a line here would not go home. */
 export const settings = {
-  comfort: v.strictObject({ projector: wish, quiet: wish, letters: wish, aloud: wish }),
+  comfort: v.strictObject({ projector: option, quiet: option, letters: option, aloud: option }),
   language: v.picklist(languages),
   'network-level': level,
   'network-tens': v.boolean(),

@@ -7,9 +7,9 @@ const key = 'botgarten.language'
 const isLocale = (name: unknown): name is Locale => all.includes(name as Locale)
 
 /** What the browser asks for first, else English. */
-export function preferred(wishes: readonly string[]): Locale {
-  for (const wish of wishes) {
-    const language = wish.toLowerCase().split('-')[0]
+export function preferred(requested: readonly string[]): Locale {
+  for (const one of requested) {
+    const language = one.toLowerCase().split('-')[0]
     if (isLocale(language)) return language
   }
   return 'en'
@@ -36,10 +36,10 @@ function remember(locale: Locale): void {
 /** Brings what a language needs before it can be spoken. */
 type Bringing = (locale: Locale) => Promise<unknown>
 
-/** The language of all words on the screen. Changing it words the page anew in place. */
+/** The language of all words on the screen. Changing it words the page again in place. */
 class Language {
   #locale = $state<Locale>(remembered() ?? preferred(globalThis.navigator?.languages ?? []))
-  #wish: Locale | null = null
+  #requested: Locale | null = null
   readonly #needs = new Set<Bringing>()
   readonly all = all
 
@@ -54,13 +54,13 @@ class Language {
 
   /** Speaks another language; where its words do not come, the page goes on in the one it has. */
   async speak(locale: Locale): Promise<void> {
-    this.#wish = locale
+    this.#requested = locale
     try {
-      await Promise.all([...this.#needs].map((bring) => bring(locale)))
+      await Promise.all([...this.#needs].map((loadPart) => loadPart(locale)))
     } catch (cause) {
       return console.warn('The words of a language did not come.', cause)
     }
-    if (this.#wish !== locale) return
+    if (this.#requested !== locale) return
     this.#locale = locale
     remember(locale)
   }

@@ -1,18 +1,18 @@
 import { expect, test } from 'vitest'
 import { language, preferred } from './language.svelte.ts'
 
-test('the first wish of the browser that we speak is the language', () => {
+test('the first language of the browser that we speak is the language', () => {
   expect(preferred(['de-AT', 'en'])).toBe('de')
   expect(preferred(['fr', 'DE', 'en-GB'])).toBe('de')
   expect(preferred(['en-US', 'de'])).toBe('en')
 })
 
-test('English is spoken where no wish can be met', () => {
+test('English is spoken where none of them is there', () => {
   expect(preferred(['fr-CH', 'it'])).toBe('en')
   expect(preferred([])).toBe('en')
 })
 
-test('a language is spoken once all that it needs has come, and the last wish counts', async () => {
+test('a language is spoken once all that it needs has come, and the last request counts', async () => {
   const asked: string[] = []
   let come = () => {}
   language.needs((locale) => {

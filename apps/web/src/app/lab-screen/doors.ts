@@ -9,7 +9,7 @@ import type { LabUi } from '#lab/ui.svelte.ts'
 import type { LabSession } from '#lab/session.svelte.ts'
 import { freshId } from '#storage/projects.ts'
 import { nameOfCopy } from '#storage/messages.ts'
-import { bring } from '#parts/feature.ts'
+import { loadPart } from '#parts/feature.ts'
 import { fetchWords } from '#words/say.ts'
 
 const addressOf = (card: string, id: string) => resolve(`/lab/[card]?p=${encodeURIComponent(id)}`, { card })
@@ -33,7 +33,7 @@ export async function openFile(file: File, ui: LabUi): Promise<void> {
  * does not know all of it.
  */
 export async function saveForOpenRoberta(session: LabSession, name: string) {
-  const { saveOpenRobertaFile, SaveDialog } = await bring(openRoberta)
+  const { saveOpenRobertaFile, SaveDialog } = await loadPart(openRoberta)
   const outgoing = saveOpenRobertaFile({ ...session.project, name }, session.robotId)
   return outgoing && { SaveDialog, outgoing }
 }
@@ -41,7 +41,7 @@ export async function saveForOpenRoberta(session: LabSession, name: string) {
 /** What may end the robot's program here and not in Open Roberta, where the program comes from there. */
 export async function foreignDifferences(session: LabSession): Promise<readonly Difference[]> {
   if (!session.program.raw) return []
-  const { differencesOf } = await bring(openRoberta)
+  const { differencesOf } = await loadPart(openRoberta)
   return differencesOf(session.program, session.config)
 }
 
@@ -64,8 +64,8 @@ export function keepGone(session: LabSession): void {
 /** Another tab has saved this project: that is shown. What stands here is put aside first. */
 export async function loadNewer(session: LabSession, ui: LabUi, title: string): Promise<void> {
   const place = placeOf(session.project)
-  const safe = await session.keeper.putAside(freshId(place), nameOfCopy(title, []))
-  if (safe) await show(place, session.keeper.id)
+  const safe = await session.autosave.putAside(freshId(place), nameOfCopy(title, []))
+  if (safe) await show(place, session.autosave.id)
   else ui.say('problem.notKept.title', 'problem.notKept.text')
 }
 
@@ -76,7 +76,7 @@ export async function sortingDoors(session: LabSession): Promise<readonly Sortin
   const readings = thread?.sorting.readings ?? []
   const sorts = session.opened.card?.card.playground === 'sorting' || session.project.sorting
   if (!sorts && readings.length === 0) return []
-  return (await bring(sorting)).doorsOf(session, readings)
+  return (await loadPart(sorting)).doorsOf(session, readings)
 }
 
 /** What could not be read here stays where it is: the new start has an address of its own from now on. */

@@ -30,7 +30,7 @@ beforeAll(() => {
 const open: LabSession[] = []
 afterEach(() => {
   vi.clearAllTimers()
-  for (const { keeper } of open.splice(0)) keeper.close()
+  for (const { autosave } of open.splice(0)) autosave.close()
 })
 afterAll(() => {
   vi.useRealTimers()
@@ -42,7 +42,7 @@ afterAll(() => {
 async function opened(card: LoadedCard, program: CardProgram): Promise<LabSession> {
   const fresh = cardProject(card.world, card.card, program, card.card.id)
   const project = { ...fresh, ...withLearnedWay(fresh, content.mapFile) }
-  const expert = await packs.bringFor(project)
+  const expert = await packs.loadFor(project)
   const session = new LabSession({
     ...{ id: card.card.id, revision: 0, project, card, floor: content.floorOf(project.world), expert },
     ...{ floorAddress: null, trouble: null, damaged: null, keeps: true },

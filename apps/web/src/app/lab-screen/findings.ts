@@ -2,24 +2,24 @@ import { say } from '#words/say.ts'
 import type { Finding } from '@botgarten/blocks'
 import type { Difference } from '@botgarten/programs/open-roberta'
 
-/** Something to mend, in a child's words. The first fix is the main button. */
+/** Something to fix, in a child's words. The first fix is the main button. */
 export interface FindingWords {
   readonly title: string
   readonly text?: string
-  readonly fixes: readonly { readonly label: string; readonly mend: () => void }[]
+  readonly fixes: readonly { readonly label: string; readonly fix: () => void }[]
 }
 
 type Fix = NonNullable<Finding['fixes']>[number]
 
 /** A finding in a child's words, with its ways out. */
-export const wordsOf = (finding: Finding, mend: (fix: Fix) => void, putIn: () => void): FindingWords => ({
+export const wordsOf = (finding: Finding, apply: (fix: Fix) => void, putIn: () => void): FindingWords => ({
   title: say(`${finding.problem}.title`, finding.facts),
   text: say(`${finding.problem}.text`, finding.facts),
   fixes: [
-    ...(finding.putIn ? [{ label: say(finding.putIn), mend: putIn }] : []),
+    ...(finding.putIn ? [{ label: say(finding.putIn), fix: putIn }] : []),
     ...(finding.fixes ?? []).map((fix) => ({
       label: say(fix.words, fix.facts),
-      mend: () => mend(fix),
+      fix: () => apply(fix),
     })),
   ],
 })
@@ -33,13 +33,13 @@ export const wordsOfDifferences = (
   text: differences.map(({ kind }) => say(`openRoberta.ends.${kind}`)).join(' '),
   fixes: differences.map(({ kind, block }) => ({
     label: say(`openRoberta.ends.show.${kind}`),
-    mend: () => show(block),
+    fix: () => show(block),
   })),
 })
 
-/** Is it a mistake that can be mended with one tap? Those are said at once; what is merely unfinished waits for Start. */
+/** Is it a mistake that can be fixed with one tap? Those are said at once; what is merely unfinished waits for Start. */
 export const saidAtOnce = ({ stops, fixes }: Finding): boolean => stops && (fixes?.length ?? 0) > 0
 
-/** Blocks that have to be mended first. */
+/** Blocks that have to be fixed first. */
 export const stoppingBlocks = (findings: readonly Finding[]): ReadonlySet<string> =>
   new Set(findings.filter(({ stops }) => stops).map(({ block }) => block))

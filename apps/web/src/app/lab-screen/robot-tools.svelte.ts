@@ -1,5 +1,5 @@
 import { robot } from '#features/robot/feature.ts'
-import { bring } from '#parts/feature.ts'
+import { loadPart } from '#parts/feature.ts'
 
 export type RobotTool = 'build' | 'senses' | 'panel'
 
@@ -17,6 +17,6 @@ export class RobotTools {
   async show(tool: RobotTool, open: boolean): Promise<void> {
     if (open) this.#open = tool
     else if (this.#open === tool) this.#open = null
-    if (open) this.#parts ??= await bring(robot, () => (this.#open = null))
+    if (open) this.#parts ??= await loadPart(robot, () => (this.#open = null))
   }
 }

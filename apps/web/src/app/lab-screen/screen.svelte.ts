@@ -5,7 +5,7 @@ import { Crew } from '#features/crew/feature.ts'
 import type { Held } from '#lab/blocks.ts'
 import { inside } from '#features/inside/feature.ts'
 import type { Learner } from '#features/q-learning/feature.ts'
-import { addNeuron, mend } from '#features/robot/feature.ts'
+import { addNeuron, applyFix } from '#features/robot/feature.ts'
 import { Guide, sightOf } from '#features/tour/feature.ts'
 import { BuildMode, world } from '#features/world/feature.ts'
 import { Glow } from '#figures/glow.svelte.ts'
@@ -13,7 +13,7 @@ import type { Opened } from '#lab/opening.ts'
 import { LabSession } from '#lab/session.svelte.ts'
 import { TimeMachine } from '#lab/time.svelte.ts'
 import { LabUi } from '#lab/ui.svelte.ts'
-import { bring } from '#parts/feature.ts'
+import { loadPart } from '#parts/feature.ts'
 import { saveProjectFile } from '#storage/handout.ts'
 import { m } from '#words/say.ts'
 import { againFrom, nextStep, taskOf } from './card.ts'
@@ -51,7 +51,7 @@ export class LabScreenState {
     this.build = new BuildMode(
       this.session,
       this.ui,
-      async (failed) => (await bring(world, failed)).openWorkshop,
+      async (failed) => (await loadPart(world, failed)).openWorkshop,
     )
     this.time = new TimeMachine(this.session)
     this.crew = new Crew(this.session)
@@ -120,16 +120,16 @@ export class LabScreenState {
     return ui.success === 'counts' ? nextStep(card, starts) : againFrom(card, session.chosenStart, starts)
   })
 
-  /** What is to be mended now, one thing at a time. */
+  /** What is to be fixed now, one thing at a time. */
   readonly finding = $derived.by(() => this.ui.shown ?? this.session.findings.find(saidAtOnce) ?? null)
   /** Did the last run come to this and end there? Then the next one may start. */
   readonly #ended = $derived.by(() => {
     const { problem } = this.#facts
     return this.finding?.block === problem?.block && this.finding?.problem === problem?.problem
   })
-  /** A block has to be mended first: Start is off. */
+  /** A block has to be fixed first: Start is off. */
   readonly blocked = $derived.by(() => (this.finding?.stops ?? false) && !this.#ended)
-  /** Blocks that have to be mended first. */
+  /** Blocks that have to be fixed first. */
   readonly toMend = $derived.by(() => stoppingBlocks(this.session.findings))
   /** The finding in a child's words, or what was found in a file that was opened. */
   readonly said = $derived.by(() => {
@@ -137,7 +137,7 @@ export class LabScreenState {
     if (finding)
       return wordsOf(
         finding,
-        (fix) => this.blocks && mend(this.session, this.blocks, finding.block, fix),
+        (fix) => this.blocks && applyFix(this.session, this.blocks, finding.block, fix),
         () => this.putIn(finding.block),
       )
     return this.differences.length > 0
@@ -180,7 +180,7 @@ export class LabScreenState {
   }
 
   /** What is seen inside the network comes with the first question. */
-  inside = () => bring(inside)
+  inside = () => loadPart(inside)
 
   openFile = (file: File): Promise<void> => doors.openFile(file, this.ui)
   saveFile = (): void => saveProjectFile({ ...this.session.project, name: this.title })

@@ -21,7 +21,7 @@ const idle = (): Promise<unknown> =>
   })
 
 /** Brings one part: scripts and styles to where the page finds them without asking, the rest into the browser's cache. */
-async function bring(address: string): Promise<void> {
+async function loadPart(address: string): Promise<void> {
   const link = document.createElement('link')
   link.href = address
   if (address.endsWith('.js')) link.rel = 'modulepreload'
@@ -45,7 +45,7 @@ export function prefetchParts(): () => void {
       await idle()
       if (stopped) return
       const some = immutable.slice(at, at + AT_ONCE)
-      await Promise.all(some.map(({ path }) => bring(new URL(path, base()).href)))
+      await Promise.all(some.map(({ path }) => loadPart(new URL(path, base()).href)))
     }
     document.documentElement.dataset['parts'] = 'here'
   }

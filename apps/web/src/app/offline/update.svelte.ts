@@ -48,7 +48,7 @@ export class Update {
     see()
   }
 
-  /** Takes the new version and loads the page anew, unless a lab is open. */
+  /** Takes the new version and loads the page again, unless a lab is open. */
   async take(): Promise<void> {
     const taken = await whileNoLab(async () => {
       const over = new Promise((done) =>

@@ -1,6 +1,6 @@
 import type { Feature } from '#parts/feature.ts'
 
-export { addNeuron, mend } from './plug.ts'
+export { addNeuron, applyFix } from './plug.ts'
 
 /** Bo's own parts: building it, what it senses, its panel. */
 export const robot = {

@@ -12,7 +12,7 @@ interface Blocks {
 }
 
 /** Carries out a way out of a finding: sets the field and plugs the sensor in, as one step. */
-export function mend(session: LabSession, blocks: Blocks, block: string, fix: Fix): void {
+export function applyFix(session: LabSession, blocks: Blocks, block: string, fix: Fix): void {
   const { field, value, plug } = fix
   const before = session.undo.count
   blocks.setFields(block, { [field]: value })

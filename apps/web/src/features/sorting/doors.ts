@@ -28,10 +28,10 @@ export function doorsOf(
 
 /** Keeps the project first: the playground opens what is kept. */
 async function enter(session: LabSession, sorting: LabSession['project']['sorting']): Promise<void> {
-  const { keeper, project } = session
-  keeper.changed(() => (sorting ? { ...project, sorting } : project))
-  await keeper.flush()
-  if (keeper.state === 'saved') await goto(resolve(`/sorting?p=${encodeURIComponent(keeper.id)}`))
+  const { autosave, project } = session
+  autosave.changed(() => (sorting ? { ...project, sorting } : project))
+  await autosave.flush()
+  if (autosave.state === 'saved') await goto(resolve(`/sorting?p=${encodeURIComponent(autosave.id)}`))
 }
 
 /** A kept project, read as carefully as a stranger's file; null where there is none, or none that can be read. */

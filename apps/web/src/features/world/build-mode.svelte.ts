@@ -12,14 +12,14 @@ export class BuildMode {
   readonly ui: LabUi
   readonly eye: Eye
   readonly hand: Hand
-  readonly #bringTools: BringTools
+  readonly #loadTools: BringTools
   #shop = $state.raw<Opened | null>(null)
   #on = $state(false)
 
-  constructor(session: LabSession, ui: LabUi, bringTools: BringTools) {
+  constructor(session: LabSession, ui: LabUi, loadTools: BringTools) {
     this.session = session
     this.ui = ui
-    this.#bringTools = bringTools
+    this.#loadTools = loadTools
     this.eye = new Eye(
       () => this.shop?.world ?? session.lab.document.world,
       () => session.robotId,
@@ -59,7 +59,7 @@ export class BuildMode {
 
   async #open(): Promise<Opened> {
     if (this.#shop) return this.#shop
-    const open = await this.#bringTools(() => (this.#on = false))
+    const open = await this.#loadTools(() => (this.#on = false))
     this.#shop ??= await open(this)
     return this.#shop
   }

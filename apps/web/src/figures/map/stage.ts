@@ -14,7 +14,7 @@ export interface Stage {
 }
 
 /** Null where there is no such map, or its file breaks a rule. */
-export async function bringStage(id: string): Promise<Stage | null> {
+export async function loadStage(id: string): Promise<Stage | null> {
   const text = await maps.map(id)
   if (text === null) return null
   const { map } = readMap(text)

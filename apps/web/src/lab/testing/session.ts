@@ -32,7 +32,7 @@ export function sessionOf(
 }
 
 export function closeSessions(): void {
-  for (const { keeper } of open.splice(0)) keeper.close()
+  for (const { autosave } of open.splice(0)) autosave.close()
 }
 
 /** Frames of a screen, which come when they are drawn. Returns how to draw one, so many milliseconds later. */

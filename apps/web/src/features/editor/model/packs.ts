@@ -30,7 +30,7 @@ const plain: { readonly [type: string]: Definition | undefined } = { ...definiti
 export const expertParts = (): Expert | null => expert
 
 /** Brings the whole language with its words; programs may hold all of it from then on. */
-export async function bringExpert(): Promise<Expert> {
+export async function loadExpert(): Promise<Expert> {
   const { learn, expertShelf, everything } = await withWords(import('../view/expert/expert.ts'), [
     'expert',
     ...ofPacks,
@@ -40,17 +40,17 @@ export async function bringExpert(): Promise<Expert> {
 }
 
 /** Brings the blocks for deeper networks, for maps and groups. */
-export async function bringLearning(): Promise<void> {
+export async function loadLearning(): Promise<void> {
   await fetchWords(...ofPacks)
   addBlocks(learning, learningToolbox)
 }
 
 /** Brings what a project's programs and brains hold and is not there yet. Returns whether its programs hold more than the plain language. */
-export async function bringFor({ programs, brains }: Pick<Project, 'programs' | 'brains'>): Promise<boolean> {
+export async function loadFor({ programs, brains }: Pick<Project, 'programs' | 'brains'>): Promise<boolean> {
   const rows = Object.values(programs).flatMap(({ stacks }) => stacks.flatMap(({ blocks }) => blocks))
-  if (rows.some(learns) || Object.values(brains).some(bends)) await bringLearning()
+  if (rows.some(learns) || Object.values(brains).some(bends)) await loadLearning()
   const more = rows.some(isMore)
-  if (more && !expert) await bringExpert()
+  if (more && !expert) await loadExpert()
   return more
 }
 

@@ -16,7 +16,7 @@ const forever = (id: string, ...blocks: readonly Block[]): Block => ({
   statements: { DO: blocks },
 })
 
-/** A row as ids, what stands in a block in brackets behind it; of what is made anew the type. */
+/** A row as ids, what stands in a block in brackets behind it; of what is made again the type. */
 const told = (row: readonly Block[]): string =>
   row
     .map(({ id, type, statements }) => {

@@ -39,7 +39,7 @@ class DropTarget extends Blockly.DragTarget {
 const isNetwork = (held: Blockly.IDraggable): held is Blockly.BlockSvg =>
   held instanceof Blockly.BlockSvg && holdsNetwork(held)
 
-/** `dropped` is called when Blockly has let the block go, in the same step of undo. Returns how to measure the place anew. */
+/** `dropped` is called when Blockly has let the block go, in the same step of undo. Returns how to measure the place again. */
 export function takeNetworks(
   paper: Blockly.WorkspaceSvg,
   drop: NetworkDrop,

@@ -50,7 +50,7 @@ export class Showing {
     showMarks(this.#workspace, marks)
   }
 
-  /** All of it once more, on blocks that were built anew. */
+  /** All of it once more, on blocks that were built again. */
   again(): void {
     this.lit(this.#lit)
     this.glow(this.#glow)

@@ -13,7 +13,7 @@ export interface Readings {
 }
 
 const COUNT = 400
-/** The way Bo looks is taken in steps of so many degrees: while it turns, not every degree is read anew. */
+/** The way Bo looks is taken in steps of so many degrees: while it turns, not every degree is read again. */
 const TURN = 5
 
 /** What Bo would do anywhere on the floor. Readings are kept until the world or the robot changes; weights play no part in them. */
@@ -32,7 +32,7 @@ export class Field {
     return this.#readings
   }
 
-  /** Reads anew where something has changed, one reading at a time. Depends on what is shown. */
+  /** Reads again where something has changed, one reading at a time. Depends on what is shown. */
   follow(): void {
     const now = this.#state
     if (!this.on || this.#busy || now.every((part, index) => part === this.#read[index])) return

@@ -63,7 +63,7 @@ interface Drawn extends Readings {
 
 const ARROW = '#8A1F41'
 
-/** Draws the field anew: arrows for a network that drives, else a disc in the colour of the strongest output, as large as it is. */
+/** Draws the field again: arrows for a network that drives, else a disc in the colour of the strongest output, as large as it is. */
 export function drawField(context: CanvasRenderingContext2D, drawn: Drawn): void {
   const { window, wheels } = drawn
   context.setTransform(1, 0, 0, 1, 0, 0)

@@ -2,7 +2,7 @@ import type { LearningOutline } from '@botgarten/programs'
 import { fetchWords } from '#words/say.ts'
 import { riddenLine } from '#figures/map/roads.ts'
 import Signs from '#figures/map/Signs.svelte'
-import { bringStage, courseOn, type Stage } from '#figures/map/stage.ts'
+import { loadStage, courseOn, type Stage } from '#figures/map/stage.ts'
 
 /** A map's drawing with its parts of the moment: each drawing has its own. */
 interface DrawnMap {
@@ -16,7 +16,7 @@ interface DrawnMap {
 
 /** @throws Error where there is no such map: a mistake in the content */
 export async function drawMap(id: string, learned?: LearningOutline): Promise<DrawnMap> {
-  const [stage] = await Promise.all([bringStage(id), fetchWords('blocks-q-learning')])
+  const [stage] = await Promise.all([loadStage(id), fetchWords('blocks-q-learning')])
   if (!stage) throw new Error(`There is no map "${id}".`)
   const found = learned ? learn(stage, learned) : null
   const seen = stage.map.stations.map((_, station) => found?.includes(station) ?? false)

@@ -1,7 +1,7 @@
-import { readFileSync } from 'node:fs'
 import { content } from '@botgarten/content/files'
 import type { RobotConfig } from '@botgarten/simulation'
 import { expect, test } from 'vitest'
+import { drawBo } from '#drawing/bo.ts'
 import { boParts, leaders } from './robot.ts'
 import fc from 'fast-check'
 
@@ -26,11 +26,16 @@ test('the left wheel is the motor that the configuration has on the left', () =>
   expect(left.map(({ port }) => port)).toEqual(['A'])
 })
 
-test('an eye is named where it is drawn: both keep to the same bounds of the head', () => {
-  const bounds = (path: string) =>
-    readFileSync(new URL(path, import.meta.url), 'utf8').match(/clamp\(0 - [xy], [-\d., ]+\)/g)
-  expect(bounds('./robot.ts')).toHaveLength(2)
-  expect(bounds('./robot.ts')).toEqual(bounds('../../../figures/world/BoTop.svelte'))
+test('an eye is named where it is drawn, on the head though it is said to sit beyond its edge', () => {
+  const config = {
+    ...friend,
+    sensors: { '3': { kind: 'ultrasonic', x: 30, y: -30, angle: 0 } },
+  } as RobotConfig
+  const drawn = drawBo({ config, led: null, text: false }).flatMap((shape) =>
+    shape.kind === 'group' && shape.turn !== undefined ? [{ x: shape.x, y: shape.y }] : [],
+  )
+  expect(drawn).toEqual([{ x: 4.2, y: -6.55 }])
+  expect(boParts(config).find(({ port }) => port === '3')?.at).toEqual(drawn[0])
 })
 
 const spot = fc.record({ x: fc.integer({ min: -9, max: 9 }), y: fc.integer({ min: -9, max: 9 }) })

@@ -1,11 +1,6 @@
 import type { RobotConfig, SensorPlace } from '@botgarten/simulation'
-import { clamp, type Point } from '#drawing/points.ts'
-
-/** Where `BoTop.svelte` draws a sensor, in cm, Bo's front up: one that is said to sit on the edge stays on the head. */
-const onHead = ({ x, y }: SensorPlace): Point => ({
-  x: clamp(0 - y, -4.2, 4.2),
-  y: clamp(0 - x, -6.55, 5.2),
-})
+import { partsOf } from '#drawing/bo.ts'
+import type { Point } from '#drawing/points.ts'
 
 /** A part that is seen on Bo from above. */
 export interface BoPart {
@@ -19,8 +14,6 @@ const seen = ['ultrasonic', 'infrared', 'colour'] as const
 type Seen = (typeof seen)[number]
 const isSeen = (kind: SensorPlace['kind']): kind is Seen => (seen as readonly string[]).includes(kind)
 
-/** The colour sensor is drawn in the middle of the head, whatever its place. */
-const floorEye: Point = { x: 0, y: -5 }
 /** The foot of the display, so that a line from it runs behind the wheel. */
 const parts: readonly BoPart[] = [
   { kind: 'lamp', port: null, at: { x: -1, y: 4.3 } },
@@ -28,11 +21,12 @@ const parts: readonly BoPart[] = [
 ]
 
 /** What a robot of this configuration has that is seen from above. */
-export function boParts({ sensors, drive, trackWidth }: RobotConfig): readonly BoPart[] {
-  const eyes = Object.entries(sensors).flatMap(([port, place]): BoPart[] => {
-    const { kind } = place
-    if (!isSeen(kind)) return []
-    return [{ kind, port, at: kind === 'colour' ? floorEye : onHead(place) }]
+export function boParts(config: RobotConfig): readonly BoPart[] {
+  const { sensors, drive, trackWidth } = config
+  const drawn = partsOf(config)
+  const eyes = Object.entries(sensors).flatMap(([port, { kind }]): BoPart[] => {
+    const at = drawn.find(({ part }) => part === `sensor ${port}`)
+    return isSeen(kind) && at ? [{ kind, port, at: { x: at.x, y: at.y } }] : []
   })
   const wheels = (['left', 'right'] as const).map((side): BoPart => {
     const x = (side === 'left' ? -1 : 1) * (trackWidth / 2)

@@ -50,7 +50,7 @@ export function pauseWhenAway(pause: () => void): () => void {
 
 /**
  * Mascots beside the playground hold still: nothing moves beside what is to be seen, and an animation would be worked out
- * anew with every frame. Returns how to let them go on.
+ * again with every frame. Returns how to let them go on.
  */
 export function holdStill(playground: Element): () => void {
   const held = document.getAnimations().filter(({ effect }) => {

@@ -4,7 +4,7 @@ import { isShortest, learningKey, sectionsOf } from '@botgarten/maps'
 import { learningIn, type Learned } from '@botgarten/programs'
 import type { LabUi } from '#lab/ui.svelte.ts'
 import type { LabSession } from '#lab/session.svelte.ts'
-import { bringStage, courseOn, type Stage } from '#figures/map/stage.ts'
+import { loadStage, courseOn, type Stage } from '#figures/map/stage.ts'
 import { budgetFor, Clock, pauseWhenAway } from './clock.ts'
 import { WayOnFloor } from './way-on-floor.ts'
 import { type Blocks, Hands } from './hands.ts'
@@ -99,7 +99,7 @@ export class Learning {
     this.#halt('ready')
     const { outline } = this
     if (!outline) return
-    const stage = this.#stage?.id === outline.map ? this.#stage : await bringStage(outline.map)
+    const stage = this.#stage?.id === outline.map ? this.#stage : await loadStage(outline.map)
     if (key !== this.#key) return
     this.#stage = stage
     if (!stage || !this.#create()) return
@@ -257,7 +257,7 @@ export class Learning {
     const [course, stage, outline] = [this.#course!, this.#stage!, this.outline]
     const { stations } = course.way()
     if (!stations || stations.length < 2 || outline?.blocks.draw === undefined) return
-    // Meanwhile a hand may have begun anew.
+    // Meanwhile a hand may have begun again.
     const stands = () =>
       course === this.#course && this.#state !== 'playing' && this.session.lab.view.phase !== 'running'
     await this.#floor.lay(stage, stations, stands)

@@ -11,7 +11,7 @@ import {
   type QWorld,
 } from '@botgarten/learning/q-learning'
 
-/** What the screen shows of a course at the move that is shown. Made anew for every move, never written to. */
+/** What the screen shows of a course at the move that is shown. Made again for every move, never written to. */
 export interface Shown {
   readonly world: QWorld
   readonly t: number

@@ -1,11 +1,11 @@
 import type { Pose } from '@botgarten/simulation'
-import type { Desk } from './desk.svelte.ts'
+import type { Playground } from './playground.svelte.ts'
 import type { Rover, Way } from './rover.ts'
 import { MOST_READINGS } from './work.ts'
 
-/** Bo drives over its floor, by hand or by itself, and what it reads comes onto the desk. */
+/** Bo drives over its floor, by hand or by itself, and what it reads comes onto the playground. */
 export class Drive {
-  readonly #desk: Desk
+  readonly #playground: Playground
   readonly #rover: Rover
   #pose: Pose = $state.raw({ x: 0, y: 0, heading: 0 })
   #way = $state<Way | 'lanes' | null>(null)
@@ -13,8 +13,8 @@ export class Drive {
   #before = 0
   #hasRead = false
 
-  constructor(desk: Desk, rover: Rover) {
-    this.#desk = desk
+  constructor(playground: Playground, rover: Rover) {
+    this.#playground = playground
     this.#rover = rover
     this.#pose = rover.pose()
   }
@@ -46,17 +46,17 @@ export class Drive {
     this.#rover.advance(1, null)
     this.#way = null
     this.#hasRead = false
-    this.#desk.endCollecting()
+    this.#playground.endCollecting()
   }
 
   /** The floor is left. */
   close(): void {
     cancelAnimationFrame(this.#frame)
-    this.#desk.endCollecting()
+    this.#playground.endCollecting()
   }
 
   get #isFull(): boolean {
-    return this.#desk.work.table.rows.length >= MOST_READINGS
+    return this.#playground.work.table.rows.length >= MOST_READINGS
   }
 
   #beat = (now: number): void => {
@@ -64,7 +64,7 @@ export class Drive {
     const passed = Math.min(30, Math.floor(((now - this.#before) * 60) / 1000))
     if (passed > 0) {
       this.#before = now
-      const isTakenBack = this.#hasRead && !this.#desk.collecting
+      const isTakenBack = this.#hasRead && !this.#playground.collecting
       if (isTakenBack) return this.halt()
       this.#advance(passed * (this.#way === 'lanes' ? 3 : 1))
     }
@@ -74,7 +74,7 @@ export class Drive {
 
   #advance(ticks: number): void {
     const found = this.#rover.advance(ticks, this.#way)
-    if (found.length > 0) this.#desk.collect(found)
+    if (found.length > 0) this.#playground.collect(found)
     this.#hasRead ||= found.length > 0
     this.#pose = this.#rover.pose()
   }

@@ -1,6 +1,6 @@
 import fc from 'fast-check'
 import { describe, expect, test } from 'vitest'
-import { Desk } from './desk.svelte.ts'
+import { Playground } from './playground.svelte.ts'
 import { othersIn, read, workOfReadings, writtenReadings, written, type Kept } from './kept.ts'
 import type { Shelf } from './steps.svelte.ts'
 import { fileTable, MOST_COLUMNS, MOST_FLAGS, MOST_POINTS, withTable } from './work.ts'
@@ -20,9 +20,9 @@ function shelfOf(kept: unknown = null): Shelf & { readonly now: () => unknown } 
 
 const whole = (): Kept => {
   const shelf = shelfOf()
-  const desk = new Desk(shelf)
-  desk.takeTrap('heaps')
-  desk.name(1, 'Heap')
+  const playground = new Playground(shelf)
+  playground.takeTrap('heaps')
+  playground.name(1, 'Heap')
   return shelf.now() as Kept
 }
 
@@ -53,7 +53,7 @@ describe('what a project keeps of the playground', () => {
   test('has a version, and comes back as it was', () => {
     const kept = whole()
     expect(kept.version).toBe(1)
-    const again = new Desk(shelfOf(kept))
+    const again = new Playground(shelfOf(kept))
     expect(written(again.work)).toEqual(kept)
     expect(again.unread).toBe(false)
     expect(again.nameOf(1)).toBe('Heap')
@@ -61,8 +61,8 @@ describe('what a project keeps of the playground', () => {
 
   test('the axes that were chosen, too', () => {
     const shelf = shelfOf()
-    const desk = new Desk(shelf)
-    desk.takeTable(
+    const playground = new Playground(shelf)
+    playground.takeTable(
       ['a', 'b', 'c'],
       [
         [1, 2, 3],
@@ -70,8 +70,8 @@ describe('what a project keeps of the playground', () => {
         [9, 8, 7],
       ],
     )
-    desk.setAxis(0, 2)
-    expect(new Desk(shelfOf(shelf.now())).work.axes).toEqual([2, 1])
+    playground.setAxis(0, 2)
+    expect(new Playground(shelfOf(shelf.now())).work.axes).toEqual([2, 1])
   })
 
   test('what Bo has collected lies on the plane by its colours', () => {
@@ -86,16 +86,16 @@ describe('what a project keeps of the playground', () => {
 
   test('readings from the lab leave the other pages as they are', () => {
     const shelf = shelfOf(whole())
-    const desk = new Desk(shelf)
-    desk.turnTo('things')
-    desk.takeSet('leaves')
+    const playground = new Playground(shelf)
+    playground.turnTo('things')
+    playground.takeSet('leaves')
     const kept = writtenReadings([[255, 0, 0]], shelf.now())
     expect(kept).toMatchObject({ version: 1, source: 'readings' })
     expect(kept.pages!.map(({ source, set }) => [source, set])).toEqual([
       ['things', 'leaves'],
       ['points', 'heaps'],
     ])
-    const again = new Desk(shelfOf(kept))
+    const again = new Playground(shelfOf(kept))
     again.turnTo('points')
     expect([again.work.set, again.nameOf(1)]).toEqual(['heaps', 'Heap'])
     expect(writtenReadings([[1, 2, 3]], 'broken').pages).toBeUndefined()
@@ -131,10 +131,10 @@ describe('what a project keeps of the playground', () => {
     ['too many names', { names: Array.from({ length: MOST_FLAGS + 1 }, () => 'x') }],
     ['a distance that nobody knows', { distance: 'far' }],
     ['an axis that is none', { axes: [0, 99] }],
-  ])('%s is not read: the playground begins anew, and says so', (_, part) => {
-    const desk = new Desk(shelfOf({ ...whole(), ...part }))
-    expect(desk.unread).toBe(true)
-    expect(desk.work).toMatchObject({ source: 'things', set: 'vessels' })
+  ])('%s is not read: the playground begins again, and says so', (_, part) => {
+    const playground = new Playground(shelfOf({ ...whole(), ...part }))
+    expect(playground.unread).toBe(true)
+    expect(playground.work).toMatchObject({ source: 'things', set: 'vessels' })
   })
 
   test('whatever lies there, the playground opens and can be sorted', () => {
@@ -143,9 +143,9 @@ describe('what a project keeps of the playground', () => {
     const names = [...Object.keys(kept), 'pages']
     fc.assert(
       fc.property(fc.constantFrom(...names), part, (name, value) => {
-        const desk = new Desk(shelfOf({ ...kept, [name]: value }))
-        for (let step = 0; step < 5; step++) desk.stepAll()
-        expect(desk.work.flags).toBeGreaterThan(0)
+        const playground = new Playground(shelfOf({ ...kept, [name]: value }))
+        for (let step = 0; step < 5; step++) playground.stepAll()
+        expect(playground.work.flags).toBeGreaterThan(0)
       }),
       { seed: 8, numRuns: 300 },
     )
@@ -153,14 +153,14 @@ describe('what a project keeps of the playground', () => {
 })
 
 test('all letters of a name are one step, and can be taken back', () => {
-  const desk = new Desk(shelfOf())
-  const before = desk.last
-  for (const name of ['B', 'Bo', 'Bot']) desk.name(0, name)
-  expect(desk.last).toBe(before + 1)
-  desk.name(1, 'C')
-  expect(desk.last).toBe(before + 2)
-  desk.goTo(before + 1)
-  expect([desk.nameOf(0), desk.nameOf(1)]).toEqual(['Bot', ''])
-  desk.goTo(before)
-  expect(desk.nameOf(0)).toBe('')
+  const playground = new Playground(shelfOf())
+  const before = playground.last
+  for (const name of ['B', 'Bo', 'Bot']) playground.name(0, name)
+  expect(playground.last).toBe(before + 1)
+  playground.name(1, 'C')
+  expect(playground.last).toBe(before + 2)
+  playground.goTo(before + 1)
+  expect([playground.nameOf(0), playground.nameOf(1)]).toEqual(['Bot', ''])
+  playground.goTo(before)
+  expect(playground.nameOf(0)).toBe('')
 })

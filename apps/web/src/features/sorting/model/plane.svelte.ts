@@ -1,5 +1,5 @@
 import { distancesOf } from '@botgarten/learning/k-means'
-import type { Desk } from './desk.svelte.ts'
+import type { Playground } from './playground.svelte.ts'
 import { apart, fieldIn, spotOf, under, type Room, type Spot } from './geometry.ts'
 import { pointsIn } from './work.ts'
 
@@ -23,26 +23,26 @@ const leastApart = 47
 
 const colourOf = (row: readonly number[]) => row.map((value) => (value / 10) * 255)
 
-/** The desk as it lies on the screen: where everything is, and what a finger or a key does to it. */
+/** The playground as it lies on the screen: where everything is, and what a finger or a key does to it. */
 export class PlaneView {
-  readonly desk: Desk
+  readonly playground: Playground
   readonly #tool: () => Tool
   #held = $state<number | null>(null)
   room: Room = $state.raw({ width: 0, height: 0 })
   /** Where the pen is, for keys. */
   cursor = $state.raw({ x: 5, y: 5 })
 
-  constructor(desk: Desk, tool: () => Tool) {
-    this.desk = desk
+  constructor(playground: Playground, tool: () => Tool) {
+    this.playground = playground
     this.#tool = tool
   }
 
-  // What a step of sorting leaves as it is stays the same object, so that nothing is placed anew for it.
-  readonly #table = $derived.by(() => this.desk.work.table)
-  readonly #axes = $derived.by(() => this.desk.work.axes)
-  readonly #source = $derived.by(() => this.desk.work.source)
-  readonly #centres = $derived.by(() => this.desk.work.state?.centres ?? [])
-  readonly #labels = $derived.by(() => this.desk.work.state?.labels ?? [])
+  // What a step of sorting leaves as it is stays the same object, so that nothing is placed again for it.
+  readonly #table = $derived.by(() => this.playground.work.table)
+  readonly #axes = $derived.by(() => this.playground.work.axes)
+  readonly #source = $derived.by(() => this.playground.work.source)
+  readonly #centres = $derived.by(() => this.playground.work.state?.centres ?? [])
+  readonly #labels = $derived.by(() => this.playground.work.state?.labels ?? [])
   readonly #fills = $derived.by(() => (this.#source === 'readings' ? this.#table.rows.map(colourOf) : null))
   readonly field = $derived.by(() => fieldIn(this.room))
   readonly spots = $derived.by(() => {
@@ -54,7 +54,7 @@ export class PlaneView {
   readonly flags = $derived.by(() => this.#centres.map((centre) => spotOf(this.field, centre, this.#axes)))
   /** From what is touched to every flag. */
   readonly distances = $derived.by(() => {
-    const { touched, work } = this.desk
+    const { touched, work } = this.playground
     if (touched === null || !work.state || touched >= work.table.rows.length) return null
     return distancesOf(pointsIn(work.table), touched, work.state.centres, work.distance)
   })
@@ -79,11 +79,11 @@ export class PlaneView {
 
   /** A finger on the plane. */
   tap(x: number, y: number): void {
-    const { desk, field, tool } = this
+    const { playground, field, tool } = this
     const near = under(this.spots, x, y, 30)
-    if (tool === 'add') desk.addPoint(field.valueX(x), field.valueY(y))
-    else if (tool === 'remove' && near !== null) desk.removePoint(near)
-    else if (tool === 'look') desk.touched = near
+    if (tool === 'add') playground.addPoint(field.valueX(x), field.valueY(y))
+    else if (tool === 'remove' && near !== null) playground.removePoint(near)
+    else if (tool === 'look') playground.touched = near
   }
 
   /** The pen where it is. */
@@ -98,17 +98,18 @@ export class PlaneView {
 
   /** To the next point, or the one before. */
   walk(by: 1 | -1): void {
-    const { desk } = this
+    const { playground } = this
     const count = this.spots.length
     if (count === 0) return
-    desk.touched = desk.touched === null ? (by > 0 ? 0 : count - 1) : (desk.touched + by + count) % count
+    playground.touched =
+      playground.touched === null ? (by > 0 ? 0 : count - 1) : (playground.touched + by + count) % count
   }
 
   // ---- flags ----
 
   /** Where flags stood before they moved; a hand that holds one sees none of it. */
   readonly old = $derived.by(() => {
-    const { before } = this.desk
+    const { before } = this.playground
     if (this.held !== null || before?.state?.centres.length !== this.flags.length) return []
     return before.state.centres
       .map((centre, flag) => ({ flag, from: spotOf(this.field, centre, this.#axes), to: this.flags[flag]! }))
@@ -116,7 +117,7 @@ export class PlaneView {
   })
 
   grab(flag: number): void {
-    this.desk.pause()
+    this.playground.pause()
     this.#held = flag
   }
 
@@ -128,12 +129,12 @@ export class PlaneView {
   drop(): void {
     if (this.#held === null) return
     this.#held = null
-    this.desk.letGo()
+    this.playground.letGo()
   }
 
   /** By keys, in px. */
   moveFlag(flag: number, right: number, down: number): void {
-    this.desk.pause()
+    this.playground.pause()
     const { x, y } = this.flags[flag]!
     this.#put(flag, x + right, y + down, false)
   }
@@ -143,6 +144,6 @@ export class PlaneView {
     const centre = this.#centres[flag]!.map((value, column) =>
       column === right ? this.field.valueX(x) : column === up ? this.field.valueY(y) : value,
     )
-    this.desk.placeFlag(flag, centre, live)
+    this.playground.placeFlag(flag, centre, live)
   }
 }

@@ -1,6 +1,6 @@
 import type { Project } from '@botgarten/programs'
 import { placeOf } from '#content/cards.ts'
-import { Keeper } from '#lab/keeper.svelte.ts'
+import { ProjectAutosave } from '#lab/autosave.svelte.ts'
 import { readSetting, writeSetting } from '#storage/settings.ts'
 import { firstWork, othersIn, read, written, type Kept } from './kept.ts'
 import type { Source, Work } from './work.ts'
@@ -24,7 +24,7 @@ export interface Owner {
   /** The card, or `free`. */
   readonly place: string
   readonly id: string
-  readonly keeper: Keeper
+  readonly autosave: ProjectAutosave
 }
 
 /** A project that is opened for sorting. */
@@ -45,15 +45,15 @@ export const deviceShelf = (): Shelf => ({
 
 /** In the project's document: it goes wherever the project goes. */
 export function projectShelf({ id, revision, project }: OpenedForSorting): Shelf {
-  const keeper = new Keeper(id, revision)
+  const autosave = new ProjectAutosave(id, revision)
   let { name } = project
-  keeper.whenRenamed = (renamed) => (name = renamed)
+  autosave.whenRenamed = (renamed) => (name = renamed)
   return {
     kept: project.sorting ?? null,
-    keep: (kept) => keeper.changed(() => ({ ...project, name, sorting: kept() })),
-    flush: () => void keeper.flush(),
-    owner: { place: placeOf(project), id, keeper },
-    close: () => keeper.close(),
+    keep: (kept) => autosave.changed(() => ({ ...project, name, sorting: kept() })),
+    flush: () => void autosave.flush(),
+    owner: { place: placeOf(project), id, autosave },
+    close: () => autosave.close(),
   }
 }
 

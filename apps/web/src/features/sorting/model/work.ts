@@ -107,7 +107,7 @@ const sortable = ({ columns, rows }: Table) => columns.length > 0 && rows.length
 export const flagsFor = (wanted: number, { rows }: Table): number =>
   Math.max(1, Math.min(wanted, MOST_FLAGS, rows.length || MOST_FLAGS))
 
-/** Other rows or columns: flags are thrown anew. */
+/** Other rows or columns: flags are thrown again. */
 export function withTable(work: Work, table: Table): Work {
   const { length } = table.columns
   // Of red, green and blue, red and blue part colours best.
@@ -138,7 +138,7 @@ export function thrown(work: Work, start: Start = 'random'): Work {
   return { ...placed(work, centres), throws: throws + 1 }
 }
 
-/** Flags where a hand has put them: sorting begins anew from there. */
+/** Flags where a hand has put them: sorting begins again from there. */
 export function placed(work: Work, centres: KState['centres']): Work {
   return { ...work, state: startAt(pointsIn(work.table), centres, work.distance) }
 }

@@ -19,7 +19,7 @@ class Checker extends Blockly.ConnectionChecker {
   }
 }
 
-/** Makes the whole language known to the editor; blocks that are drawn already are drawn anew by who calls this. */
+/** Makes the whole language known to the editor; blocks that are drawn already are drawn again by who calls this. */
 export function learn(): void {
   addBlocks(expert)
   knowTypes(typedOutput)

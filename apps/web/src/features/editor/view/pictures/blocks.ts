@@ -5,7 +5,7 @@ import type { Program } from '@botgarten/programs'
 import '../editor.css'
 import { fetchBlocklyWords } from '../blockly-words.ts'
 import { fontReady, options } from '../looks.ts'
-import { bringFor, bringLearning } from '../../model/packs.ts'
+import { loadFor, loadLearning } from '../../model/packs.ts'
 import { append, toWorkspace } from '../../model/program.ts'
 import { tellFolded } from './folded.ts'
 import { setUp, speak } from '../setup.ts'
@@ -20,7 +20,7 @@ export async function drawProgram(
   locale: Locale,
   letters: boolean,
 ): Promise<BlockPicture> {
-  await Promise.all([bringFor(program), fetchBlocklyWords(locale), fontReady(letters)])
+  await Promise.all([loadFor(program), fetchBlocklyWords(locale), fontReady(letters)])
   const first: Program = Object.values(program.programs)[0]!
   return drawn(locale, letters, (paper) => {
     toWorkspace(first, paper)
@@ -37,7 +37,7 @@ export async function drawBlock(
   locale: Locale,
   letters: boolean,
 ): Promise<BlockPicture> {
-  await Promise.all([bringLearning(), fetchBlocklyWords(locale), fontReady(letters)])
+  await Promise.all([loadLearning(), fetchBlocklyWords(locale), fontReady(letters)])
   const template = typeof block === 'string' ? onShelf(block) : block
   return drawn(locale, letters, (paper) => {
     Blockly.serialization.blocks.append(stateOfTemplate(template), paper)

@@ -1,7 +1,7 @@
 import type * as Blockly from 'blockly/core'
 import { describe, expect, it } from 'vitest'
 import { wordsIn } from '#words/say.ts'
-import { bringExpert } from '../../model/packs.ts'
+import { loadExpert } from '../../model/packs.ts'
 import { matching, offersOn } from './offers.ts'
 
 const paper = { getAllBlocks: () => [], getTopBlocks: () => [] } as unknown as Blockly.WorkspaceSvg
@@ -36,7 +36,7 @@ describe('looking for a block', () => {
 
   it('finds more among all blocks, and every one of them by its own words', async () => {
     expect(labels('en', 'list')).toEqual([])
-    await bringExpert()
+    await loadExpert()
     expect(labels('en', 'list', true).length).toBeGreaterThan(5)
     for (const locale of ['en', 'de'] as const) {
       const offers = offersOn(paper, true, wordsIn(locale))

@@ -1,7 +1,7 @@
 import type * as Blockly from 'blockly/core'
 import { toolbox } from '@botgarten/blocks'
 import type { Words } from '#words/say.ts'
-import { bringExpert, bringLearning, expertParts } from '../../model/packs.ts'
+import { loadExpert, loadLearning, expertParts } from '../../model/packs.ts'
 import { toolboxInfo } from '../toolbox.ts'
 
 interface DrawnBlocks {
@@ -39,7 +39,7 @@ export class Shelf {
   /** Brings the whole language, for the paper too. */
   async learn(): Promise<void> {
     if (this.#knowsAll) return
-    await bringExpert()
+    await loadExpert()
     this.#knowsAll = true
     this.#blocks.redraw()
   }
@@ -49,7 +49,7 @@ export class Shelf {
     if (offered === this.#layers) return
     this.#layers = offered
     if (offered) {
-      await bringLearning()
+      await loadLearning()
       this.#blocks.speak()
     }
     this.fill()

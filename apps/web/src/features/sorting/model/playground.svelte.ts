@@ -28,7 +28,7 @@ import {
 const beats = [1400, 700, 350] as const
 
 /** What is sorted, and what a child's hand does to it. Everything that changes it is a step on a line that leads back. */
-export class Desk {
+export class Playground {
   readonly #steps: Steps
   #timer: ReturnType<typeof setInterval> | undefined
   #speed = $state(1)

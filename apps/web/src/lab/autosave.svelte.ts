@@ -3,7 +3,7 @@ import { Autosave, type SaveStatus } from '#storage/autosave.ts'
 import type { LabEvent } from './change.ts'
 
 /** The autosave of one project, as the screen sees it. */
-export class Keeper extends Autosave {
+export class ProjectAutosave extends Autosave {
   #seen = $state.raw<SaveStatus>({ id: '', state: 'saved', storage: 'ok', refusal: null })
 
   constructor(id: string, revision: number) {
@@ -25,11 +25,11 @@ export class Keeper extends Autosave {
   }
 }
 
-/** Listens to a session for its keeper. */
+/** Listens to a session for its autosave. */
 export const savesTo =
-  (keeper: Autosave, project: () => Project) =>
+  (autosave: Autosave, project: () => Project) =>
   (event: LabEvent): void => {
     // A step of the blocks is told once more by the program that they then say.
     if (event.kind === 'branched' || (event.kind === 'changed' && event.change.kind !== 'blocks'))
-      keeper.changed(project)
+      autosave.changed(project)
   }

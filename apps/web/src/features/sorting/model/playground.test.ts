@@ -1,0 +1,250 @@
+import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest'
+import { Playground } from './playground.svelte.ts'
+import { traps } from './traps.ts'
+
+const shelf = new Map<string, string>()
+beforeEach(() => {
+  vi.useFakeTimers()
+  shelf.clear()
+  vi.stubGlobal('localStorage', {
+    getItem: (key: string) => shelf.get(key) ?? null,
+    setItem: (key: string, value: string) => shelf.set(key, value),
+  })
+})
+afterEach(() => {
+  vi.useRealTimers()
+  vi.unstubAllGlobals()
+})
+
+describe('the sorting playground', () => {
+  test('opens with things on the table and as many flags as are said', () => {
+    const playground = new Playground()
+    expect(playground.work).toMatchObject({ source: 'things', set: 'vessels', flags: 3 })
+    expect(playground.work.state?.centres).toHaveLength(3)
+  })
+
+  test('plays to the end, and the line leads back to every step', () => {
+    const playground = new Playground()
+    playground.play()
+    vi.advanceTimersByTime(60_000)
+    expect(playground.done).toBe(true)
+    expect(playground.playing).toBe(false)
+    expect(playground.work.state!.labels.every((label) => label >= 0)).toBe(true)
+    const { state } = playground.work
+    playground.goTo(0)
+    expect(playground.work.state!.labels.every((label) => label === -1)).toBe(true)
+    for (let step = 0; step < 100 && !playground.done; step++) playground.stepAll()
+    expect(playground.work.state).toEqual(state)
+  })
+
+  test('point by point and flag by flag comes to the same end', () => {
+    const [one, all] = [new Playground(), new Playground()]
+    for (let step = 0; step < 300 && !one.done; step++) one.stepOne()
+    for (let step = 0; step < 100 && !all.done; step++) all.stepAll()
+    expect(one.work.state).toEqual(all.work.state)
+  })
+
+  test('again is the same flags at their first places', () => {
+    const playground = new Playground()
+    const { centres } = playground.work.state!
+    for (let step = 0; step < 100 && !playground.done; step++) playground.stepAll()
+    expect(playground.work.state!.centres).not.toEqual(centres)
+    playground.again()
+    expect(playground.work.state!.centres).toEqual(centres)
+    expect(playground.work.state!.round).toBe(0)
+  })
+
+  test('the criterion decides: other features, other groups; none at all sorts nothing', () => {
+    const playground = new Playground()
+    const groups = () => {
+      playground.throwFlags('best')
+      for (let step = 0; step < 100 && !playground.done; step++) playground.stepAll()
+      return playground.work.state!.labels
+    }
+    const byShape = groups()
+    playground.count('width', false)
+    playground.count('height', false)
+    expect(playground.work.state).toBeNull()
+    playground.count('colour', true)
+    expect(playground.work.table.columns).toHaveLength(3)
+    const pairs = (labels: readonly number[]) => labels.map((a) => labels.map((b) => a === b))
+    expect(pairs(groups())).not.toEqual(pairs(byShape))
+  })
+
+  test('never has more flags than points, and none without points', () => {
+    const playground = new Playground()
+    playground.turnTo('points')
+    playground.clearPoints()
+    expect(playground.work.state).toBeNull()
+    playground.stepAll()
+    playground.addPoint(1, 1)
+    playground.addPoint(9, 9)
+    expect(playground.work.state!.centres.length).toBeLessThanOrEqual(2)
+    playground.setFlags(6)
+    expect(playground.work.flags).toBe(2)
+    playground.removePoint(0)
+    expect(playground.work.flags).toBe(1)
+    playground.setFlags(0)
+    expect(playground.work.flags).toBe(1)
+  })
+
+  test('a drag of a flag is one step on the line', () => {
+    const playground = new Playground()
+    const before = playground.last
+    for (const x of [1, 2, 3]) playground.placeFlag(0, [x, 4], true)
+    playground.placeFlag(0, [5, 4], false)
+    expect(playground.work.state!.centres[0]).toEqual([5, 4])
+    expect(playground.last).toBe(before + 1)
+  })
+
+  const red = [255, 0, 0]
+  const blue = [0, 0, 255]
+  const drives = (playground: Playground, readings: number) => {
+    for (let reading = 0; reading < readings; reading++) playground.collect([reading % 2 === 0 ? red : blue])
+  }
+
+  test('a page without anything on it shows nothing of the page before', () => {
+    const playground = new Playground()
+    playground.play()
+    vi.advanceTimersByTime(60_000)
+    expect(playground.done).toBe(true)
+    playground.turnTo('readings')
+    expect(playground.work).toMatchObject({ source: 'readings', state: null, flags: 3, table: { rows: [] } })
+    expect(playground.done).toBe(false)
+    playground.turnTo('points')
+    playground.takeTrap('moons')
+    playground.stepAll()
+    playground.turnTo('readings')
+    expect([playground.work.state, playground.work.axes]).toEqual([null, [0, 2]])
+  })
+
+  test('what Bo reads lies on the plane while it drives; flags come when it ends, and all of it is one step', () => {
+    const playground = new Playground()
+    playground.turnTo('readings')
+    const before = playground.last
+    drives(playground, 5)
+    expect(playground.work.table.rows).toHaveLength(5)
+    expect(playground.work.table.rows[0]).toEqual([10, 0, 0])
+    expect(playground.work.state).toBeNull()
+    playground.endCollecting()
+    expect(playground.work.state!.centres).toHaveLength(3)
+    expect(playground.last).toBe(before + 1)
+    playground.goTo(before)
+    expect(playground.work.table.rows).toEqual([])
+  })
+
+  test('a short drive that leaves no room for three flags does not keep them away for ever', () => {
+    const playground = new Playground()
+    playground.turnTo('readings')
+    drives(playground, 1)
+    playground.endCollecting()
+    expect(playground.work.flags).toBe(1)
+    drives(playground, 4)
+    playground.endCollecting()
+    expect(playground.work.flags).toBe(3)
+    playground.setFlags(2)
+    drives(playground, 4)
+    playground.endCollecting()
+    expect(playground.work.flags).toBe(2)
+  })
+
+  test('other flags while Bo drives are those of the drive; a step back ends it', () => {
+    const playground = new Playground()
+    playground.turnTo('readings')
+    const before = playground.last
+    drives(playground, 8)
+    playground.setFlags(4)
+    drives(playground, 2)
+    expect(playground.collecting).toBe(true)
+    playground.goTo(before)
+    expect(playground.collecting).toBe(false)
+    playground.goTo(before + 1)
+    expect(playground.work.table.rows).toHaveLength(10)
+    expect(playground.work.state!.centres).toHaveLength(4)
+  })
+
+  test('collects three hundred readings and no more', () => {
+    const playground = new Playground()
+    playground.turnTo('readings')
+    drives(playground, 310)
+    expect(playground.work.table.rows).toHaveLength(300)
+  })
+
+  test.each([
+    ['the device is switched off', () => {}],
+    ['another page of the playground is opened', (playground: Playground) => playground.turnTo('things')],
+    ['the playground is left', (playground: Playground) => playground.close()],
+    ['the browser shows another tab', (playground: Playground) => playground.save()],
+  ])('readings are there again when %s while Bo drives', (_, leave) => {
+    const playground = new Playground()
+    playground.turnTo('readings')
+    drives(playground, 7)
+    leave(playground)
+    const again = new Playground()
+    again.turnTo('readings')
+    expect(again.work.table.rows).toHaveLength(7)
+    expect(again.work.state!.centres).toHaveLength(3)
+  })
+
+  test('each page is found again as it was left, with its result', () => {
+    const playground = new Playground()
+    playground.takeSet('leaves')
+    for (let step = 0; step < 100 && !playground.done; step++) playground.stepAll()
+    const { state } = playground.work
+    playground.turnTo('points')
+    playground.takeTrap('moons')
+    playground.turnTo('things')
+    expect(playground.work).toMatchObject({ set: 'leaves', state })
+    playground.turnTo('points')
+    expect(playground.work.set).toBe('moons')
+    playground.goTo(playground.at - 1)
+    expect(playground.work.set).toBe('leaves')
+  })
+
+  test('what changed while it plays is saved when the page is hidden', () => {
+    const playground = new Playground()
+    playground.play()
+    playground.count('colour', true)
+    expect(new Playground().work.counting).not.toContain('colour')
+    playground.save()
+    expect(new Playground().work.counting).toContain('colour')
+  })
+
+  test('is found again as it was left, with its names', () => {
+    const playground = new Playground()
+    playground.takeTrap('moons')
+    playground.setFlags(4)
+    playground.name(2, 'Half moon')
+    const again = new Playground()
+    expect(again.work.table).toEqual(playground.work.table)
+    expect(again.work.state!.centres).toEqual(playground.work.state!.centres)
+    expect(again.nameOf(2)).toBe('Half moon')
+  })
+
+  test.each(['{"source":"things","set":"cars"}', '[1,2]', '{"rows":[[null]]}', 'not json'])(
+    'what is broken on the device is the first playground: %s',
+    (text) => {
+      shelf.set('botgarten.sorting', text)
+      expect(new Playground().work).toMatchObject({ source: 'things', set: 'vessels' })
+    },
+  )
+
+  test.each(Object.keys(traps))('the trap %s lies on the plane and can be sorted', (name) => {
+    const playground = new Playground()
+    playground.takeTrap(name)
+    for (const value of playground.work.table.rows.flat()) expect(value >= 0 && value <= 10).toBe(true)
+    for (let step = 0; step < 200 && !playground.done; step++) playground.stepAll()
+    expect(playground.done).toBe(true)
+  })
+
+  test('moons are cut: k-means puts points of both arcs together', () => {
+    const playground = new Playground()
+    playground.takeTrap('moons')
+    playground.throwFlags('best')
+    for (let step = 0; step < 200 && !playground.done; step++) playground.stepAll()
+    const { labels } = playground.work.state!
+    const first = new Set(labels.slice(0, 32))
+    const second = new Set(labels.slice(32))
+    expect(first.size + second.size).toBeGreaterThan(2)
+  })
+})
