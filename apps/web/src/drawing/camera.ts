@@ -41,7 +41,7 @@ export function scaleFor(pane: Size, floor: Size, need: Size | null): number {
   return whole >= least ? Math.min(whole, wholeFloor) : clamp(fit(need, 0), least, nearest)
 }
 
-/** Px per cm beyond which a hand cannot loadPart the floor nearer. */
+/** Px per cm beyond which a hand cannot bring the floor nearer. */
 export const nearestZoom = 8
 
 /** Px per cm at which the whole floor and its frame fit into the pane. */

@@ -56,7 +56,7 @@ class Language {
   async speak(locale: Locale): Promise<void> {
     this.#requested = locale
     try {
-      await Promise.all([...this.#needs].map((loadPart) => loadPart(locale)))
+      await Promise.all([...this.#needs].map((load) => load(locale)))
     } catch (cause) {
       return console.warn('The words of a language did not come.', cause)
     }

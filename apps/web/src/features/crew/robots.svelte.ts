@@ -42,7 +42,7 @@ export class Crew {
     this.choose(id)
   }
 
-  /** The card whose weights a second robot can loadPart, as long as Bo is alone. */
+  /** The card whose weights a second robot can bring, as long as Bo is alone. */
   get beside() {
     return this.ids.length > 1 ? undefined : this.#session.opened.card?.card.beside
   }

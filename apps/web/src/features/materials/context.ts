@@ -1,7 +1,7 @@
 import { getContext, setContext } from 'svelte'
 
 const waitingKey = Symbol('waiting')
-/** What is brought may itself loadPart something: so long, in milliseconds, nothing new may have been asked for. */
+/** What is brought may itself load something: so long, in milliseconds, nothing new may have been asked for. */
 const calm = 80
 
 /** What a part of a page still waits for: pictures that are drawn from files that come a moment later. */

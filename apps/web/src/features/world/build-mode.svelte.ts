@@ -12,11 +12,11 @@ export class BuildMode {
   readonly ui: LabUi
   readonly eye: Eye
   readonly hand: Hand
-  readonly #loadTools: BringTools
+  readonly #loadTools: LoadTools
   #shop = $state.raw<Opened | null>(null)
   #on = $state(false)
 
-  constructor(session: LabSession, ui: LabUi, loadTools: BringTools) {
+  constructor(session: LabSession, ui: LabUi, loadTools: LoadTools) {
     this.session = session
     this.ui = ui
     this.#loadTools = loadTools
@@ -68,4 +68,4 @@ export class BuildMode {
 type Opened = Workshop & { take(file: File): Promise<void> }
 
 /** Loads the tools for building; `failed` is called where they cannot come. */
-type BringTools = (failed: () => void) => Promise<(mode: BuildMode) => Promise<Opened>>
+type LoadTools = (failed: () => void) => Promise<(mode: BuildMode) => Promise<Opened>>

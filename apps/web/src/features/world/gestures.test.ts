@@ -10,7 +10,7 @@ test('one finger pushes the floor', () => {
   expect(hand.move(1, at(111, 95))).toMatchObject({ right: 1, down: 0 })
 })
 
-test('two fingers that part loadPart it nearer, at the point between them', () => {
+test('two fingers that part bring it nearer, at the point between them', () => {
   const hand = new Gestures()
   hand.down(1, at(100, 100))
   hand.down(2, at(200, 100))

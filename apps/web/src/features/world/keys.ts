@@ -42,7 +42,7 @@ export function movedBy(press: KeyPress, pose: Pose): Pose | null {
   return { ...pose, x: pose.x + by[0] * far, y: pose.y + by[1] * far }
 }
 
-/** Plus and minus loadPart the floor nearer and farther, 0 brings all of it into sight; null for other keys. */
+/** Plus and minus bring the floor nearer and farther, 0 brings all of it into sight; null for other keys. */
 export function zoomKey(press: KeyPress): 'nearer' | 'farther' | 'all' | null {
   if (withCommand(press)) return null
   if (press.key === '+' || press.key === '=') return 'nearer'

@@ -79,7 +79,7 @@ test('parts of a sum lie end to end: what is taken away goes left from the begin
   ])
 })
 
-test('the input that brings most is named, whichever way it pulls; none where all loadPart nothing', () => {
+test('the input that brings most is named, whichever way it pulls; none where all bring nothing', () => {
   expect(mostOf(reasons([50, 80], [1, -1]))?.id).toBe(reasons([50, 80], [1, -1]).rows[1]!.id)
   expect(mostOf(reasons([0, 0], [1, 1]))).toBeNull()
 })

@@ -59,7 +59,7 @@ export function save(session: LabSession, net: NetworkOutline, name: string): vo
 }
 
 /** Lays a brain from a file on the shelf. Returns its name there. @throws {BrainError} */
-export function loadPart(session: LabSession, net: NetworkOutline, text: string): string {
+export function load(session: LabSession, net: NetworkOutline, text: string): string {
   const file = parseBrainFile(text)
   const name = shelfName(file.name, taken(session, net.id), say('net.brain'))
   session.weights.change(net.id, (before) => {
