@@ -38,7 +38,9 @@ export function askFramesUntilChange(changing: Element) {
 /** Asks for the milliseconds from the next click, as the browser stamps it, to the first frame that shows the robot elsewhere. */
 export function askMillisecondsToMove(robot: Element) {
   globalThis.answer = new Promise<number>((done) => {
-    const place = () => robot.parentElement!.style.transform
+    // Released builds before it was painted moved the robot's handle.
+    const place = () =>
+      JSON.stringify(globalThis.botgarten?.view()?.robots[0]?.pose) ?? robot.parentElement!.style.transform
     const before = place()
     const begin = ({ timeStamp }: MouseEvent) => {
       const look = () => {

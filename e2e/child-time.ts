@@ -81,7 +81,7 @@ export class TimeHands {
   }
 
   stands(number: number): Promise<string> {
-    return this.robot(number).evaluate((grip) => grip.parentElement!.style.transform)
+    return this.#child.painted.stands(number)
   }
 
   /** Asks for one robot more: the first one comes from the world's menu, the others from the row. */

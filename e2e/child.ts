@@ -1,6 +1,7 @@
 import { expect, type Locator, type Page } from '@playwright/test'
 import { readFile } from 'node:fs/promises'
 import { finger, mouse, type Hand, type Spot } from './hand.ts'
+import { Painted } from './painted.ts'
 import { say, sayCard, sayCheck, type Language } from './words.ts'
 
 /** A neuron as a child would point at it: what it is, where it is plugged in and where it sits. */
@@ -29,11 +30,14 @@ const middleOf = async (thing: Locator): Promise<Spot> => {
 export class Child {
   readonly page: Page
   readonly #hand: Hand
+  /** What the canvases show. */
+  readonly painted: Painted
   language: Language
 
   constructor(page: Page, language: Language, hand: 'mouse' | 'finger' = 'mouse') {
     this.page = page
     this.language = language
+    this.painted = new Painted(page)
     this.#hand = hand === 'mouse' ? mouse(page) : finger(page)
   }
 
@@ -249,9 +253,9 @@ export class Child {
     await this.#hand.up()
   }
 
-  /** Where Bo is drawn on the floor. */
+  /** Where Bo stands on the floor. */
   boStands(): Promise<string> {
-    return this.bo.evaluate((grip) => grip.parentElement!.style.transform)
+    return this.painted.stands()
   }
 
   async seesDriving() {

@@ -11,7 +11,7 @@ const tour = ({ page, word }: { page: Child['page']; word: (key: string) => stri
 const tourOf = (child: Child) => tour({ page: child.page, word: (key) => child.word(key) })
 const motor = (child: Child) => child.word('neuron.motor', { OUTPUTNODE: leftWheel.motor })
 const glowing = (child: Child) => child.page.locator('.blocklyBlockCanvas .editor-glow')
-const halo = (child: Child) => child.page.locator('.world .halo')
+const wheel = 'bo motor C'
 
 const phone = { width: 390, height: 844 }
 /** A school laptop's 1366 × 768 at 200 %. */
@@ -38,11 +38,24 @@ async function seesWhole(child: Child, thing: Locator) {
     .toBe(true)
 }
 
+/** A painted part of Bo is in sight, and nothing else covers it. */
+async function seesPart(child: Child, name: string) {
+  await expect
+    .poll(async () => {
+      const { x, y } = await child.painted.place(name)
+      return child.page.evaluate((at) => document.elementFromPoint(at.x, at.y)?.closest('.world') !== null, {
+        x,
+        y,
+      })
+    })
+    .toBe(true)
+}
+
 /** Block, node and part of Bo that light up now. */
 async function lights(child: Child, block: string | null) {
   await expect(glowing(child)).toHaveCount(block ? 1 : 0)
   if (block) await expect(glowing(child)).toHaveAttribute('data-id', block)
-  await expect(halo(child)).toHaveCount(block ? 1 : 0)
+  await expect.poll(() => child.painted.lit()).toHaveLength(block ? 1 : 0)
   await expect(child.page.locator('.stage .glows')).toHaveCount(block ? 1 : 0)
 }
 
@@ -70,8 +83,8 @@ for (const language of languagesOf(import.meta.filename)) {
       await lights(child, 'eyeLeft')
       await node(child, 'showSum', motor(child)).focus()
       await lights(child, 'wheelLeft')
-      const wheel = await child.middleOf(page.locator('.world .grip rect[fill="#5B4436"]').last())
-      await page.mouse.click(wheel.x, wheel.y)
+      const { x, y } = await child.painted.place('bo motor B')
+      await page.mouse.click(x, y)
       await page.mouse.move(4, 300)
       await lights(child, 'wheelRight')
     })
@@ -102,8 +115,8 @@ for (const language of languagesOf(import.meta.filename)) {
         const side = child.word('network.place.left')
         await expect(tourOf(child)).toContainText(child.word('tour.wheel', { side }))
         await lights(child, null)
-        const wheel = await child.middleOf(page.locator('.world [data-part="motor C"]'))
-        await page.mouse.click(wheel.x, wheel.y)
+        const { x, y } = await child.painted.place(wheel)
+        await page.mouse.click(x, y)
         await expect(tourOf(child)).toContainText(child.word('tour.litWheel'))
         await child.presses('tour.done')
         await expect(tourOf(child)).toHaveCount(0)
@@ -168,15 +181,16 @@ for (const language of languagesOf(import.meta.filename)) {
           // The light has come along: node and wheel are seen lit side by side.
           await expect(tourOf(child)).toContainText(child.word('tour.nodeAlone', { name: motor(child) }))
           await expect(page.locator('.stage .glows')).toBeVisible()
-          await seesWhole(child, halo(child))
+          await expect.poll(() => child.painted.lit()).toEqual([wheel])
+          await seesPart(child, wheel)
           await node(child, 'showSum', motor(child)).click()
           await expect(tourOf(child)).toContainText(child.word('tour.litNodeAlone'))
           expect(await axeFindings(page)).toEqual([])
           await child.presses('tour.next')
-          await expect(halo(child)).toHaveCount(0)
-          await seesWhole(child, page.locator('.world [data-part="motor C"]'))
-          const wheel = await child.middleOf(page.locator('.world [data-part="motor C"]'))
-          await page.mouse.click(wheel.x, wheel.y)
+          await expect.poll(() => child.painted.lit()).toEqual([])
+          await seesPart(child, wheel)
+          const { x, y } = await child.painted.place(wheel)
+          await page.mouse.click(x, y)
           await expect(tourOf(child)).toContainText(child.word('tour.litWheel'))
           await child.presses('tour.done')
           await expect(tourOf(child)).toHaveCount(0)

@@ -100,3 +100,45 @@ test('corners are never rounder than half a side, lines close, opacities multipl
     'closePath',
   ])
 })
+
+test('a pale group is painted elsewhere first, so that what lies under its shapes is not seen through them', () => {
+  const shapes: Command[] = [
+    { kind: 'circle', x: 0, y: 0, r: 1 },
+    { kind: 'circle', x: 1, y: 0, r: 1 },
+  ]
+  const order: string[] = []
+  const recorder = (name: string) =>
+    new Proxy({} as { [key: string]: unknown }, {
+      get: (own, key: string) =>
+        key in own
+          ? own[key]
+          : () => (order.push(`${name} ${key}`), key === 'getTransform' ? 'here' : undefined),
+      set: (own, key: string, value) => (
+        key === 'globalAlpha' && order.push(`${name} globalAlpha ${value}`),
+        (own[key] = value),
+        true
+      ),
+    })
+  const [canvas, over] = [recorder('page'), recorder('layer')]
+  canvas.globalAlpha = over.globalAlpha = 1
+  over.canvas = {}
+  paint(
+    canvas as unknown as Canvas,
+    [{ kind: 'group', opacity: 0.5, shapes }],
+    families,
+    () => over as unknown as CanvasRenderingContext2D,
+  )
+  expect(order.filter((told) => told.endsWith('ellipse'))).toEqual(['layer ellipse', 'layer ellipse'])
+  expect(order.slice(-4)).toEqual(['page globalAlpha 0.5', 'page drawImage', 'page restore', 'page restore'])
+  expect(order).not.toContain('layer globalAlpha 0.5')
+})
+
+test('a single pale shape needs no layer', () => {
+  const shapes: Command[] = [{ kind: 'circle', x: 0, y: 0, r: 1, fill: '#000' }]
+  const layer = vi.fn()
+  const canvas = new Proxy({ globalAlpha: 1 } as { [key: string]: unknown }, {
+    get: (own, key: string) => (key in own ? own[key] : () => undefined),
+  })
+  paint(canvas as unknown as Canvas, [{ kind: 'group', opacity: 0.5, shapes }], families, layer)
+  expect(layer).not.toHaveBeenCalled()
+})

@@ -1,4 +1,4 @@
-import { scales, type Command, type Font, type Ink, type Letters, type Rect } from './commands.ts'
+import { scales, type Command, type Font, type Group, type Ink, type Letters, type Rect } from './commands.ts'
 
 /** What a canvas must be able to do. */
 export type Canvas = Pick<
@@ -6,17 +6,20 @@ export type Canvas = Pick<
   | 'arc'
   | 'beginPath'
   | 'closePath'
+  | 'drawImage'
   | 'ellipse'
   | 'fill'
   | 'fillStyle'
   | 'fillText'
   | 'font'
+  | 'getTransform'
   | 'globalAlpha'
   | 'lineCap'
   | 'lineJoin'
   | 'lineTo'
   | 'lineWidth'
   | 'moveTo'
+  | 'resetTransform'
   | 'restore'
   | 'rotate'
   | 'roundRect'
@@ -28,6 +31,9 @@ export type Canvas = Pick<
   | 'textAlign'
   | 'translate'
 >
+
+/** Another canvas as large as the one that is painted on, and empty. */
+export type Layer = () => CanvasRenderingContext2D
 
 /** Family names of letters as CSS has them. */
 export type Families = { readonly [font in Font]: string }
@@ -46,29 +52,65 @@ function pathOf(d: string): Path2D {
   return path
 }
 
-/** Paints commands one after the other, onto what is there. Leaves the canvas as it found it. */
-export function paint(canvas: Canvas, commands: readonly Command[], families: Families): void {
+/** What paints, and with what. */
+interface Tools {
+  readonly families: Families
+  readonly layer: Layer | undefined
+}
+
+/**
+ * Paints commands one after the other, onto what is there. Leaves the canvas as it found it.
+ * @param layer a group that is pale is painted there first, so that it is pale as one; without it each shape is
+ */
+export function paint(canvas: Canvas, commands: readonly Command[], families: Families, layer?: Layer): void {
   canvas.save()
   canvas.lineCap = 'round'
   canvas.lineJoin = 'round'
-  paintAll(canvas, commands, families, canvas.globalAlpha)
+  paintAll(canvas, commands, { families, layer }, canvas.globalAlpha)
   canvas.restore()
 }
 
-function paintAll(canvas: Canvas, commands: readonly Command[], families: Families, opacity: number): void {
-  for (const command of commands) paintOne(canvas, command, families, opacity * (command.opacity ?? 1))
+function paintAll(canvas: Canvas, commands: readonly Command[], tools: Tools, opacity: number): void {
+  for (const command of commands) {
+    const own = opacity * (command.opacity ?? 1)
+    if (command.kind !== 'group') paintShape(canvas, command, tools.families, own)
+    else if (tools.layer && isPale(command))
+      paintAsOne(canvas, command, { ...tools, layer: tools.layer }, own)
+    else paintGroup(canvas, command, tools, own)
+  }
 }
 
-function paintOne(canvas: Canvas, command: Command, families: Families, opacity: number): void {
-  if (command.kind === 'group') {
-    canvas.save()
-    canvas.translate(command.x ?? 0, command.y ?? 0)
-    if (command.turn) canvas.rotate((command.turn * Math.PI) / 180)
-    canvas.scale(...scales(command))
-    paintAll(canvas, command.shapes, families, opacity)
-    canvas.restore()
-    return
-  }
+const isPale = ({ opacity = 1, shapes }: Group) => opacity < 1 && shapes.length > 1
+
+function paintAsOne(
+  canvas: Canvas,
+  group: Group,
+  { families, layer }: Required<Tools>,
+  opacity: number,
+): void {
+  const over = layer!()
+  over.setTransform(canvas.getTransform())
+  const { opacity: _, ...full } = group
+  paint(over, [full], families)
+  canvas.save()
+  canvas.resetTransform()
+  canvas.globalAlpha = opacity
+  canvas.drawImage(over.canvas, 0, 0)
+  canvas.restore()
+}
+
+function paintGroup(canvas: Canvas, group: Group, tools: Tools, opacity: number): void {
+  canvas.save()
+  canvas.translate(group.x ?? 0, group.y ?? 0)
+  if (group.turn) canvas.rotate((group.turn * Math.PI) / 180)
+  canvas.scale(...scales(group))
+  paintAll(canvas, group.shapes, tools, opacity)
+  canvas.restore()
+}
+
+type Shape = Exclude<Command, Group>
+
+function paintShape(canvas: Canvas, command: Shape, families: Families, opacity: number): void {
   canvas.globalAlpha = opacity
   if (command.kind === 'text') return write(canvas, command, families)
   if (command.kind === 'path') return ink(canvas, command, pathOf(command.d))

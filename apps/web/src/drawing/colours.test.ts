@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest'
-import { heatOf } from './colours.ts'
+import { greyOf, heatOf } from './colours.ts'
 
 /** Relative luminance (WCAG). */
 const light = (colour: string) =>
@@ -21,4 +21,14 @@ test('the higher a value the darker its colour, so that it can be read in grey, 
 
 test('the heat goes from pale over gold to green, and no further', () => {
   expect([0, 50, 100, 200].map(heatOf)).toEqual(['#FFF6D8', '#F5C64A', '#6DBE76', '#6DBE76'])
+})
+
+test('grey is as bright as the colour was (CSS Filter Effects, grayscale)', () => {
+  expect(['#FF0000', '#00FF00', '#0000FF', '#fff', '#123456'].map(greyOf)).toEqual([
+    '#363636',
+    '#b6b6b6',
+    '#121212',
+    '#ffffff',
+    '#2f2f2f',
+  ])
 })

@@ -14,6 +14,14 @@ export function mix(colour: string, other: string, share: number): string {
   return `#${a.map((part, i) => hex(part + (b[i]! - part) * share)).join('')}`.toUpperCase()
 }
 
+/** The grey that is as bright (CSS Filter Effects, `grayscale`). @param colour `#RGB` or `#RRGGBB` */
+export function greyOf(colour: string): string {
+  const full = colour.length === 4 ? colour.replace(/[^#]/g, '$&$&') : colour
+  const [r, g, b] = channels(full)
+  const part = hex(0.2126 * r + 0.7152 * g + 0.0722 * b)
+  return `#${part}${part}${part}`
+}
+
 /** Is a ring of this colour hard to see on paper? (WCAG relative luminance over one half) */
 export function isPale(colour: string): boolean {
   const [r, g, b] = channels(colour).map((part) => {

@@ -1,6 +1,7 @@
+import type { TrailPoint } from '@botgarten/lab'
 import fc from 'fast-check'
 import { describe, expect, test } from 'vitest'
-import { dotsAlong } from './trail.ts'
+import { dotsAlong, Trails } from './trail.ts'
 
 const points = fc.array(
   fc.record({ x: fc.integer({ min: 0, max: 300 }), y: fc.integer({ min: 0, max: 300 }) }),
@@ -32,6 +33,42 @@ describe('a trail', () => {
         const first = dotsAlong(way.slice(0, cut), 7)
         const second = dotsAlong(way.slice(cut), 7, first.dotting)
         expect([...first.dots, ...second.dots]).toEqual(dotsAlong(way, 7).dots)
+      }),
+    )
+  })
+})
+
+describe('the trails of a crew', () => {
+  const room = { width: 300, height: 300 }
+  const way = fc
+    .array(fc.record({ x: fc.integer({ min: 0, max: 300 }), y: fc.integer({ min: 0, max: 300 }) }), {
+      minLength: 2,
+      maxLength: 60,
+    })
+    .map((all) => all.map((point, t) => ({ ...point, t, heading: 0 })))
+  const dotsOf = (trails: Trails, trail: readonly TrailPoint[], scale: number) =>
+    trails
+      .dots([{ id: 'bo', trail }], room, scale, ['#F28C45'])
+      .map((shape) => (shape.kind === 'path' ? shape.d : ''))
+      .join('')
+
+  test('grow to the same dots as if they had been dotted at once', () => {
+    fc.assert(
+      fc.property(way, (trail) => {
+        const growing = new Trails()
+        trail.forEach((_, count) => dotsOf(growing, trail.slice(0, count + 1), 2))
+        expect(dotsOf(growing, trail, 2)).toBe(dotsOf(new Trails(), trail, 2))
+      }),
+    )
+  })
+
+  test('begin again where time went back, and at another scale', () => {
+    fc.assert(
+      fc.property(way, (trail) => {
+        const trails = new Trails()
+        dotsOf(trails, trail, 2)
+        expect(dotsOf(trails, trail.slice(0, 1), 2)).toBe('')
+        expect(dotsOf(trails, trail, 3)).toBe(dotsOf(new Trails(), trail, 3))
       }),
     )
   })

@@ -1,4 +1,7 @@
-import type { Point } from './points.ts'
+import type { TrailPoint } from '@botgarten/lab'
+import { onFloor } from './camera.ts'
+import type { Command } from './commands.ts'
+import { tenth, type Point, type Size } from './points.ts'
 
 /** Where the dotting of a trail has come to: what is left until the next dot, and the last point. */
 export interface Dotting {
@@ -34,4 +37,78 @@ function dotSegment(a: Point, b: Point, gap: number, left: number, dots: Point[]
     dots.push({ x: a.x + (b.x - a.x) * share, y: a.y + (b.y - a.y) * share })
   }
   return at - length
+}
+
+const gap = 11
+/** In one path: what has been dotted is not read again. */
+const dotsInPath = 40
+
+/** Where a robot has been, dotted. Only what is new is dotted. */
+class Trail {
+  #paths: Command[] = []
+  #last = ''
+  #dotsInLast = 0
+  #dotting = undotted
+  #drawn: { readonly count: number; readonly last: TrailPoint | undefined } = { count: 0, last: undefined }
+  #for = ''
+
+  /** @param trail in cm; the same points as before and some more, else it is dotted from its beginning */
+  dots(trail: readonly TrailPoint[], floor: Size, scale: number, colour: string): readonly Command[] {
+    const target = [scale, floor.height, colour].join()
+    if (target !== this.#for || !this.#goesOn(trail)) this.#begin(target)
+    if (this.#drawn.count === trail.length) return this.#all(colour)
+    const fresh = trail.slice(this.#drawn.count).map((point) => onFloor(point, floor, scale))
+    const { dots, dotting } = dotsAlong(fresh, gap, this.#dotting)
+    this.#dotting = dotting
+    this.#drawn = { count: trail.length, last: trail.at(-1) }
+    for (const dot of dots) this.#add(dot, colour)
+    return this.#all(colour)
+  }
+
+  #goesOn(trail: readonly TrailPoint[]): boolean {
+    const { count, last } = this.#drawn
+    return count <= trail.length && trail[count - 1]?.t === last?.t
+  }
+
+  #begin(target: string): void {
+    this.#for = target
+    this.#paths = []
+    this.#last = ''
+    this.#dotsInLast = 0
+    this.#dotting = undotted
+    this.#drawn = { count: 0, last: undefined }
+  }
+
+  #add({ x, y }: Point, colour: string): void {
+    this.#last += `M${tenth(x)} ${tenth(y)}h0`
+    this.#dotsInLast += 1
+    if (this.#dotsInLast < dotsInPath) return
+    this.#paths.push(dotted(this.#last, colour))
+    this.#last = ''
+    this.#dotsInLast = 0
+  }
+
+  #all(colour: string): readonly Command[] {
+    return this.#last ? [...this.#paths, dotted(this.#last, colour)] : this.#paths
+  }
+}
+
+const dotted = (d: string, stroke: string): Command => ({ kind: 'path', d, stroke, lineWidth: 4 })
+
+/** The trails of a crew, each in its colour. */
+export class Trails {
+  readonly #trails = new Map<string, Trail>()
+
+  dots(
+    robots: readonly { readonly id: string; readonly trail: readonly TrailPoint[] }[],
+    floor: Size,
+    scale: number,
+    colours: readonly string[],
+  ): readonly Command[] {
+    return robots.flatMap(({ id, trail }, index) => {
+      const own = this.#trails.get(id) ?? new Trail()
+      this.#trails.set(id, own)
+      return own.dots(trail, floor, scale, colours[index] ?? colours[0]!)
+    })
+  }
 }

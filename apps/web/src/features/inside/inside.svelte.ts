@@ -4,6 +4,7 @@ import { drawn, type Neuron } from '#figures/network/neurons.ts'
 import type { LabSession } from '#lab/session.svelte.ts'
 import { Drives } from './model/drives.svelte.ts'
 import { Field } from './model/field.svelte.ts'
+import { paleName } from './view/messages.ts'
 import Over from './view/Over.svelte'
 import Panel from './view/Panel.svelte'
 import Under from './view/Under.svelte'
@@ -60,6 +61,12 @@ export class Inside {
   readonly values: readonly number[] = $derived.by(() =>
     this.inputs.map(({ id }) => this.trace?.outputs[id] ?? 0),
   )
+
+  /** The pale robot: where it stands, and what it does otherwise. */
+  get ghost() {
+    const { ghost: pose, otherwise } = this.drives
+    return pose && otherwise ? { id: this.session.robotId, pose, label: paleName(otherwise, this) } : null
+  }
 
   get standing(): boolean {
     return this.view.phase !== 'running'

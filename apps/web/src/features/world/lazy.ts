@@ -2,7 +2,6 @@
 import type { BuildMode } from './build-mode.svelte.ts'
 import { Builder } from './building/builder.svelte.ts'
 
-export { default as Ghost } from '#figures/world/Ghost.svelte'
 export { default as PastButtons } from './time/PastButtons.svelte'
 export { default as ThenNote } from './time/ThenNote.svelte'
 export { default as TimeBar } from './time/TimeBar.svelte'

@@ -1,8 +1,8 @@
 import type { RobotView } from '@botgarten/lab'
 import type { RobotConfig, SensorPort } from '@botgarten/simulation'
-import { onFloor } from '#drawing/camera.ts'
-import type { Point, Size } from '#drawing/points.ts'
-import { conePolygon, nearestBeam, readingOf, type Beam } from '#drawing/rays.ts'
+import { onFloor } from './camera.ts'
+import type { Point, Size } from './points.ts'
+import { conePolygon, nearestBeam, readingOf, type Beam } from './rays.ts'
 
 /** What one distance sensor sees, in px of the floor's box: its cone, and the ray to the nearest thing. */
 export interface Sight {

@@ -1,0 +1,256 @@
+import type { RobotView, View } from '@botgarten/lab'
+import type { Obstacle, Pose, RobotConfig } from '@botgarten/simulation'
+import { drawBo, partsOf } from './bo.ts'
+import { onFloor } from './camera.ts'
+import { greyOf } from './colours.ts'
+import type { Command } from './commands.ts'
+import type { Hit } from './grab.ts'
+import type { Point, Size } from './points.ts'
+import { drawSenses } from './senses.ts'
+import { drawShadow, drawThing } from './thing-looks.ts'
+import { clockwise } from './things.ts'
+
+// What moves in a world, in px of the floor's box: x to the right, y down from its upper left corner.
+
+/** Where Bo does not stand now. */
+export interface Ghost {
+  readonly config: RobotConfig
+  readonly pose: Pose
+  readonly label: string
+  /** Of the label's letters, in px. */
+  readonly labelWidth: number
+  /** A shade of grey: it stood there. Otherwise pale: it would stand there. */
+  readonly grey: boolean
+}
+
+/** What is chosen by a hand: a ring around it, and a handle to turn it by. */
+export interface Chosen {
+  readonly at: Point
+  /** Degrees clockwise. */
+  readonly turn: number
+  readonly hit: Hit
+  /** Middle of the handle. */
+  readonly handle: Point
+}
+
+/** All that moves, as it is to be painted. Poses in cm. */
+export interface Scene {
+  readonly floor: Size
+  /** Px per cm. */
+  readonly scale: number
+  readonly view: Pick<View, 'robots'>
+  readonly configs: ReadonlyMap<string, RobotConfig>
+  readonly things: readonly { readonly pose: Pose; readonly thing: Obstacle }[]
+  /** Of bodies, by the robot's place in the crew. */
+  readonly colours: readonly string[]
+  /** Dots of trails, already commands. */
+  readonly trails: readonly Command[]
+  /** Id of the robot whose rays are shown; null: nobody's. */
+  readonly sensing: string | null
+  readonly ghosts: readonly Ghost[]
+  readonly chosen: Chosen | null
+  /** Does this part of this robot light up with its block and its node? */
+  readonly lights: (robot: string, part: string) => boolean
+  /** Stronger lines and cones, for the wall. */
+  readonly strong: boolean
+}
+
+const ink = '#3A2A20'
+const edge = '#8C7152'
+const tomato = '#C9401F'
+
+/** Everything in its order, from the floor up. */
+export function drawWorld(scene: Scene): readonly Command[] {
+  const { trails, things, ghosts, view, chosen } = scene
+  return [
+    ...trails,
+    ...things.map(({ pose, thing }) => standing(thing, pose, scene)),
+    ...ghosts.flatMap((ghost) => drawGhost(ghost, scene)),
+    ...view.robots.map((robot, index) => standingBo(robot, index, scene)),
+    ...(chosen ? ring(chosen) : []),
+    ...senses(scene),
+    ...(chosen ? turnHandle(chosen) : []),
+  ]
+}
+
+const looks = new WeakMap<Obstacle, readonly Command[]>()
+
+/** A thing with its shadow, which falls the same way however the thing is turned. */
+function standing(thing: Obstacle, pose: Pose, { floor, scale }: Scene): Command {
+  const turn = clockwise(pose.heading)
+  const known = looks.get(thing)
+  const look = known ?? drawThing(thing)
+  if (!known) looks.set(thing, look)
+  return {
+    kind: 'group',
+    ...onFloor(pose, floor, scale),
+    scale,
+    shapes: [
+      { kind: 'group', x: 3, y: 4, turn, opacity: 0.12, shapes: drawShadow(thing) },
+      { kind: 'group', turn, shapes: look },
+    ],
+  }
+}
+
+const shade: Command = { kind: 'circle', x: 0, y: 0.5, r: 12.2, ry: 11.4, fill: ink, opacity: 0.1 }
+
+function standingBo(robot: RobotView, index: number, scene: Scene): Command {
+  const { floor, scale, configs } = scene
+  const config = configs.get(robot.id)
+  return {
+    kind: 'group',
+    ...onFloor(robot.pose, floor, scale),
+    turn: 90 - robot.pose.heading,
+    scale,
+    shapes: config ? [shade, ...lookOf(robot, config, index, scene), ...bump(robot)] : [],
+  }
+}
+
+const bodies = new WeakMap<RobotConfig, Map<string, readonly Command[]>>()
+
+/** The same object for the same look: most frames only move Bo. */
+function lookOf(
+  { id, led, display }: RobotView,
+  config: RobotConfig,
+  index: number,
+  { colours, lights }: Scene,
+): readonly Command[] {
+  const text = display.some((row) => row.trim() !== '')
+  const lit = partsOf(config).flatMap(({ part }) => (lights(id, part) ? [part] : []))
+  const key = [led, text, index, ...lit].join()
+  const known = bodies.get(config) ?? new Map<string, readonly Command[]>()
+  bodies.set(config, known)
+  const number: Command = {
+    kind: 'text',
+    x: 0,
+    y: 6.2,
+    text: String(index + 1),
+    size: 4.4,
+    font: 'title',
+    align: 'middle',
+    fill: ink,
+  }
+  const look = known.get(key) ?? [
+    ...drawBo({ config, led, text, colour: colours[index], lights: (part) => lit.includes(part) }),
+    ...(index > 0 ? [{ ...number, x: -3.4 }] : []),
+  ]
+  known.set(key, look)
+  return look
+}
+
+/** It bumps with the side it drives towards. */
+function bump({ motors, touching }: RobotView): readonly Command[] {
+  if (touching.length === 0) return []
+  const backwards = Object.values(motors).reduce((sum, speed) => sum + speed, 0) < 0
+  const lines: Command = {
+    kind: 'path',
+    d: 'M-6.5-11.8l-1.7-2.6M0-12.4v-3.2M6.5-11.8l1.7-2.6',
+    stroke: tomato,
+    lineWidth: 1.3,
+  }
+  return [backwards ? { kind: 'group', y: -3, turn: 180, shapes: [lines] } : lines]
+}
+
+const greyInk = (ink: string | undefined) => (ink?.startsWith('#') ? greyOf(ink) : ink)
+
+const inGrey = (command: Command): Command => ({
+  ...command,
+  ...(command.kind === 'group' ? { shapes: command.shapes.map(inGrey) } : {}),
+  ...('fill' in command ? { fill: greyInk(command.fill)! } : {}),
+  ...('stroke' in command ? { stroke: greyInk(command.stroke)! } : {}),
+})
+
+const ghosts = new WeakMap<RobotConfig, readonly Command[]>()
+
+function ghostLook(config: RobotConfig, grey: boolean): readonly Command[] {
+  const look = ghosts.get(config) ?? drawBo({ config, led: null, text: false })
+  ghosts.set(config, look)
+  return grey ? look.map(inGrey) : look
+}
+
+/** Bo where it does not stand now, and why. */
+function drawGhost(
+  { config, pose, label, labelWidth, grey }: Ghost,
+  { floor, scale }: Scene,
+): readonly Command[] {
+  const at = onFloor(pose, floor, scale)
+  const top = at.y + 13 * scale + 2
+  const width = labelWidth + 28
+  return [
+    ...(grey ? [] : [{ kind: 'circle' as const, ...at, r: 12.5 * scale, fill: edge, opacity: 0.22 }]),
+    {
+      kind: 'group',
+      ...at,
+      turn: 90 - pose.heading,
+      scale,
+      opacity: grey ? 0.35 : 0.5,
+      shapes: ghostLook(config, grey),
+    },
+    {
+      kind: 'rect',
+      x: at.x - width / 2,
+      y: top,
+      width,
+      height: 24,
+      round: 11,
+      fill: '#FFFDF8',
+      stroke: edge,
+      lineWidth: 2,
+      dash: [5, 4],
+    },
+    { kind: 'text', x: at.x, y: top + 17, text: label, size: 14.5, font: 'read', align: 'middle', fill: ink },
+  ]
+}
+
+function senses({ view, sensing, configs, floor, scale, strong }: Scene): readonly Command[] {
+  const robot = view.robots.find(({ id }) => id === sensing)
+  const config = robot && configs.get(robot.id)
+  return robot && config ? drawSenses(robot, config, floor, scale, strong) : []
+}
+
+/** A line as an outline outside of what can be grabbed. */
+function ring({ at, turn, hit: { width, height, round } }: Chosen): readonly Command[] {
+  const around = (out: number, look: object): Command =>
+    round
+      ? { kind: 'circle', x: 0, y: 0, r: width / 2 + out, ...look }
+      : {
+          kind: 'rect',
+          x: width / -2 - out,
+          y: height / -2 - out,
+          width: width + 2 * out,
+          height: height + 2 * out,
+          round: 6 + out,
+          ...look,
+        }
+  return [
+    {
+      kind: 'group',
+      ...at,
+      turn,
+      shapes: [
+        around(1.5, { stroke: '#fff', lineWidth: 3, opacity: 0.9 }),
+        around(1.25, { stroke: edge, lineWidth: 2.5, dash: [4, 5] }),
+      ],
+    },
+  ]
+}
+
+const turnHandle = ({ at, handle }: Chosen): readonly Command[] => [
+  { kind: 'line', points: [at, handle], stroke: edge, lineWidth: 2.5, dash: [5, 5] },
+  { kind: 'circle', x: handle.x, y: handle.y + 2, r: 16, fill: '#6E5032', opacity: 0.14 },
+  { kind: 'circle', ...handle, r: 15, fill: '#FFFDF8', stroke: edge, lineWidth: 2 },
+  {
+    kind: 'group',
+    x: handle.x - 10,
+    y: handle.y - 10,
+    scale: 20 / 24,
+    shapes: [
+      {
+        kind: 'path',
+        d: 'M19.5 12a7.5 7.5 0 1 1-2.6-5.7M20 3.5l-2.8 3.1-3.7-1.7',
+        stroke: ink,
+        lineWidth: 2.4,
+      },
+    ],
+  },
+]

@@ -1,0 +1,14 @@
+/** Milliseconds: six frames of a screen, less what clocks tremble. */
+const beat = 95
+
+/** When handles go to where things are: at once where nothing runs or a hand is near, else ten times a second. */
+export class Beat {
+  #last = -Infinity
+
+  /** @param now in milliseconds; @param live does anything run; @param near is a hand, or the focus, on one of them */
+  isDue(now: number, live: boolean, near: boolean): boolean {
+    if (live && !near && now - this.#last < beat) return false
+    this.#last = now
+    return true
+  }
+}

@@ -1,0 +1,213 @@
+import type { RobotView, View } from '@botgarten/lab'
+import type { Obstacle, Pose, RobotConfig, World } from '@botgarten/simulation'
+import { partAt, partsOf } from '#drawing/bo.ts'
+import { onFloor } from '#drawing/camera.ts'
+import { boRadius, grabbedAt, hitOf, roundHit, type Grabbed } from '#drawing/grab.ts'
+import { turned, type Point } from '#drawing/points.ts'
+import { readingsOf } from '#drawing/senses.ts'
+import { ahead, clockwise, radiusOf } from '#drawing/things.ts'
+import { Trails } from '#drawing/trail.ts'
+import { drawWorld, type Chosen, type Ghost, type Scene } from '#drawing/world.ts'
+import type { Glow } from '#figures/glow.svelte.ts'
+import { letters } from '#figures/letters.svelte.ts'
+import { bodies, robotName } from '#figures/robots.ts'
+import type { Eye } from '#figures/world/eye.svelte.ts'
+import type { Place } from '#lab/door.ts'
+import type { Slots } from '#lab/slots.ts'
+import { comfort } from '#storage/comfort.svelte.ts'
+import { fetchWords, m } from '#words/say.ts'
+import type { Hand } from './hand.svelte.ts'
+import { standing, type Standing } from './steady.ts'
+import { thingName } from './words.ts'
+
+/** What the world's pane shows. */
+export interface Shown {
+  readonly world: World
+  /** A new object once a frame. */
+  readonly view: View
+  /** Id of the robot whose rays are shown. */
+  readonly robot: string
+  readonly showRays: boolean
+  readonly showTrail: boolean
+  readonly inside: Slots['inside'] | null
+}
+
+const configsOf = ({ robots }: World): ReadonlyMap<string, RobotConfig> =>
+  new Map(robots.map(({ id, config }) => [id, config]))
+
+/** What a hand has chosen, and how it is turned. */
+interface Selected {
+  readonly id: string
+  readonly pose: Pose
+  readonly name: string
+  /** Middle of the turning handle, in px of the floor's box. */
+  readonly handle: Point
+}
+
+/** What is painted of the world now, and what of it a finger meets. */
+export class WorldScene {
+  readonly #shown: () => Shown
+  readonly #eye: Eye
+  readonly #hand: Hand
+  readonly #glow: Glow | undefined
+  readonly #trails = new Trails()
+  #standing: readonly Standing[] = []
+  /** Have the words for the past come? */
+  #words = $state(false)
+
+  constructor(shown: () => Shown, eye: Eye, hand: Hand, glow: Glow | undefined) {
+    this.#shown = shown
+    this.#eye = eye
+    this.#hand = hand
+    this.#glow = glow
+  }
+
+  readonly #configs = $derived.by(() => configsOf(this.#shown().world))
+
+  /** What has not moved is the same object as before. */
+  readonly things = $derived.by(() => {
+    const { view, world } = this.#shown()
+    this.#standing = standing(view, world, this.#standing)
+    return this.#standing
+  })
+
+  readonly selected: Selected | null = $derived.by(() => {
+    const id = this.#hand.selected
+    const index = this.#shown().view.robots.findIndex((one) => one.id === id)
+    const robot = this.#shown().view.robots[index]
+    // Ahead of a robot are its rays: it is turned by its back.
+    if (robot) return this.#turnable(robot, robotName(index), boRadius, 180)
+    const found = this.things.find((one) => one.id === id)
+    return found ? this.#turnable(found, thingName(found.thing), radiusOf(found.thing.shape), 0) : null
+  })
+
+  #turnable({ id, pose }: { id: string; pose: Pose }, name: string, radius: number, side: number): Selected {
+    return { id, pose, name, handle: this.#handleAt(pose, radius, side) }
+  }
+
+  /** The turning handle stands on this side (degrees from ahead), or opposite where that is out of sight. */
+  #handleAt(pose: Pose, radius: number, side: number): Point {
+    const { scale } = this.#eye
+    const away = Math.max(radius, 22 / scale) + 32 / scale
+    const at = (turn: number) => this.#at(ahead(pose, pose.heading + turn, away))
+    return this.#eye.sees(at(side)) ? at(side) : at(side + 180)
+  }
+
+  #at(point: Point): Point {
+    return onFloor(point, this.#shown().world.size, this.#eye.scale)
+  }
+
+  readonly #chosen: Chosen | null = $derived.by(() => {
+    if (!this.selected) return null
+    const { id, pose, handle } = this.selected
+    const thing = this.things.find((one) => one.id === id)?.thing
+    const { scale } = this.#eye
+    return {
+      at: this.#at(pose),
+      turn: thing ? clockwise(pose.heading) : 90 - pose.heading,
+      hit: thing ? hitOf(thing, scale) : roundHit(boRadius, scale),
+      handle,
+    }
+  })
+
+  readonly #ghosts: readonly Ghost[] = $derived.by(() => {
+    const { view, inside } = this.#shown()
+    const { present } = view.time
+    if (present.length > 0 && !this.#words) void fetchWords('time').then(() => (this.#words = true))
+    const then = this.#words ? present : []
+    return [
+      ...then.map((one) => ({ ...one, label: m['time.ghost'](), grey: true })),
+      ...(inside?.ghost ? [{ ...inside.ghost, grey: false }] : []),
+    ].flatMap(({ id, pose, label, grey }) => {
+      const config = this.#configs.get(id)
+      return config ? [{ config, pose, label, labelWidth: letters.widthOf(label, 14.5, 'read'), grey }] : []
+    })
+  })
+
+  readonly now: Scene = $derived.by(() => {
+    const { world, view, robot, showRays, showTrail } = this.#shown()
+    const { scale } = this.#eye
+    return {
+      floor: world.size,
+      scale,
+      view,
+      configs: this.#configs,
+      things: this.things,
+      colours: bodies,
+      trails: showTrail ? this.#trails.dots(view.robots, world.size, scale, bodies) : [],
+      sensing: showRays ? robot : null,
+      ghosts: this.#ghosts,
+      chosen: this.#chosen,
+      lights: (id, part) => this.#glow?.lightsPart(id, part) ?? false,
+      strong: comfort.has('projector'),
+    }
+  })
+
+  readonly shapes = $derived.by(() => drawWorld(this.now))
+
+  /** What a finger takes at a point of the pane, in px. */
+  grabbedAt(at: Point): Grabbed | null {
+    return grabbedAt(this.now, this.#onFloor(at))
+  }
+
+  /** The robot and its part (`motor C`) under a point of the pane; a part of null: between its parts. */
+  partAt(at: Point): { readonly id: string; readonly part: string | null } | null {
+    const grabbed = this.grabbedAt(at)
+    if (grabbed?.kind !== 'robot') return null
+    const { id, pose } = grabbed
+    const config = this.#configs.get(id)
+    const middle = this.#at(pose)
+    const point = this.#onFloor(at)
+    const own = turned({ x: point.x - middle.x, y: point.y - middle.y }, pose.heading - 90)
+    return config ? { id, part: partAt(config, this.#eye.scale, own) } : null
+  }
+
+  /** Where everything is painted that can be pointed at or read, in px of the pane. */
+  places(): readonly Place[] {
+    const { view, sensing, lights } = this.now
+    const { corner } = this.#eye
+    const inPane = ({ x, y, ...rest }: Place) => ({
+      ...rest,
+      x: x + Math.round(corner.x),
+      y: y + Math.round(corner.y),
+    })
+    return [
+      ...view.robots.flatMap((robot) => [
+        { name: robot.id, ...this.#at(robot.pose) },
+        ...this.#parts(robot).map((place) => ({ ...place, lit: lights(robot.id, place.part) })),
+        ...(robot.id === sensing ? this.#readings(robot) : []),
+      ]),
+      ...this.things.map(({ id, pose }) => ({ name: id, ...this.#at(pose) })),
+    ].map(inPane)
+  }
+
+  #parts({ id, pose }: RobotView): readonly (Place & { readonly part: string })[] {
+    const config = this.#configs.get(id)
+    const { scale } = this.#eye
+    const middle = this.#at(pose)
+    return (config ? partsOf(config) : []).map(({ part, x, y }) => {
+      const off = turned({ x: x * scale, y: y * scale }, 90 - pose.heading)
+      return { part, name: `${id} ${part}`, x: middle.x + off.x, y: middle.y + off.y }
+    })
+  }
+
+  #readings(robot: RobotView): readonly Place[] {
+    const config = this.#configs.get(robot.id)
+    const { floor, scale } = this.now
+    const readings = config ? readingsOf(robot, config, floor, scale) : []
+    return readings.map(({ port, reading, label }) => ({
+      name: `${robot.id} ray ${port}`,
+      ...label,
+      text: String(reading),
+    }))
+  }
+
+  #onFloor({ x, y }: Point): Point {
+    const { corner } = this.#eye
+    return { x: x - Math.round(corner.x), y: y - Math.round(corner.y) }
+  }
+}
+
+/** What a child calls an obstacle and where it stands. */
+export const placed = (thing: Obstacle, { x, y }: Pose): string =>
+  m['world.at']({ thing: thingName(thing), x: Math.round(x), y: Math.round(y) })

@@ -1,0 +1,79 @@
+import { expect, type Page } from '@playwright/test'
+import type { Spot } from './hand.ts'
+
+/** A part of what is painted on a canvas: `bo`, `bo motor C`, a thing by its id. */
+export interface Place extends Spot {
+  readonly name: string
+  /** Does it light up with its block and its node? */
+  readonly lit?: boolean
+  /** What is written there. */
+  readonly text?: string
+}
+
+interface Robot {
+  readonly id: string
+  readonly pose: { readonly x: number; readonly y: number; readonly heading: number }
+}
+
+declare global {
+  /** What the page can be asked about what it paints; empty in builds that draw with elements. */
+  var botgarten:
+    | {
+        view(): { readonly robots: readonly Robot[] } | null
+        places(): readonly Place[]
+        partAt(x: number, y: number): string | null
+      }
+    | undefined
+}
+
+/** What the canvases of a page show. */
+export class Painted {
+  readonly #page: Page
+
+  constructor(page: Page) {
+    this.#page = page
+  }
+
+  places(): Promise<readonly Place[]> {
+    return this.#page.evaluate(() => globalThis.botgarten?.places() ?? [])
+  }
+
+  /** Where a part is on the screen, as soon as it is painted. */
+  async place(name: string): Promise<Place> {
+    await expect.poll(async () => (await this.places()).map((one) => one.name)).toContain(name)
+    return (await this.places()).find((one) => one.name === name)!
+  }
+
+  partAt({ x, y }: Spot): Promise<string | null> {
+    return this.#page.evaluate(([x, y]) => globalThis.botgarten!.partAt(x, y), [x, y] as const)
+  }
+
+  /** Names of what lights up. */
+  async lit(): Promise<readonly string[]> {
+    return (await this.places()).flatMap(({ name, lit }) => (lit ? [name] : []))
+  }
+
+  /** Where a robot stands on its floor, to a hundredth of a cm. */
+  stands(number = 1): Promise<string> {
+    return this.#page.evaluate((index) => {
+      const { x, y, heading } = globalThis.botgarten!.view()!.robots[index]!.pose
+      return [x, y, heading].map((part) => part.toFixed(2)).join()
+    }, number - 1)
+  }
+
+  /** The colour that the world's canvas has at a point of the screen, `r,g,b,a` with 0 to 255 each. */
+  colourAt({ x, y }: Spot): Promise<string> {
+    return this.#page.locator('.world > canvas').evaluate(
+      (element, at) => {
+        const canvas = element as HTMLCanvasElement
+        const { left, top, width } = canvas.getBoundingClientRect()
+        const ratio = canvas.width / width
+        const { data } = canvas
+          .getContext('2d')!
+          .getImageData(Math.round((at.x - left) * ratio), Math.round((at.y - top) * ratio), 1, 1)
+        return data.join()
+      },
+      { x, y },
+    )
+  }
+}
