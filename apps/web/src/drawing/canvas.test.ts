@@ -108,7 +108,7 @@ test('a pale group is painted elsewhere first, so that what lies under its shape
   ]
   const order: string[] = []
   const recorder = (name: string) =>
-    new Proxy({} as { [key: string]: unknown }, {
+    new Proxy({}, {
       get: (own, key: string) =>
         key in own
           ? own[key]
@@ -136,7 +136,7 @@ test('a pale group is painted elsewhere first, so that what lies under its shape
 test('a single pale shape needs no layer', () => {
   const shapes: Command[] = [{ kind: 'circle', x: 0, y: 0, r: 1, fill: '#000' }]
   const layer = vi.fn()
-  const canvas = new Proxy({ globalAlpha: 1 } as { [key: string]: unknown }, {
+  const canvas = new Proxy({ globalAlpha: 1 }, {
     get: (own, key: string) => (key in own ? own[key] : () => undefined),
   })
   paint(canvas as unknown as Canvas, [{ kind: 'group', opacity: 0.5, shapes }], families, layer)

@@ -9,7 +9,7 @@ export interface Dotting {
   readonly left: number
 }
 
-export const undotted: Dotting = { last: null, left: 0 }
+const undotted: Dotting = { last: null, left: 0 }
 
 /**
  * Dots every `gap` along a line that grows: gives the new dots for the new points, and where to go on.
