@@ -1,9 +1,9 @@
-import { join, resolve } from 'node:path'
-import { pathToFileURL } from 'node:url'
+import { resolve } from 'node:path'
 import type { Browser } from '@playwright/test'
 import { launchBrowser } from '../e2e/browser.ts'
 import { buildWhenNeeded } from '../scripts/prepare/build.mjs'
 import { startServer, type RunningServer } from '../scripts/server.ts'
+import { serverOf } from './beside.ts'
 import { median, ms, percentile, type Table } from './bench.ts'
 
 const rounds = 11
@@ -23,13 +23,6 @@ async function starts(browser: Browser, { url }: RunningServer): Promise<readonl
   const took = [await once(), await once()] as const
   await context.close()
   return took
-}
-
-async function serverOf(folder: string): Promise<RunningServer> {
-  const { startServer } = (await import(
-    pathToFileURL(join(folder, 'scripts', 'server.ts')).href
-  )) as typeof import('../scripts/server.ts')
-  return startServer({ port: 0, host: '127.0.0.1' })
 }
 
 /** How long a lab takes to stand; beside another checkout, built, whose folder BOTGARTEN_BESIDE names. */

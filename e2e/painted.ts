@@ -1,4 +1,4 @@
-import { expect, type Page } from '@playwright/test'
+import { expect, type Locator, type Page } from '@playwright/test'
 import type { Spot } from './hand.ts'
 
 /** A part of what is painted on a canvas: `bo`, `bo motor C`, a thing by its id. */
@@ -48,6 +48,15 @@ export class Painted {
     return this.#page.evaluate(([x, y]) => globalThis.botgarten!.partAt(x, y), [x, y] as const)
   }
 
+  /** What is written where something stands that answers to a hand. */
+  async textIn(thing: Locator): Promise<string | undefined> {
+    const { x, y, width, height } = (await thing.boundingBox())!
+    const middle = { x: x + width / 2, y: y + height / 2 }
+    return (await this.places()).find(
+      ({ text, ...at }) => text !== undefined && Math.hypot(at.x - middle.x, at.y - middle.y) < 2,
+    )?.text
+  }
+
   /** Names of what lights up. */
   async lit(): Promise<readonly string[]> {
     return (await this.places()).flatMap(({ name, lit }) => (lit ? [name] : []))
@@ -61,19 +70,32 @@ export class Painted {
     }, number - 1)
   }
 
-  /** The colour that the world's canvas has at a point of the screen, `r,g,b,a` with 0 to 255 each. */
-  colourAt({ x, y }: Spot): Promise<string> {
-    return this.#page.locator('.world > canvas').evaluate(
-      (element, at) => {
-        const canvas = element as HTMLCanvasElement
-        const { left, top, width } = canvas.getBoundingClientRect()
-        const ratio = canvas.width / width
-        const { data } = canvas
-          .getContext('2d')!
-          .getImageData(Math.round((at.x - left) * ratio), Math.round((at.y - top) * ratio), 1, 1)
-        return data.join()
-      },
-      { x, y },
-    )
+  /** How far Bo's wheels are apart on the screen, in px. */
+  async wheelsApart(): Promise<number> {
+    const [left, right] = [await this.place('bo motor C'), await this.place('bo motor B')]
+    return Math.hypot(right.x - left.x, right.y - left.y)
+  }
+
+  /** The colour of the floor beside Bo, as `colourAt` says it. */
+  async floorColour(): Promise<string> {
+    const { x, y } = await this.place('bo')
+    return this.colourAt({ x, y: y + 60 })
+  }
+
+  /** The colour that the canvas has that is painted at a point of the screen, `r,g,b,a` with 0 to 255 each. */
+  colourAt(spot: Spot): Promise<string> {
+    return this.#page.evaluate((at) => {
+      const canvas = [...document.querySelectorAll('canvas')].findLast((one) => {
+        const { left, right, top, bottom } = one.getBoundingClientRect()
+        return at.x >= left && at.x < right && at.y >= top && at.y < bottom
+      })
+      if (!canvas) throw new Error(`Nothing is painted at ${at.x}, ${at.y}.`)
+      const { left, top, width } = canvas.getBoundingClientRect()
+      const ratio = canvas.width / width
+      const { data } = canvas
+        .getContext('2d')!
+        .getImageData(Math.round((at.x - left) * ratio), Math.round((at.y - top) * ratio), 1, 1)
+      return data.join()
+    }, spot)
   }
 }

@@ -1,5 +1,8 @@
 import { crc32, deflateSync } from 'node:zlib'
 
+/** The colour of all of a `picture`, as a canvas says it. */
+export const grey = '200,200,200,255'
+
 /** A PNG of three bytes a dot, black in its upper left corner and light everywhere else. */
 export function picture(width: number, height: number): Buffer {
   const rows = Buffer.alloc(height * (1 + width * 3), 200)

@@ -35,7 +35,7 @@ for (const language of languagesOf(import.meta.filename)) {
     test('brings the floor nearer with two fingers', async ({ child, page }) => {
       await child.opensLab('free')
       const { world } = new Builder(child)
-      const width = async () => (await world.locator('.camera > svg').first().boundingBox())!.width
+      const width = () => child.painted.wheelsApart()
       const before = await width()
       await pinch(page, await child.middleOf(world), 80, 200)
       await expect.poll(width).toBeGreaterThan(before * 1.5)

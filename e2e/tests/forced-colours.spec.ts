@@ -1,6 +1,6 @@
 // Rooms: parts
 import type { Locator } from '@playwright/test'
-import { leftEye, leftWheel, rightEye, rightWheel } from '../child.ts'
+import { leftEye, leftWheel, rightEye, rightWheel, type Child } from '../child.ts'
 import { SortingHands } from '../child-sorting.ts'
 import { expect, test } from '../house.ts'
 
@@ -29,6 +29,24 @@ async function showsChoice(chosen: Locator, other: Locator) {
   expect((await painted(other)).backgroundColor).not.toBe(colour)
 }
 
+/** The same of what is painted: a ring so many px from the edge of what answers to a hand. */
+async function showsRing(child: Child, chosen: Locator, other: Locator, off: number) {
+  const [colour] = (await highlight(chosen)).match(/\d+, *\d+, *\d+/) ?? ['none']
+  const ring = async (thing: Locator) => {
+    const { x, y, width, height } = (await thing.boundingBox())!
+    const painted = await child.painted.colourAt({ x: x + width / 2, y: y + height + off })
+    return farFrom(colour, painted)
+  }
+  expect(await ring(chosen)).toBeLessThan(3)
+  expect(await ring(other)).toBeGreaterThan(30)
+}
+
+/** By how much the channels of two colours differ at most. */
+function farFrom(colour: string, painted: string): number {
+  const [a, b] = [colour, painted].map((one) => one.split(',').map(Number)) as [number[], number[]]
+  return Math.max(...a.map((part, i) => Math.abs(part - b[i]!)))
+}
+
 test('forced colours show tabs, toggles, start places, knobs and neurons that are chosen', async ({
   child,
   page,
@@ -46,10 +64,8 @@ test('forced colours show tabs, toggles, start places, knobs and neurons that ar
   await child.knob(leftEye, leftWheel).focus()
   await child.knob(rightEye, rightWheel).focus()
   await child.button('lab.menu').focus()
-  expect(await painted(child.knob(rightEye, rightWheel))).not.toEqual(
-    await painted(child.knob(leftEye, leftWheel)),
-  )
-  expect(await painted(child.output(rightWheel))).not.toEqual(await painted(child.output(leftWheel)))
+  await showsRing(child, child.knob(rightEye, rightWheel), child.knob(leftEye, leftWheel), -2)
+  await showsRing(child, child.output(rightWheel), child.output(leftWheel), 2.5)
 
   await page.setViewportSize({ width: 390, height: 844 })
   const tab = (name: string) =>

@@ -1,4 +1,4 @@
-import { beforeAll, expect, test, vi } from 'vitest'
+import { beforeAll, beforeEach, describe, expect, test, vi } from 'vitest'
 import { paint, type Canvas } from './canvas.ts'
 import type { Command } from './commands.ts'
 
@@ -22,7 +22,10 @@ function painted(commands: readonly Command[]): readonly string[] {
     get: (_, name: string) =>
       name in state
         ? state[name]
-        : (...given: unknown[]) => void told.push([name, ...given.map(said)].join(' ')),
+        : (...given: unknown[]) => {
+            told.push([name, ...given.map(said)].join(' '))
+            return name === 'getTransform' ? 'here' : undefined
+          },
     set: (_, name: string, value) => {
       if (state[name] !== value) told.push(`${name} = ${said(value)}`)
       state[name] = value
@@ -30,7 +33,7 @@ function painted(commands: readonly Command[]): readonly string[] {
     },
   })
   paint(canvas as unknown as Canvas, commands, families)
-  return told.slice(told.indexOf('lineJoin = round') + 1, -1)
+  return told.slice(told.indexOf('lineJoin = round') + 1)
 }
 
 test('a shape is filled, then outlined', () => {
@@ -41,6 +44,7 @@ test('a shape is filled, then outlined', () => {
       'fillStyle = #fff',
       'fill',
       'strokeStyle = #000',
+      'lineCap = round',
       'lineWidth = 2',
       'setLineDash []',
       'stroke',
@@ -51,13 +55,13 @@ test('a shape is filled, then outlined', () => {
 test('a group is moved, turned, scaled, and what comes after it stands where it stood', () => {
   const dot: Command = { kind: 'circle', x: 0, y: 0, r: 1 }
   expect(painted([{ kind: 'group', x: 5, y: 6, turn: 90, scale: 2, shapes: [dot] }, dot])).toEqual([
-    'save',
+    'getTransform',
     'translate 5 6',
     `rotate ${Math.PI / 2}`,
     'scale 2 2',
     'beginPath',
     `ellipse 0 0 1 1 0 0 ${2 * Math.PI}`,
-    'restore',
+    'setTransform here',
     'beginPath',
     `ellipse 0 0 1 1 0 0 ${2 * Math.PI}`,
   ])
@@ -107,21 +111,18 @@ test('a pale group is painted elsewhere first, so that what lies under its shape
     { kind: 'circle', x: 1, y: 0, r: 1 },
   ]
   const order: string[] = []
-  const recorder = (name: string) =>
-    new Proxy({}, {
-      get: (own, key: string) =>
-        key in own
-          ? own[key]
-          : () => (order.push(`${name} ${key}`), key === 'getTransform' ? 'here' : undefined),
-      set: (own, key: string, value) => (
-        key === 'globalAlpha' && order.push(`${name} globalAlpha ${value}`),
-        (own[key] = value),
-        true
-      ),
+  const recorder = (name: string) => {
+    const state: { [key: string]: unknown } = { globalAlpha: 1, canvas: {} }
+    return new Proxy(state, {
+      get: (own, key: string) => (key in own ? own[key] : () => void order.push(`${name} ${key}`)),
+      set(own, key: string, value) {
+        if (key === 'globalAlpha') order.push(`${name} globalAlpha ${value}`)
+        own[key] = value
+        return true
+      },
     })
+  }
   const [canvas, over] = [recorder('page'), recorder('layer')]
-  canvas.globalAlpha = over.globalAlpha = 1
-  over.canvas = {}
   paint(
     canvas as unknown as Canvas,
     [{ kind: 'group', opacity: 0.5, shapes }],
@@ -129,16 +130,98 @@ test('a pale group is painted elsewhere first, so that what lies under its shape
     () => over as unknown as CanvasRenderingContext2D,
   )
   expect(order.filter((told) => told.endsWith('ellipse'))).toEqual(['layer ellipse', 'layer ellipse'])
-  expect(order.slice(-4)).toEqual(['page globalAlpha 0.5', 'page drawImage', 'page restore', 'page restore'])
+  expect(order.slice(-3)).toEqual(['page globalAlpha 0.5', 'page drawImage', 'page setTransform'])
   expect(order).not.toContain('layer globalAlpha 0.5')
 })
 
 test('a single pale shape needs no layer', () => {
   const shapes: Command[] = [{ kind: 'circle', x: 0, y: 0, r: 1, fill: '#000' }]
   const layer = vi.fn()
-  const canvas = new Proxy({ globalAlpha: 1 }, {
-    get: (own, key: string) => (key in own ? own[key] : () => undefined),
+  const state: { [key: string]: unknown } = { globalAlpha: 1 }
+  const canvas = new Proxy(state, {
+    get: (own, key: string) => (key in own ? own[key] : () => null),
   })
   paint(canvas as unknown as Canvas, [{ kind: 'group', opacity: 0.5, shapes }], families, layer)
   expect(layer).not.toHaveBeenCalled()
+})
+
+describe('with canvases of its own', () => {
+  interface Made {
+    width: number
+    height: number
+    fills: number
+  }
+  const made: Made[] = []
+  beforeEach(() => {
+    made.length = 0
+    vi.stubGlobal(
+      'DOMMatrix',
+      class {
+        rotate = () => this
+        scale = () => this
+      },
+    )
+    vi.stubGlobal('document', {
+      createElement() {
+        const one = { width: 0, height: 0, fills: 0 }
+        made.push(one)
+        const own: { [key: string]: unknown } = { fill: () => (one.fills += 1) }
+        const context = new Proxy(own, { get: (own, key: string) => own[key] ?? (() => ({ a: 1, b: 0 })) })
+        return Object.assign(one, { getContext: () => context })
+      },
+    })
+  })
+
+  /** What is told to a canvas that is three times as fine, by the names of its methods and what is set. */
+  function screen() {
+    const shown: unknown[] = []
+    const state: { [key: string]: unknown } = {
+      getTransform: () => ({ a: 0, b: 3 }),
+      drawImage: (...given: unknown[]) => shown.push(given.slice(1)),
+      createPattern: () => ({ setTransform: () => null }),
+    }
+    const canvas = new Proxy(state, { get: (own, key: string) => own[key] ?? (() => null) })
+    return { shown, state, canvas: canvas as unknown as Canvas }
+  }
+
+  const still = (turns: boolean): Command => ({
+    kind: 'group',
+    still: { x: -5, y: -5, width: 10, height: 10 },
+    turns,
+    shapes: [{ kind: 'circle', x: 0, y: 0, r: 4, fill: '#000' }],
+  })
+  const at = (x: number, shape: Command): Command => ({ kind: 'group', x, shapes: [shape] })
+
+  test('what stays the same is painted once, and shown again wherever it moves', () => {
+    const { shown, canvas } = screen()
+    const shape = still(false)
+    paint(canvas, [at(1, shape), at(2, shape)], families, vi.fn())
+    expect(shown).toEqual([
+      [-5, -5, 10, 10],
+      [-5, -5, 10, 10],
+    ])
+    expect(made).toMatchObject([{ width: 30, height: 30, fills: 1 }])
+  })
+
+  test('what turns is painted finer', () => {
+    const { shown, canvas } = screen()
+    paint(canvas, [at(1, still(true))], families, vi.fn())
+    expect(made).toMatchObject([{ width: 45, height: 45, fills: 1 }])
+    expect(shown).toEqual([[-5, -5, 10, 10]])
+  })
+
+  test('stripes are a pattern that is made once', () => {
+    const { canvas, state } = screen()
+    const line: Command = {
+      kind: 'line',
+      points: [],
+      stroke: '#111',
+      stripes: { on: '#fff', colour: '#123456', every: 7, width: 4 },
+      flat: true,
+    }
+    paint(canvas, [line, line], families)
+    expect(made).toMatchObject([{ width: 28, height: 28 }])
+    expect(state.strokeStyle).toHaveProperty('setTransform')
+    expect(state.lineCap).toBe('butt')
+  })
 })

@@ -1,4 +1,14 @@
-import { scales, type Command, type Font, type Group, type Ink, type Letters, type Rect } from './commands.ts'
+import {
+  scales,
+  type Command,
+  type Font,
+  type Group,
+  type Ink,
+  type Letters,
+  type Rect,
+  type Stripes,
+} from './commands.ts'
+import type { Point, Size } from './points.ts'
 
 /** What a canvas must be able to do. */
 export type Canvas = Pick<
@@ -6,6 +16,7 @@ export type Canvas = Pick<
   | 'arc'
   | 'beginPath'
   | 'closePath'
+  | 'createPattern'
   | 'drawImage'
   | 'ellipse'
   | 'fill'
@@ -20,12 +31,11 @@ export type Canvas = Pick<
   | 'lineWidth'
   | 'moveTo'
   | 'resetTransform'
-  | 'restore'
   | 'rotate'
   | 'roundRect'
-  | 'save'
   | 'scale'
   | 'setLineDash'
+  | 'setTransform'
   | 'stroke'
   | 'strokeStyle'
   | 'textAlign'
@@ -34,6 +44,11 @@ export type Canvas = Pick<
 
 /** Another canvas as large as the one that is painted on, and empty. */
 export type Layer = () => CanvasRenderingContext2D
+
+/** A picture of what seldom changes, and where it lies; in px. */
+export interface Picture extends Point, Size {
+  readonly source: CanvasImageSource
+}
 
 /** Family names of letters as CSS has them. */
 export type Families = { readonly [font in Font]: string }
@@ -59,15 +74,13 @@ interface Tools {
 }
 
 /**
- * Paints commands one after the other, onto what is there. Leaves the canvas as it found it.
+ * Paints commands one after the other, onto what is there. Leaves the canvas moved, turned and scaled as it found it; letters
+ * and inks are the last ones, since to set the same letters again costs nothing, and to restore others much.
  * @param layer a group that is pale is painted there first, so that it is pale as one; without it each shape is
  */
 export function paint(canvas: Canvas, commands: readonly Command[], families: Families, layer?: Layer): void {
-  canvas.save()
-  canvas.lineCap = 'round'
   canvas.lineJoin = 'round'
-  paintAll(canvas, commands, { families, layer }, canvas.globalAlpha)
-  canvas.restore()
+  paintAll(canvas, commands, { families, layer }, 1)
 }
 
 function paintAll(canvas: Canvas, commands: readonly Command[], tools: Tools, opacity: number): void {
@@ -92,20 +105,58 @@ function paintAsOne(
   over.setTransform(canvas.getTransform())
   const { opacity: _, ...full } = group
   paint(over, [full], families)
-  canvas.save()
+  const was = canvas.getTransform()
   canvas.resetTransform()
   canvas.globalAlpha = opacity
   canvas.drawImage(over.canvas, 0, 0)
-  canvas.restore()
+  canvas.setTransform(was)
 }
 
 function paintGroup(canvas: Canvas, group: Group, tools: Tools, opacity: number): void {
-  canvas.save()
+  const was = canvas.getTransform()
   canvas.translate(group.x ?? 0, group.y ?? 0)
   if (group.turn) canvas.rotate((group.turn * Math.PI) / 180)
   canvas.scale(...scales(group))
-  paintAll(canvas, group.shapes, tools, opacity)
-  canvas.restore()
+  if (group.still && tools.layer) paintStill(canvas, group, group.still, tools.families, opacity)
+  else paintAll(canvas, group.shapes, tools, opacity)
+  canvas.setTransform(was)
+}
+
+/** So much finer than the canvas is what turns. */
+const finer = 1.5
+const stills = new WeakMap<Group, { readonly scale: number; readonly picture: HTMLCanvasElement }>()
+
+function paintStill(
+  canvas: Canvas,
+  group: Group,
+  bounds: Size & Point,
+  families: Families,
+  opacity: number,
+): void {
+  const { a, b } = canvas.getTransform()
+  const scale = Math.hypot(a, b) * (group.turns ? finer : 1)
+  const known = stills.get(group)
+  const picture = known?.scale === scale ? known.picture : stillOf(group.shapes, bounds, scale, families)
+  if (picture !== known?.picture) stills.set(group, { scale, picture })
+  canvas.globalAlpha = opacity
+  // Its own size in whole pixels: what does not turn stays as sharp as it was painted.
+  canvas.drawImage(picture, bounds.x, bounds.y, picture.width / scale, picture.height / scale)
+}
+
+function stillOf(
+  shapes: readonly Command[],
+  { x, y, width, height }: Size & Point,
+  scale: number,
+  families: Families,
+): HTMLCanvasElement {
+  const picture = document.createElement('canvas')
+  picture.width = Math.max(1, Math.ceil(width * scale))
+  picture.height = Math.max(1, Math.ceil(height * scale))
+  const context = picture.getContext('2d')!
+  context.scale(scale, scale)
+  context.translate(-x, -y)
+  paint(context, shapes, families)
+  return picture
 }
 
 type Shape = Exclude<Command, Group>
@@ -130,24 +181,55 @@ function outline(canvas: Canvas, { x, y, width, height, round = 0 }: Rect): void
   canvas.roundRect(x, y, width, height, Math.min(round, width / 2, height / 2))
 }
 
-function ink(canvas: Canvas, { fill, stroke, lineWidth = 1, dash = solid }: Ink, path?: Path2D): void {
+function ink(canvas: Canvas, look: Ink, path?: Path2D): void {
+  const { fill, stroke, lineWidth = 1, dash = solid } = look
   if (fill !== undefined) {
     canvas.fillStyle = fill
     if (path) canvas.fill(path)
     else canvas.fill()
   }
   if (stroke === undefined) return
-  canvas.strokeStyle = stroke
+  canvas.strokeStyle = look.stripes ? patternOf(canvas, look.stripes) : stroke
+  canvas.lineCap = look.flat ? 'butt' : 'round'
   canvas.lineWidth = lineWidth
   canvas.setLineDash(dash as number[])
   if (path) canvas.stroke(path)
   else canvas.stroke()
 }
 
+const patterns = new Map<string, CanvasPattern>()
+/** Tiles are so much finer than what they are painted on. */
+const tileScale = 4
+
+function patternOf(canvas: Canvas, { on, colour, every, width }: Stripes): CanvasPattern {
+  const key = [on, colour, every, width].join()
+  const known = patterns.get(key)
+  if (known) return known
+  const tile = document.createElement('canvas')
+  tile.width = tile.height = every * tileScale
+  const context = tile.getContext('2d')!
+  context.fillStyle = on
+  context.fillRect(0, 0, tile.width, tile.height)
+  context.fillStyle = colour
+  context.fillRect(0, 0, width * tileScale, tile.height)
+  const pattern = canvas.createPattern(tile, 'repeat')!
+  pattern.setTransform(new DOMMatrix().rotate(45).scale(1 / tileScale))
+  patterns.set(key, pattern)
+  return pattern
+}
+
 const alignments = { start: 'left', middle: 'center', end: 'right' } as const
 
+/** How a canvas says a font that it was given, by how it was given. */
+const said = new Map<string, string>()
+
 function write(canvas: Canvas, letters: Letters, families: Families): void {
-  canvas.font = `${letters.weight ?? 700} ${letters.size}px ${families[letters.font]}`
+  const font = `${letters.weight ?? 700} ${letters.size}px ${families[letters.font]}`
+  // To set even the same font makes a browser look through the page's styles first.
+  if (canvas.font !== said.get(font)) {
+    canvas.font = font
+    said.set(font, canvas.font)
+  }
   canvas.textAlign = alignments[letters.align ?? 'start']
   canvas.fillStyle = letters.fill ?? '#000'
   canvas.fillText(letters.text, letters.x, letters.y)

@@ -1,9 +1,9 @@
-import type { Point } from './points.ts'
+import type { Point, Size } from './points.ts'
 
 // What is painted, as data: a canvas paints it on the screen, SVG on paper and in pictures. Lengths are in units of the
 // group around it, y down.
 
-/** How a shape is filled and outlined. Lines have round ends and corners. */
+/** How a shape is filled and outlined. Corners are round. */
 export interface Ink {
   /** Nothing is filled without it. */
   readonly fill?: string
@@ -13,8 +13,20 @@ export interface Ink {
   readonly lineWidth?: number
   /** Lengths of dashes and gaps in turn. */
   readonly dash?: readonly number[]
+  /** The outline ends with its last point, and so do its dashes. Otherwise ends are round. */
+  readonly flat?: boolean
+  /** Instead of the colour of the outline. */
+  readonly stripes?: Stripes
   /** 0 to 1. */
   readonly opacity?: number
+}
+
+/** Stripes that rise to the right at 45°, one every so many units. */
+export interface Stripes {
+  readonly on: string
+  readonly colour: string
+  readonly every: number
+  readonly width: number
 }
 
 /** `d` is SVG path data; one that stays the same for many frames is read once. */
@@ -59,8 +71,15 @@ export type Group = {
   readonly turn?: number
   /** Along x and y, or both alike. */
   readonly scale?: number | readonly [number, number]
-  /** 0 to 1, of each shape in it. */
+  /** 0 to 1. */
   readonly opacity?: number
+  /**
+   * What it covers, where the same object is painted again and again: a canvas may keep a picture of it. Without opacity of
+   * its own.
+   */
+  readonly still?: Size & Point
+  /** It is seen turned by any angle: the picture is finer than the canvas. */
+  readonly turns?: boolean
   readonly shapes: readonly Command[]
 } & Partial<Point>
 

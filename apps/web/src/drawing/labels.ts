@@ -4,7 +4,7 @@ import type { Point, Size } from './points.ts'
 export type Side = 'above' | 'below' | 'right' | 'left'
 
 /** From a knob's middle to the middle of its written weight, in px; earlier sides are taken where they are free. */
-const sides: { readonly [side in Side]: Point } = {
+export const labelOffsets: { readonly [side in Side]: Point } = {
   above: { x: 0, y: -39 },
   below: { x: 0, y: 39 },
   right: { x: 42, y: 0 },
@@ -36,7 +36,7 @@ export function labelSides(
       (at.y < half || at.y > stage.height - half ? near.weight.x * near.weight.y : 0) +
       knobs.reduce((sum, other) => sum + (other === knob ? 0 : shared(at, other, near.knob)), 0) +
       written.reduce((sum, other) => sum + shared(at, other, near.weight), 0)
-    const places = Object.entries(sides).map(([side, off]) => {
+    const places = Object.entries(labelOffsets).map(([side, off]) => {
       const at = { x: knob.x + off.x, y: knob.y + off.y }
       return { side: side as Side, at, covered: covered(at) }
     })

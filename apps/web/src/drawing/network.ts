@@ -2,7 +2,7 @@ import type { Point, Size } from './points.ts'
 import { clamp } from './points.ts'
 
 /** `below`: on lines under the node · `line`: on one line under it · `beside`: on the node's outer side, where rows are low. */
-export type LabelForm = 'below' | 'line' | 'beside'
+type LabelForm = 'below' | 'line' | 'beside'
 
 /** Where the nodes of a network stand, in px; from the inputs to the outputs. */
 export interface NetworkLayout {

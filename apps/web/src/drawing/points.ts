@@ -19,9 +19,6 @@ export const between = (a: Point, b: Point, share: number): Point => ({
 export const clamp = (value: number, least: number, most: number): number =>
   Math.min(most, Math.max(least, value))
 
-/** Which way `b` lies from `a`: degrees clockwise from the right. */
-export const degrees = (a: Point, b: Point): number => (Math.atan2(b.y - a.y, b.x - a.x) * 180) / Math.PI
-
 /** Turned about 0 by degrees clockwise, y down. */
 export function turned({ x, y }: Point, degrees: number): Point {
   const turn = (degrees * Math.PI) / 180

@@ -102,11 +102,13 @@ function standingBo(robot: RobotView, index: number, scene: Scene): Command {
     ...onFloor(robot.pose, floor, scale),
     turn: 90 - robot.pose.heading,
     scale,
-    shapes: config ? [shade, ...lookOf(robot, config, index, scene), ...bump(robot)] : [],
+    shapes: config ? [lookOf(robot, config, index, scene), ...bump(robot)] : [],
   }
 }
 
-const bodies = new WeakMap<RobotConfig, Map<string, readonly Command[]>>()
+const bodies = new WeakMap<RobotConfig, Map<string, Command>>()
+/** In cm: halos and leaves are in it. */
+const around = { x: -16, y: -16, width: 32, height: 32 }
 
 /** The same object for the same look: most frames only move Bo. */
 function lookOf(
@@ -114,11 +116,11 @@ function lookOf(
   config: RobotConfig,
   index: number,
   { colours, lights }: Scene,
-): readonly Command[] {
+): Command {
   const text = display.some((row) => row.trim() !== '')
   const lit = partsOf(config).flatMap(({ part }) => (lights(id, part) ? [part] : []))
   const key = [led, text, index, ...lit].join()
-  const known = bodies.get(config) ?? new Map<string, readonly Command[]>()
+  const known = bodies.get(config) ?? new Map<string, Command>()
   bodies.set(config, known)
   const number: Command = {
     kind: 'text',
@@ -130,10 +132,16 @@ function lookOf(
     align: 'middle',
     fill: ink,
   }
-  const look = known.get(key) ?? [
-    ...drawBo({ config, led, text, colour: colours[index], lights: (part) => lit.includes(part) }),
-    ...(index > 0 ? [{ ...number, x: -3.4 }] : []),
-  ]
+  const look: Command = known.get(key) ?? {
+    kind: 'group',
+    still: around,
+    turns: true,
+    shapes: [
+      shade,
+      ...drawBo({ config, led, text, colour: colours[index], lights: (part) => lit.includes(part) }),
+      ...(index > 0 ? [{ ...number, x: -3.4 }] : []),
+    ],
+  }
   known.set(key, look)
   return look
 }

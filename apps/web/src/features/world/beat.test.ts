@@ -1,10 +1,10 @@
 import { expect, test } from 'vitest'
 import { Beat } from './beat.ts'
 
-test('while something runs handles follow ten times a second', () => {
+test('while something runs handles follow once a second', () => {
   const beat = new Beat()
-  const frames = Array.from({ length: 60 }, (_, frame) => (frame * 1000) / 60)
-  expect(frames.filter((now) => beat.isDue(now, true, false))).toHaveLength(10)
+  const frames = Array.from({ length: 179 }, (_, frame) => (frame * 1000) / 60)
+  expect(frames.filter((now) => beat.isDue(now, true, false))).toHaveLength(3)
 })
 
 test('with a hand near, and where nothing runs, they are always where things are', () => {

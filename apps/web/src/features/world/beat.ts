@@ -1,7 +1,10 @@
-/** Milliseconds: six frames of a screen, less what clocks tremble. */
-const beat = 95
+/** Milliseconds. */
+const beat = 1000
 
-/** When handles go to where things are: at once where nothing runs or a hand is near, else ten times a second. */
+/**
+ * When handles go to where things are: at once where nothing runs or a hand is near, else once a second. To move one
+ * costs the browser 6 ms on a slow laptop: it orders all layers of the page again.
+ */
 export class Beat {
   #last = -Infinity
 

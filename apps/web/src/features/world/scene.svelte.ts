@@ -124,6 +124,10 @@ export class WorldScene {
     })
   })
 
+  /** What is written at robots that do not stand there now, a line for each; text, so that it is
+   *  written into the page only when it changes. */
+  readonly ghostNames = $derived.by(() => this.#ghosts.map(({ label }) => label).join('\n'))
+
   readonly now: Scene = $derived.by(() => {
     const { world, view, robot, showRays, showTrail } = this.#shown()
     const { scale } = this.#eye

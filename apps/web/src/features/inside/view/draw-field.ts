@@ -63,11 +63,9 @@ interface Drawn extends Readings {
 
 const ARROW = '#8A1F41'
 
-/** Draws the field again: arrows for a network that drives, else a disc in the colour of the strongest output, as large as it is. */
+/** Draws the field onto an empty canvas: arrows for a network that drives, else a disc in the colour of the strongest output, as large as it is. */
 export function drawField(context: CanvasRenderingContext2D, drawn: Drawn): void {
   const { window, wheels } = drawn
-  context.setTransform(1, 0, 0, 1, 0, 0)
-  context.clearRect(0, 0, window.width, window.height)
   context.translate(-window.left, -window.top)
   if (wheels.left < 0 && wheels.right < 0) return drawDiscs(context, drawn)
   drawArrows(context, drawn)

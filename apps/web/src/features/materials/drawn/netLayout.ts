@@ -1,4 +1,4 @@
-import { labelSides, type Side } from '#drawing/labels.ts'
+import { labelOffsets, labelSides } from '#drawing/labels.ts'
 import type { NetworkLayout } from '#drawing/network.ts'
 import type { Point, Size } from '#drawing/points.ts'
 import { freeLine, knobPlace, stagger, type Scale, type Track, unitScale } from '#drawing/track.ts'
@@ -72,11 +72,7 @@ function tracksOf(net: DrawnNet, layout: NetworkLayout): readonly Track[] {
   return settleOf(net)(lines)
 }
 
-/** From a knob's middle to that of its weight, as `Knob.svelte` writes it, and how large things are, in px. */
-const offsets: { readonly [side in Side]: Point } = {
-  ...{ above: { x: 0, y: -39 }, below: { x: 0, y: 39 } },
-  ...{ right: { x: 42, y: 0 }, left: { x: -42, y: 0 } },
-}
+/** How large things are, in px. */
 const sizes = { weight: { width: 46, height: 28 }, knob: { width: 30, height: 30 } }
 const node: Size = { width: 2 * radius, height: 2 * radius }
 
@@ -85,7 +81,7 @@ export function coveredIn(net: DrawnNet, layout: NetworkLayout): number {
   const knobs = tracksOf(net, layout).map((track, i) => knobPlace(track, net.weights[i]!))
   const sides = labelSides(knobs, net.weights, layout.stage)
   const written = knobs.flatMap(({ x, y }, i) => {
-    const off = offsets[sides[i]!]
+    const off = labelOffsets[sides[i]!]
     return net.weights[i] === 0 ? [] : [{ x: x + off.x, y: y + off.y }]
   })
   const things = [

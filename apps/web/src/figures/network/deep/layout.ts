@@ -127,6 +127,17 @@ export const stepOf = ({ x, y }: Point): Point => ({
   y: Math.round(y / step) * step,
 })
 
+/** What of a stage is painted: all that can be seen before it is looked at from the next step. */
+export function sightOf(room: Size, stage: Size, at: Point): Size & Point {
+  const along = (from: number, seen: number, all: number) => {
+    const first = clamp(from - step, 0, all)
+    return [first, clamp(from + seen + step, first, all) - first] as const
+  }
+  const [x, width] = along(at.x, room.width, stage.width)
+  const [y, height] = along(at.y, room.height, stage.height)
+  return { x, y, width, height }
+}
+
 /** Is a link near the part of the stage that is seen? */
 export function nearTo(room: Size, at: Point, links: number): ((track: Track) => boolean) | undefined {
   if (links <= many) return undefined

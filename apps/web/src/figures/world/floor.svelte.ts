@@ -1,0 +1,61 @@
+import { devicePixelRatio } from 'svelte/reactivity/window'
+import type { World } from '@botgarten/simulation'
+import { paint, type Picture } from '#drawing/canvas.ts'
+import { drawFloor, drawGround } from '#drawing/floor.ts'
+import { letters } from '../letters.svelte.ts'
+import type { Eye } from './eye.svelte.ts'
+
+/** In px: what is kept goes on so far beyond the pane, and is painted again so seldom. */
+const step = 256
+
+/** The floor as a picture, painted once for the part that is looked at. */
+export class FloorPicture {
+  readonly #world: () => World
+  readonly #url: () => string | null
+  readonly #eye: Eye
+  readonly #canvas = document.createElement('canvas')
+  #image = $state.raw<HTMLImageElement | null>(null)
+
+  constructor(world: () => World, url: () => string | null, eye: Eye) {
+    this.#world = world
+    this.#url = url
+    this.#eye = eye
+  }
+
+  /** Loads the picture that lies on the ground; for an effect. */
+  load(): void {
+    const url = this.#url()
+    if (this.#image?.dataset['url'] === url) return
+    this.#image = null
+    if (url === null) return
+    const image = new Image()
+    image.dataset['url'] = url
+    image.onload = () => {
+      if (this.#url() === url) this.#image = image
+    }
+    image.src = url
+  }
+
+  readonly #left = $derived.by(() => Math.floor(-this.#eye.corner.x / step) * step)
+  readonly #top = $derived.by(() => Math.floor(-this.#eye.corner.y / step) * step)
+  readonly #width = $derived.by(() => (Math.ceil(this.#eye.pane.width / step) + 1) * step)
+  readonly #height = $derived.by(() => (Math.ceil(this.#eye.pane.height / step) + 1) * step)
+
+  /** A new object whenever it has been painted again; in px of the floor's box. */
+  readonly picture: Picture = $derived.by(() => {
+    const world = this.#world()
+    const { scale } = this.#eye
+    const ratio = devicePixelRatio.current ?? 1
+    const place = { x: this.#left, y: this.#top, width: this.#width, height: this.#height }
+    Object.assign(this.#canvas, { width: place.width * ratio, height: place.height * ratio })
+    const context = this.#canvas.getContext('2d')!
+    context.scale(ratio, ratio)
+    context.translate(-place.x, -place.y)
+    context.scale(scale, scale)
+    const { families } = letters
+    paint(context, drawGround(world), families)
+    if (this.#image) context.drawImage(this.#image, 0, 0, world.size.width, world.size.height)
+    paint(context, drawFloor(world, scale, this.#url() !== null), families)
+    return { source: this.#canvas, ...place }
+  })
+}
