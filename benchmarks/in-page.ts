@@ -20,18 +20,24 @@ export function noteFrames() {
 /** What was last asked for, when it has come. */
 export const answered = () => globalThis.answer
 
-/** Asks for the frames between the next pointer movement and the next change inside `changing`. */
-export function askFramesUntilChange(changing: Element) {
+/** Asks for the frames between the next pointer movement and the first that shows another number at what answers to a hand. */
+export function askFramesUntilChange(button: Element) {
   globalThis.answer = new Promise<number>((done) => {
-    const now = () => globalThis.frameTimes.length
-    let from = Infinity
-    addEventListener('pointermove', () => (from = now()), { capture: true, once: true })
-    const watcher = new MutationObserver(() => {
-      if (from === Infinity) return
-      watcher.disconnect()
-      done(now() - from)
-    })
-    watcher.observe(changing, { subtree: true, characterData: true, childList: true, attributes: true })
+    const { x, y, width, height } = button.getBoundingClientRect()
+    const number = () =>
+      globalThis
+        .botgarten!.places()
+        .find(({ text, ...at }) => text && Math.hypot(at.x - x - width / 2, at.y - y - height / 2) < 2)?.text
+    const before = number()
+    const begin = () => {
+      const from = globalThis.frameTimes.length
+      const look = () => {
+        if (number() === before) requestAnimationFrame(look)
+        else done(globalThis.frameTimes.length - from)
+      }
+      look()
+    }
+    addEventListener('pointermove', begin, { capture: true, once: true })
   })
 }
 

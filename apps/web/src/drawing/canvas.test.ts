@@ -11,6 +11,7 @@ beforeAll(() => {
   )
 })
 
+const unmoved = { a: 1, b: 0, c: 0, d: 1, e: 0, f: 0 }
 const families = { title: 'Baloo', read: 'Nunito' }
 
 /** What a canvas was told, in order: calls with what they were given, and what was set. */
@@ -24,7 +25,7 @@ function painted(commands: readonly Command[]): readonly string[] {
         ? state[name]
         : (...given: unknown[]) => {
             told.push([name, ...given.map(said)].join(' '))
-            return name === 'getTransform' ? 'here' : undefined
+            return name === 'getTransform' ? unmoved : undefined
           },
     set: (_, name: string, value) => {
       if (state[name] !== value) told.push(`${name} = ${said(value)}`)
@@ -54,17 +55,31 @@ test('a shape is filled, then outlined', () => {
 
 test('a group is moved, turned, scaled, and what comes after it stands where it stood', () => {
   const dot: Command = { kind: 'circle', x: 0, y: 0, r: 1 }
-  expect(painted([{ kind: 'group', x: 5, y: 6, turn: 90, scale: 2, shapes: [dot] }, dot])).toEqual([
-    'getTransform',
-    'translate 5 6',
-    `rotate ${Math.PI / 2}`,
-    'scale 2 2',
+  const told = painted([{ kind: 'group', x: 5, y: 6, turn: 90, scale: [2, 3], shapes: [dot] }, dot])
+  const [moved, ...rest] = told
+  const [a, b, c, d, e, f] = moved!.split(' ').slice(1).map(Number) as [number, ...number[]]
+  const at = (x: number, y: number) => [a * x + c! * y + e!, b! * x + d! * y + f!].map(Math.round)
+  // Scaled first, then turned from the right to below, then moved.
+  expect([at(0, 0), at(1, 0), at(0, 1)]).toEqual([
+    [5, 6],
+    [5, 8],
+    [2, 6],
+  ])
+  expect(rest).toEqual([
     'beginPath',
     `ellipse 0 0 1 1 0 0 ${2 * Math.PI}`,
-    'setTransform here',
+    'setTransform 1 0 0 1 0 0',
     'beginPath',
     `ellipse 0 0 1 1 0 0 ${2 * Math.PI}`,
   ])
+})
+
+test('a group in a group is where both take it', () => {
+  const inner: Command = { kind: 'group', x: 10, turn: 30, shapes: [] }
+  const told = painted([{ kind: 'group', scale: 2, turn: 60, shapes: [inner] }])
+  const [a, b, , , e, f] = told[1]!.split(' ').slice(1).map(Number) as [number, ...number[]]
+  expect([a, b]).toEqual([expect.closeTo(0), expect.closeTo(2)])
+  expect([e, f]).toEqual([expect.closeTo(10), expect.closeTo(10 * Math.sqrt(3))])
 })
 
 test('a path is read once, however often it is painted', () => {
@@ -114,7 +129,7 @@ test('a pale group is painted elsewhere first, so that what lies under its shape
   const recorder = (name: string) => {
     const state: { [key: string]: unknown } = { globalAlpha: 1, canvas: {} }
     return new Proxy(state, {
-      get: (own, key: string) => (key in own ? own[key] : () => void order.push(`${name} ${key}`)),
+      get: (own, key: string) => (key in own ? own[key] : () => (order.push(`${name} ${key}`), unmoved)),
       set(own, key: string, value) {
         if (key === 'globalAlpha') order.push(`${name} globalAlpha ${value}`)
         own[key] = value
@@ -139,7 +154,7 @@ test('a single pale shape needs no layer', () => {
   const layer = vi.fn()
   const state: { [key: string]: unknown } = { globalAlpha: 1 }
   const canvas = new Proxy(state, {
-    get: (own, key: string) => (key in own ? own[key] : () => null),
+    get: (own, key: string) => (key in own ? own[key] : () => unmoved),
   })
   paint(canvas as unknown as Canvas, [{ kind: 'group', opacity: 0.5, shapes }], families, layer)
   expect(layer).not.toHaveBeenCalled()
@@ -166,7 +181,7 @@ describe('with canvases of its own', () => {
         const one = { width: 0, height: 0, fills: 0 }
         made.push(one)
         const own: { [key: string]: unknown } = { fill: () => (one.fills += 1) }
-        const context = new Proxy(own, { get: (own, key: string) => own[key] ?? (() => ({ a: 1, b: 0 })) })
+        const context = new Proxy(own, { get: (own, key: string) => own[key] ?? (() => unmoved) })
         return Object.assign(one, { getContext: () => context })
       },
     })
@@ -176,7 +191,7 @@ describe('with canvases of its own', () => {
   function screen() {
     const shown: unknown[] = []
     const state: { [key: string]: unknown } = {
-      getTransform: () => ({ a: 0, b: 3 }),
+      getTransform: () => ({ a: 0, b: 3, c: -3, d: 0, e: 0, f: 0 }),
       drawImage: (...given: unknown[]) => shown.push(given.slice(1)),
       createPattern: () => ({ setTransform: () => null }),
     }

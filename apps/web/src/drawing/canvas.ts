@@ -8,6 +8,7 @@ import {
   type Rect,
   type Stripes,
 } from './commands.ts'
+import { pictureOf } from './picture.ts'
 import type { Point, Size } from './points.ts'
 
 /** What a canvas must be able to do. */
@@ -31,15 +32,12 @@ export type Canvas = Pick<
   | 'lineWidth'
   | 'moveTo'
   | 'resetTransform'
-  | 'rotate'
   | 'roundRect'
-  | 'scale'
   | 'setLineDash'
   | 'setTransform'
   | 'stroke'
   | 'strokeStyle'
   | 'textAlign'
-  | 'translate'
 >
 
 /** Another canvas as large as the one that is painted on, and empty. */
@@ -73,23 +71,33 @@ interface Tools {
   readonly layer: Layer | undefined
 }
 
+/** As `setTransform` takes it. */
+type Matrix = readonly [a: number, b: number, c: number, d: number, e: number, f: number]
+
 /**
  * Paints commands one after the other, onto what is there. Leaves the canvas moved, turned and scaled as it found it; letters
  * and inks are the last ones, since to set the same letters again costs nothing, and to restore others much.
  * @param layer a group that is pale is painted there first, so that it is pale as one; without it each shape is
  */
 export function paint(canvas: Canvas, commands: readonly Command[], families: Families, layer?: Layer): void {
+  const { a, b, c, d, e, f } = canvas.getTransform()
   canvas.lineJoin = 'round'
-  paintAll(canvas, commands, { families, layer }, 1)
+  paintAll(canvas, commands, { families, layer }, [a, b, c, d, e, f], 1)
 }
 
-function paintAll(canvas: Canvas, commands: readonly Command[], tools: Tools, opacity: number): void {
+function paintAll(
+  canvas: Canvas,
+  commands: readonly Command[],
+  tools: Tools,
+  at: Matrix,
+  opacity: number,
+): void {
   for (const command of commands) {
     const own = opacity * (command.opacity ?? 1)
     if (command.kind !== 'group') paintShape(canvas, command, tools.families, own)
     else if (tools.layer && isPale(command))
-      paintAsOne(canvas, command, { ...tools, layer: tools.layer }, own)
-    else paintGroup(canvas, command, tools, own)
+      paintAsOne(canvas, command, { ...tools, layer: tools.layer }, at, own)
+    else paintGroup(canvas, command, tools, at, own)
   }
 }
 
@@ -99,45 +107,63 @@ function paintAsOne(
   canvas: Canvas,
   group: Group,
   { families, layer }: Required<Tools>,
+  at: Matrix,
   opacity: number,
 ): void {
   const over = layer!()
-  over.setTransform(canvas.getTransform())
+  over.setTransform(...at)
   const { opacity: _, ...full } = group
   paint(over, [full], families)
-  const was = canvas.getTransform()
   canvas.resetTransform()
   canvas.globalAlpha = opacity
   canvas.drawImage(over.canvas, 0, 0)
-  canvas.setTransform(was)
+  canvas.setTransform(...at)
 }
 
-function paintGroup(canvas: Canvas, group: Group, tools: Tools, opacity: number): void {
-  const was = canvas.getTransform()
-  canvas.translate(group.x ?? 0, group.y ?? 0)
-  if (group.turn) canvas.rotate((group.turn * Math.PI) / 180)
-  canvas.scale(...scales(group))
-  if (group.still && tools.layer) paintStill(canvas, group, group.still, tools.families, opacity)
-  else paintAll(canvas, group.shapes, tools, opacity)
-  canvas.setTransform(was)
+function paintGroup(canvas: Canvas, group: Group, tools: Tools, at: Matrix, opacity: number): void {
+  const own = within(at, group)
+  // The browser's own arithmetic makes an object each time it is asked where it is.
+  canvas.setTransform(...own)
+  if (group.still && tools.layer) paintStill(canvas, group, group.still, tools.families, own, opacity)
+  else paintAll(canvas, group.shapes, tools, own, opacity)
+  canvas.setTransform(...at)
+}
+
+/** Where the shapes of a group are, in a group that is there. */
+function within([a, b, c, d, e, f]: Matrix, group: Group): Matrix {
+  const { x = 0, y = 0, turn = 0 } = group
+  const [sx, sy] = scales(group)
+  const [cos, sin] = [Math.cos((turn * Math.PI) / 180), Math.sin((turn * Math.PI) / 180)]
+  return [
+    (a * cos + c * sin) * sx,
+    (b * cos + d * sin) * sx,
+    (c * cos - a * sin) * sy,
+    (d * cos - b * sin) * sy,
+    a * x + c * y + e,
+    b * x + d * y + f,
+  ]
 }
 
 /** So much finer than the canvas is what turns. */
 const finer = 1.5
-const stills = new WeakMap<Group, { readonly scale: number; readonly picture: HTMLCanvasElement }>()
+interface Still {
+  readonly scale: number
+  readonly picture: ReturnType<typeof pictureOf>
+}
+const stills = new WeakMap<readonly Command[], Still>()
 
 function paintStill(
   canvas: Canvas,
   group: Group,
   bounds: Size & Point,
   families: Families,
+  [a, b]: Matrix,
   opacity: number,
 ): void {
-  const { a, b } = canvas.getTransform()
   const scale = Math.hypot(a, b) * (group.turns ? finer : 1)
-  const known = stills.get(group)
+  const known = stills.get(group.shapes)
   const picture = known?.scale === scale ? known.picture : stillOf(group.shapes, bounds, scale, families)
-  if (picture !== known?.picture) stills.set(group, { scale, picture })
+  if (picture !== known?.picture) stills.set(group.shapes, { scale, picture })
   canvas.globalAlpha = opacity
   // Its own size in whole pixels: what does not turn stays as sharp as it was painted.
   canvas.drawImage(picture, bounds.x, bounds.y, picture.width / scale, picture.height / scale)
@@ -148,15 +174,12 @@ function stillOf(
   { x, y, width, height }: Size & Point,
   scale: number,
   families: Families,
-): HTMLCanvasElement {
-  const picture = document.createElement('canvas')
-  picture.width = Math.max(1, Math.ceil(width * scale))
-  picture.height = Math.max(1, Math.ceil(height * scale))
-  const context = picture.getContext('2d')!
-  context.scale(scale, scale)
-  context.translate(-x, -y)
-  paint(context, shapes, families)
-  return picture
+): Still['picture'] {
+  const whole = (length: number) => Math.max(1, Math.ceil(length * scale))
+  return pictureOf(whole(width), whole(height), (context) => {
+    context.setTransform(scale, 0, 0, scale, -x * scale, -y * scale)
+    paint(context, shapes, families)
+  })
 }
 
 type Shape = Exclude<Command, Group>
@@ -205,13 +228,13 @@ function patternOf(canvas: Canvas, { on, colour, every, width }: Stripes): Canva
   const key = [on, colour, every, width].join()
   const known = patterns.get(key)
   if (known) return known
-  const tile = document.createElement('canvas')
-  tile.width = tile.height = every * tileScale
-  const context = tile.getContext('2d')!
-  context.fillStyle = on
-  context.fillRect(0, 0, tile.width, tile.height)
-  context.fillStyle = colour
-  context.fillRect(0, 0, width * tileScale, tile.height)
+  const side = every * tileScale
+  const tile = pictureOf(side, side, (context) => {
+    context.fillStyle = on
+    context.fillRect(0, 0, side, side)
+    context.fillStyle = colour
+    context.fillRect(0, 0, width * tileScale, side)
+  })
   const pattern = canvas.createPattern(tile, 'repeat')!
   pattern.setTransform(new DOMMatrix().rotate(45).scale(1 / tileScale))
   patterns.set(key, pattern)

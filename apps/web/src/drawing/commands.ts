@@ -74,7 +74,7 @@ export type Group = {
   /** 0 to 1. */
   readonly opacity?: number
   /**
-   * What it covers, where the same object is painted again and again: a canvas may keep a picture of it. Without opacity of
+   * What it covers, where the same `shapes` are painted again and again: a canvas may keep a picture of them. Without opacity of
    * its own.
    */
   readonly still?: Size & Point

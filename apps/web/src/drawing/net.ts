@@ -89,12 +89,12 @@ function drawLink({ track: { from, to }, weight }: LinkLook, theme: Theme): read
   ]
 }
 
-const pulse: Group = {
+const pulse = {
   kind: 'group',
   still: { x: -6, y: -6, width: 12, height: 12 },
   turns: true,
   shapes: [{ kind: 'circle', x: 0, y: 0, r: 4.7, fill: sun, stroke: line, lineWidth: 1.2 }],
-}
+} as const satisfies Group
 
 /** Where the pulses of a signal are. */
 export const pulsesOf = ({ track, count, share }: Signal): readonly Point[] =>
@@ -103,7 +103,7 @@ export const pulsesOf = ({ track, count, share }: Signal): readonly Point[] =>
 /** Pulses on their way along a link. */
 export const drawSignal = (signal: Signal): Group => ({
   kind: 'group',
-  shapes: pulsesOf(signal).map((at) => ({ kind: 'group', ...at, shapes: [pulse] })),
+  shapes: pulsesOf(signal).map((at) => ({ ...pulse, ...at })),
 })
 
 /** A knob where its weight is, with the number. */
@@ -173,9 +173,11 @@ export function drawNode(node: NodeLook, radius: number, theme: Theme, plain = f
   const text = shownValue(node)
   // Long numbers stay inside the ring.
   const size = radius * (text.length > 4 ? 0.42 : text.length > 3 ? 0.52 : 0.66)
+  const reach = radius + 8
   return {
     kind: 'group',
     ...at,
+    still: { x: -reach, y: -reach, width: 2 * reach, height: 2 * reach },
     shapes: [
       ...(chosen ? [halo(radius, theme)] : []),
       ...(lit ? [{ kind: 'circle' as const, x: 0, y: 0, r: radius + 6, fill: sun }] : []),

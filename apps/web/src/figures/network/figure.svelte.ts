@@ -179,13 +179,17 @@ export class NetFigure {
     forced: forcedColours.current ? 'Highlight' : null,
     strong: comfort.has('projector'),
   }))
-  readonly #links = $derived.by(() => drawLinks(this.#resting, this.#shown().sight, this.#theme))
-  readonly #knobs = $derived.by(() => drawKnobs(this.#resting, this.#shown().sight, this.#theme))
+  // By themselves: what hangs on them is drawn only when they change.
+  readonly #sight = $derived.by(() => this.#shown().sight)
+  readonly #radius = $derived.by(() => this.#shown().layout.radius)
+  readonly #links = $derived.by(() => drawLinks(this.#resting, this.#sight, this.#theme))
+  readonly #knobs = $derived.by(() => drawKnobs(this.#resting, this.#sight, this.#theme))
 
-  readonly #nodes: readonly (NodeLook & { readonly id: string })[] = $derived.by(() => {
+  readonly #steadyNodes = steady<readonly (NodeLook & { readonly id: string })[]>()
+  readonly #nodes = $derived.by(() => {
     const { columns, layout } = this.#shown()
     const { trace, idle, selected, lights } = this.#use()
-    return columns.flatMap((layer, l) =>
+    const nodes = columns.flatMap((layer, l) =>
       layer.map(({ id, colour, missing }, i) => ({
         id,
         at: layout.columns[l]![i]!,
@@ -197,12 +201,10 @@ export class NetFigure {
         chosen: selected === id,
       })),
     )
+    return this.#steadyNodes(nodes)
   })
 
-  readonly #rings = $derived.by(() => {
-    const { radius } = this.#shown().layout
-    return this.#nodes.map((node) => drawNode(node, radius, this.#theme))
-  })
+  readonly #rings = $derived.by(() => this.#nodes.map((node) => drawNode(node, this.#radius, this.#theme)))
 
   /** Links a signal can be on. */
   readonly carriers = $derived.by(() => {
@@ -244,8 +246,8 @@ export class NetFigure {
 
   /** The network standing still: a neuron has its colour instead of a value. */
   readonly drawing: readonly Command[] = $derived.by(() => {
-    const { radius } = this.#shown().layout
-    return [this.#links, ...this.#nodes.map((node) => drawNode(node, radius, this.#theme, true)), this.#knobs]
+    const nodes = this.#nodes.map((node) => drawNode(node, this.#radius, this.#theme, true))
+    return [this.#links, ...nodes, this.#knobs]
   })
 
   /** Neurons, knobs and what travels between them as they are painted. */
@@ -264,8 +266,7 @@ export class NetFigure {
 
   /** Name of the neuron, else of the knob whose link is meant, at a point of the stage. */
   partAt(at: Point): string | null {
-    const { radius } = this.#shown().layout
-    const node = this.#nodes.find((one) => distance(one.at, at) <= radius)
+    const node = this.#nodes.find((one) => distance(one.at, at) <= this.#radius)
     if (node) return `neuron ${node.id}`
     const index = linksAt(this.tracks, this.values, at)[0]
     return index === undefined ? null : `knob ${this.links[index]!.id}`

@@ -1,6 +1,7 @@
 import { devicePixelRatio } from 'svelte/reactivity/window'
 import type { World } from '@botgarten/simulation'
 import { paint, type Picture } from '#drawing/canvas.ts'
+import { pictureOf } from '#drawing/picture.ts'
 import { drawFloor, drawGround } from '#drawing/floor.ts'
 import { letters } from '../letters.svelte.ts'
 import type { Eye } from './eye.svelte.ts'
@@ -13,7 +14,6 @@ export class FloorPicture {
   readonly #world: () => World
   readonly #url: () => string | null
   readonly #eye: Eye
-  readonly #canvas = document.createElement('canvas')
   #image = $state.raw<HTMLImageElement | null>(null)
 
   constructor(world: () => World, url: () => string | null, eye: Eye) {
@@ -47,15 +47,16 @@ export class FloorPicture {
     const { scale } = this.#eye
     const ratio = devicePixelRatio.current ?? 1
     const place = { x: this.#left, y: this.#top, width: this.#width, height: this.#height }
-    Object.assign(this.#canvas, { width: place.width * ratio, height: place.height * ratio })
-    const context = this.#canvas.getContext('2d')!
-    context.scale(ratio, ratio)
-    context.translate(-place.x, -place.y)
-    context.scale(scale, scale)
     const { families } = letters
-    paint(context, drawGround(world), families)
-    if (this.#image) context.drawImage(this.#image, 0, 0, world.size.width, world.size.height)
-    paint(context, drawFloor(world, scale, this.#url() !== null), families)
-    return { source: this.#canvas, ...place }
+    const [width, height] = [place.width, place.height].map((length) => Math.round(length * ratio))
+    const source = pictureOf(width!, height!, (context) => {
+      context.scale(ratio, ratio)
+      context.translate(-place.x, -place.y)
+      context.scale(scale, scale)
+      paint(context, drawGround(world), families)
+      if (this.#image) context.drawImage(this.#image, 0, 0, world.size.width, world.size.height)
+      paint(context, drawFloor(world, scale, this.#url() !== null), families)
+    })
+    return { source, ...place }
   })
 }

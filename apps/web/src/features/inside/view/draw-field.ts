@@ -1,5 +1,6 @@
 import type { Pose } from '@botgarten/simulation'
 import { onFloor } from '#drawing/camera.ts'
+import type { PictureContext } from '#drawing/picture.ts'
 import { clamp, type Point, type Size } from '#drawing/points.ts'
 import type { Readings } from '../model/field.svelte.ts'
 
@@ -64,7 +65,7 @@ interface Drawn extends Readings {
 const ARROW = '#8A1F41'
 
 /** Draws the field onto an empty canvas: arrows for a network that drives, else a disc in the colour of the strongest output, as large as it is. */
-export function drawField(context: CanvasRenderingContext2D, drawn: Drawn): void {
+export function drawField(context: PictureContext, drawn: Drawn): void {
   const { window, wheels } = drawn
   context.translate(-window.left, -window.top)
   if (wheels.left < 0 && wheels.right < 0) return drawDiscs(context, drawn)
@@ -72,7 +73,7 @@ export function drawField(context: CanvasRenderingContext2D, drawn: Drawn): void
 }
 
 /** All arrows are two paths: drawing each by itself would take a frame. */
-function drawArrows(context: CanvasRenderingContext2D, drawn: Drawn): void {
+function drawArrows(context: PictureContext, drawn: Drawn): void {
   const { poses, spacing, answers, wheels, floor, scale } = drawn
   const width = clamp(spacing * scale * 0.075, 0.9, 2.4)
   const lines = new Path2D()
@@ -119,7 +120,7 @@ function addArrow(
   path.lineTo(other.x, other.y)
 }
 
-function drawDiscs(context: CanvasRenderingContext2D, drawn: Drawn): void {
+function drawDiscs(context: PictureContext, drawn: Drawn): void {
   const { poses, spacing, answers, colours, floor, scale } = drawn
   context.strokeStyle = '#4A3428'
   context.lineWidth = 1.5
