@@ -92,6 +92,15 @@ function steady<T>(): (next: T) => T {
 
 const forcedColours = new MediaQuery('(forced-colors: active)', false)
 
+/** The theme's colour for what is chosen. A canvas apart from the page knows only the browser's own. */
+function highlight(): string {
+  const probe = document.body.appendChild(document.createElement('i'))
+  probe.style.cssText = 'forced-color-adjust: none; color: Highlight'
+  const { color } = getComputedStyle(probe)
+  probe.remove()
+  return color
+}
+
 /** A network as commands: links, knobs with their weights, rings with their numbers, and what travels on the links. */
 export class NetFigure {
   readonly #shown: () => NetShown
@@ -176,7 +185,7 @@ export class NetFigure {
   readonly #resting = $derived.by(() => this.#steady(this.#looks.filter((look) => look !== this.#held)))
 
   readonly #theme: Theme = $derived.by(() => ({
-    forced: forcedColours.current ? 'Highlight' : null,
+    forced: forcedColours.current ? highlight() : null,
     strong: comfort.has('projector'),
   }))
   // By themselves: what hangs on them is drawn only when they change.
