@@ -1,4 +1,4 @@
-import { createContext } from 'svelte'
+import { createContext, tick } from 'svelte'
 import type { Difference } from '@botgarten/programs/open-roberta'
 import { textOf } from '#figures/card/face.ts'
 import { Crew } from '#features/crew/feature.ts'
@@ -112,6 +112,19 @@ export class LabScreenState {
   readonly hints = $derived.by(() =>
     this.card ? { list: textOf(this.card).hints, shown: this.session.progress.hints } : null,
   )
+  #hintOpener: HTMLElement | null = null
+  toggleHint = (): void => {
+    this.ui.hintOpen = !this.ui.hintOpen
+    if (!this.ui.hintOpen) return
+    this.#hintOpener = document.activeElement as HTMLElement | null
+    if (this.hints?.shown === 0) this.session.askHint(1)
+  }
+  /** The focus goes back to where the hint was opened. */
+  closeHint = (): void => {
+    this.ui.hintOpen = false
+    void tick().then(() => this.#hintOpener?.focus())
+  }
+
   /** All goals are reached: what comes next. */
   readonly success = $derived.by(() => {
     const { card, ui, session } = this
