@@ -31,8 +31,9 @@ export class RobotBuilder {
     return this.#full
   }
 
-  change = (next: RobotConfig): void =>
+  change = (next: RobotConfig): void => {
     this.#session.apply({ kind: 'config', id: this.#session.robotId, after: next })
+  }
 
   put = (port: SensorPort, place: SensorPlace): void => this.change(withSensor(this.config, port, place))
 
