@@ -4,8 +4,7 @@
 import { version } from '$app/env'
 import { assets, immutable, prerendered } from '$app/manifest'
 import { self } from '$app/service-worker'
-import { isPast, storeOf } from './stores.ts'
-import { oneOf, wayOf } from './way.ts'
+import { isPast, oneOf, storeOf, wayOf } from './way.ts'
 
 const scope = new URL('./', self.location.href)
 const addressOf = ({ path }: { readonly path: string }) => new URL(path.replace(/^\//, ''), scope).href

@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest'
-import { oneOf, wayOf } from './way.ts'
+import { isPast, oneOf, storeOf, wayOf } from './way.ts'
 
 const scope = 'https://school.example/bot/'
 const own = {
@@ -48,4 +48,16 @@ test('what is no part of the product is left alone', () => {
   expect(way('https://school.example/wiki').kind).toBe('server')
   expect(way('lab/fear', 'navigate', 'POST').kind).toBe('server')
   expect(way('nosuchfile.js', 'cors').kind).toBe('server')
+})
+
+const all = ['botgarten-100', 'botgarten-200', 'botgarten-300', 'somebody-elses']
+const past = (names: readonly string[], version: string) =>
+  names.filter((name) => isPast(name, names, version))
+
+test('the version before stays for pages that are still open, what is older goes', () =>
+  expect(past(all, '300')).toEqual(['botgarten-100']))
+
+test('a first version forgets nothing, and never what is not ours', () => {
+  expect(past([storeOf('300')], '300')).toEqual([])
+  expect(past(['somebody-elses', 'botgarten-300'], '300')).toEqual([])
 })

@@ -1,5 +1,5 @@
 import { announce } from './channel.ts'
-import { troubleOf, writing, type Thrown, type Trouble, type Writing } from './database.ts'
+import { tried, troubleIn, writing, type Thrown, type Trouble, type Writing } from './database.ts'
 import { freshId } from './projects.ts'
 import {
   deleteProject,
@@ -36,7 +36,7 @@ type Moved = { readonly kind: 'moved'; readonly id: string } | { readonly kind: 
 
 /** Puts a project into the bin, as whoever saved last has left it, damaged or not. Both happen, or neither. */
 export async function throwAway(id: string): Promise<Moved> {
-  const moved = await tried(async (transaction) => {
+  const moved = await tried<Moved>(async (transaction) => {
     const found = await getProject(transaction, id)
     if (!found) return { kind: 'gone' }
     const now = Date.now()
@@ -53,7 +53,7 @@ export async function throwAway(id: string): Promise<Moved> {
 /** Takes a project out of the bin. It gets its old key, or a new one where something else has that now. */
 export async function takeBack(id: string): Promise<Moved> {
   const revision = firstRevision()
-  const moved = await tried(async (transaction) => {
+  const moved = await tried<Moved>(async (transaction) => {
     const found = await transaction.objectStore('bin').get(id)
     if (!found) return { kind: 'gone' }
     const was = typeof found.was === 'string' && found.was !== '' ? found.was : 'free'
@@ -66,14 +66,6 @@ export async function takeBack(id: string): Promise<Moved> {
   })
   if (moved.kind === 'moved') announce({ kind: 'saved', id: moved.id, revision })
   return moved
-}
-
-async function tried(act: (transaction: Writing) => Promise<Moved>): Promise<Moved> {
-  try {
-    return await writing(act)
-  } catch (cause) {
-    return { kind: troubleOf(cause) }
-  }
 }
 
 /** What lies in the bin. What has lain there for 30 days of use is forgotten on the way. */
@@ -120,15 +112,6 @@ export async function emptyBin(ids: readonly string[]): Promise<Trouble | null> 
   return troubleIn(async (transaction) => {
     await Promise.all(ids.map((id) => transaction.objectStore('bin').delete(id)))
   })
-}
-
-async function troubleIn(act: (transaction: Writing) => Promise<void>): Promise<Trouble | null> {
-  try {
-    await writing(act)
-    return null
-  } catch (cause) {
-    return troubleOf(cause)
-  }
 }
 
 // The bin forgets by days of use, not by the clock: a clock that jumps ahead makes one day of it, not thirty.

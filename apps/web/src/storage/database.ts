@@ -155,3 +155,24 @@ export function troubleOf(cause: unknown): Trouble {
   console.warn('This could not be kept on the device.', cause)
   return (cause instanceof Error && troubles[cause.name]) || 'refused'
 }
+
+/** Writes, or says why that could not be. */
+export async function tried<Result>(
+  act: (transaction: Writing) => Promise<Result>,
+): Promise<Result | { readonly kind: Trouble }> {
+  try {
+    return await writing(act)
+  } catch (cause) {
+    return { kind: troubleOf(cause) }
+  }
+}
+
+/** Writes what is only asked whether it went well. */
+export async function troubleIn(act: (transaction: Writing) => Promise<void>): Promise<Trouble | null> {
+  try {
+    await writing(act)
+    return null
+  } catch (cause) {
+    return troubleOf(cause)
+  }
+}

@@ -1,6 +1,6 @@
 import { refusalOf, type Project, type ProjectError } from '@botgarten/programs/project'
 import { announce } from './channel.ts'
-import { database, reading, troubleOf, writing, type Kept, type Trouble, type Writing } from './database.ts'
+import { database, reading, tried, troubleIn, type Kept, type Trouble } from './database.ts'
 import {
   firstRevision,
   getProject,
@@ -53,14 +53,10 @@ export async function open(id: string): Promise<Kept | null> {
 
 /** Gives pictures and revision of an older record records of their own. Where that fails it stays as it is. */
 async function split(id: string): Promise<void> {
-  try {
-    await writing(async (transaction) => {
-      const found = await getProject(transaction, id)
-      if (found) await putProject(transaction, found)
-    })
-  } catch (cause) {
-    troubleOf(cause)
-  }
+  await troubleIn(async (transaction) => {
+    const found = await getProject(transaction, id)
+    if (found) await putProject(transaction, found)
+  })
 }
 
 /** All projects. Each is read alone: one that is damaged keeps no other out. */
@@ -131,28 +127,15 @@ export async function rename(id: string, name: string): Promise<Saved> {
   return saved
 }
 
-async function tried(act: (transaction: Writing) => Promise<Saved>): Promise<Saved> {
-  try {
-    return await writing(act)
-  } catch (cause) {
-    return { kind: troubleOf(cause) }
-  }
-}
-
 /** Keeps projects under keys that are free. All of them, or none. */
 export async function add(projects: readonly Listed[]): Promise<Trouble | null> {
-  try {
+  return troubleIn(async (transaction) => {
     const revision = firstRevision()
-    await writing(async (transaction) => {
-      for (const one of projects) {
-        if ((await savedRevision(transaction, one.id)) !== null) throw new Error(`${one.id} is taken.`)
-        await putProject(transaction, { ...one, revision })
-      }
-    })
-    return null
-  } catch (cause) {
-    return troubleOf(cause)
-  }
+    for (const one of projects) {
+      if ((await savedRevision(transaction, one.id)) !== null) throw new Error(`${one.id} is taken.`)
+      await putProject(transaction, { ...one, revision })
+    }
+  })
 }
 
 /** A key for a project that has none yet; safe in an address. */

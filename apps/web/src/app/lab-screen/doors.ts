@@ -28,16 +28,6 @@ export async function openFile(file: File, ui: LabUi): Promise<void> {
   else await show(placeOf(outcome.project), outcome.id, { lost: outcome.lost ?? false, fromFile: true })
 }
 
-/**
- * Hands the program of the robot on the screen out as a file for Open Roberta; or what to ask first, where Open Roberta
- * does not know all of it.
- */
-export async function saveForOpenRoberta(session: LabSession, name: string) {
-  const { saveOpenRobertaFile, SaveDialog } = await loadPart(openRoberta)
-  const outgoing = saveOpenRobertaFile({ ...session.project, name }, session.robotId)
-  return outgoing && { SaveDialog, outgoing }
-}
-
 /** What may end the robot's program here and not in Open Roberta, where the program comes from there. */
 export async function foreignDifferences(session: LabSession): Promise<readonly Difference[]> {
   if (!session.program.raw) return []

@@ -1,6 +1,7 @@
-import { createContext } from 'svelte'
+import { createContext, tick } from 'svelte'
 import type { Difference } from '@botgarten/programs/open-roberta'
 import { textOf } from '#figures/card/face.ts'
+import { HandingOut } from '../handing-out.svelte.ts'
 import { Crew } from '#features/crew/feature.ts'
 import type { Held } from '#lab/blocks.ts'
 import { inside } from '#features/inside/feature.ts'
@@ -33,6 +34,7 @@ export class LabScreenState {
   readonly glow: Glow
   readonly tools = new RobotTools()
   readonly guide = new Guide()
+  readonly handing = new HandingOut()
   readonly layout = new Layout(this)
   /** What the blocks can be asked to do, once they are there. */
   blocks = $state.raw<Blocks>()
@@ -42,8 +44,6 @@ export class LabScreenState {
   learner = $state.raw<Learner | null>(null)
   /** What may end the program here and not in Open Roberta; said once, when the file was opened. */
   differences = $state.raw<readonly Difference[]>([])
-  /** What to ask before the program goes to Open Roberta. */
-  saving = $state.raw<Awaited<ReturnType<typeof doors.saveForOpenRoberta>>>(null)
 
   constructor(opened: Opened) {
     this.session = new LabSession(opened)
@@ -72,6 +72,11 @@ export class LabScreenState {
     if (name !== (this.card?.card.id ?? 'free') && name !== 'free') return name
     return this.card ? textOf(this.card).title : m['session.free']()
   })
+
+  /** The project under the name that is shown. */
+  get named() {
+    return { ...this.session.project, name: this.title }
+  }
 
   /** The network on the screen. */
   readonly net = $derived.by(() => this.session.outlines[0] ?? null)
@@ -112,6 +117,19 @@ export class LabScreenState {
   readonly hints = $derived.by(() =>
     this.card ? { list: textOf(this.card).hints, shown: this.session.progress.hints } : null,
   )
+  #hintOpener: HTMLElement | null = null
+  toggleHint = (): void => {
+    this.ui.hintOpen = !this.ui.hintOpen
+    if (!this.ui.hintOpen) return
+    this.#hintOpener = document.activeElement as HTMLElement | null
+    if (this.hints?.shown === 0) this.session.askHint(1)
+  }
+  /** The focus goes back to where the hint was opened. */
+  closeHint = (): void => {
+    this.ui.hintOpen = false
+    void tick().then(() => this.#hintOpener?.focus())
+  }
+
   /** All goals are reached: what comes next. */
   readonly success = $derived.by(() => {
     const { card, ui, session } = this
@@ -183,10 +201,7 @@ export class LabScreenState {
   inside = () => loadPart(inside)
 
   openFile = (file: File): Promise<void> => doors.openFile(file, this.ui)
-  saveFile = (): void => saveProjectFile({ ...this.session.project, name: this.title })
-  async saveForOpenRoberta(): Promise<void> {
-    this.saving = await doors.saveForOpenRoberta(this.session, this.title)
-  }
+  saveFile = (): void => saveProjectFile(this.named)
 }
 
 export const [takeScreen, giveScreen] = createContext<LabScreenState>()

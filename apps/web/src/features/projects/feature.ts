@@ -1,10 +1,10 @@
 import type { Feature } from '#parts/feature.ts'
 
 export type { Deed } from './projects.ts'
+export { default as BinnedProject } from './BinnedProject.svelte'
 export { default as KeptNotice } from './KeptNotice.svelte'
 export { default as Outcome } from './Outcome.svelte'
 export { default as ProjectGrid } from './ProjectGrid.svelte'
-export { default as ProjectPicture } from './ProjectPicture.svelte'
 export { default as RenameDialog } from './RenameDialog.svelte'
 export { Shelf } from './shelf.svelte.ts'
 

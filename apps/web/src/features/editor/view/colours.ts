@@ -1,4 +1,5 @@
 import type { Category } from '@botgarten/blocks'
+import { mix } from '#drawing/colours.ts'
 
 /** Block colours of visual.md 2: white text on each is at least 4.8 : 1. */
 export const categoryColours: { readonly [category in Category]: string } = {
@@ -30,11 +31,7 @@ export const apricot = '#F28C45'
 export const violet = '#A993EA'
 
 /** `share` of black mixed into a `#RRGGBB` colour. */
-export function darker(colour: string, share: number): string {
-  const channels = [1, 3, 5].map((at) => parseInt(colour.slice(at, at + 2), 16))
-  const mixed = channels.map((channel) => Math.round(channel * (1 - share)))
-  return '#' + mixed.map((channel) => channel.toString(16).padStart(2, '0')).join('')
-}
+export const darker = (colour: string, share: number): string => mix(colour, '#000000', share)
 
 /** Ground of a layer's frame. */
 export const layerGround = '#8E2247'

@@ -7,9 +7,10 @@ import { stateOfTemplate } from '../model/state.ts'
 // Hidden layers as blocks, changed from the playground.
 
 type Paper = Blockly.WorkspaceSvg
+export type LayerActivation = Exclude<Activation, 'softmax'>
 
 /** Words of files for what a hidden layer's neurons do. */
-const fieldOf: { readonly [name in Exclude<Activation, 'softmax'>]: string } = {
+const fieldOf: { readonly [name in LayerActivation]: string } = {
   identity: 'LINEAR',
   relu: 'RELU',
   sigmoid: 'SIGMOID',
@@ -18,9 +19,9 @@ const fieldOf: { readonly [name in Exclude<Activation, 'softmax'>]: string } = {
 }
 
 /** A hidden layer before the outputs, as a block. */
-export function addLayer(paper: Paper | null, network: string, neurons: number): void {
-  const socket = paper?.getBlockById(network)?.getInput('INPUT_LAYER')?.connection
-  if (!paper || !socket) return
+export function addLayer(paper: Paper, network: string, neurons: number): void {
+  const socket = paper.getBlockById(network)?.getInput('INPUT_LAYER')?.connection
+  if (!socket) return
   grouped(() => {
     const before = socket.targetBlock()
     const state = stateOfTemplate({
@@ -35,8 +36,8 @@ export function addLayer(paper: Paper | null, network: string, neurons: number):
 }
 
 /** So many neurons; with none the layer's block goes, and what stands in it takes its place. */
-export function setNeurons(paper: Paper | null, layer: string, neurons: number): void {
-  const block = paper?.getBlockById(layer)
+export function setNeurons(paper: Paper, layer: string, neurons: number): void {
+  const block = paper.getBlockById(layer)
   if (!block) return
   grouped(() => {
     if (neurons > 0) block.setFieldValue(String(neurons), 'NEURONS')
@@ -53,10 +54,6 @@ function removeLayer(block: Blockly.Block): void {
 }
 
 /** What becomes of the sums of a layer's neurons. */
-export function setLayerActivation(
-  paper: Paper | null,
-  layer: string,
-  activation: Exclude<Activation, 'softmax'>,
-): void {
-  grouped(() => paper?.getBlockById(layer)?.setFieldValue(fieldOf[activation], 'ACTIVATION'))
+export function setLayerActivation(paper: Paper, layer: string, activation: LayerActivation): void {
+  grouped(() => paper.getBlockById(layer)?.setFieldValue(fieldOf[activation], 'ACTIVATION'))
 }

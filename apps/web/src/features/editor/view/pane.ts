@@ -3,9 +3,9 @@ import type { Finding, Template } from '@botgarten/blocks'
 import type { Program } from '@botgarten/programs'
 import type { RobotConfig } from '@botgarten/simulation'
 import { setClosed } from '../model/closed-roads.ts'
-import { listen, type Reports } from './events.ts'
-import { keepEscape } from './escape.ts'
+import { keepEscape, listen, type Reports } from './events.ts'
 import { show, type Fill } from './large/fill.ts'
+import * as layers from './layers.ts'
 import { letAsk, letPaste } from './menus.ts'
 import { addNeuron } from '../model/network.ts'
 import type { NetworkDrop } from '#lab/blocks.ts'
@@ -177,6 +177,16 @@ export class Pane {
   addNeuron(networkId: string, layer: 'input' | 'output', template?: Template): string | null {
     this.#fill?.finish()
     return addNeuron(this.#workspace, networkId, layer, template)
+  }
+
+  addLayer(network: string, neurons: number): void {
+    layers.addLayer(this.#workspace, network, neurons)
+  }
+  setNeurons(layer: string, neurons: number): void {
+    layers.setNeurons(this.#workspace, layer, neurons)
+  }
+  setLayerActivation(layer: string, activation: layers.LayerActivation): void {
+    layers.setLayerActivation(this.#workspace, layer, activation)
   }
 
   /** Puts a block among those that run: a network into the loop. */

@@ -1,9 +1,20 @@
+import { parts } from '@botgarten/blocks/configuration'
 import { cardConfig, FRONT, HALF_WIDTH, REAR, type SensorPlace } from '@botgarten/simulation'
 import fc from 'fast-check'
 import { describe, expect, it } from 'vitest'
 import { tilt, withTilt } from './motors.ts'
-import { handleOf, isOnRobot, kinds, lookingAt, movedTo, nudged, spotOf, turnedBy } from './placing.ts'
-import { freePort, movedOver, ports } from './ports.ts'
+import {
+  handleOf,
+  isOnRobot,
+  kinds,
+  lookingAt,
+  movedTo,
+  nudged,
+  placedByKey,
+  spotOf,
+  turnedBy,
+} from './placing.ts'
+import { freePort, movedOver, ports, unknownPorts } from './ports.ts'
 
 const eye: SensorPlace = { kind: 'ultrasonic', x: 10, y: 4, angle: 20 }
 const bumper: SensorPlace = { kind: 'touch', x: FRONT, y: 0, angle: 0 }
@@ -93,5 +104,45 @@ describe('unequal motors', () => {
     expect(withTilt(cardConfig, 20).strength).toEqual({ left: 1, right: 0.8 })
     expect(withTilt(cardConfig, -20).strength).toEqual({ left: 0.8, right: 1 })
     expect(withTilt(withTilt(cardConfig, 20), 0)).toEqual(cardConfig)
+  })
+})
+
+const plugged = (...types: readonly string[]) => ({
+  stacks: [
+    {
+      ...{ x: 0, y: 0 },
+      blocks: [
+        {
+          ...{ id: 'brick', type: 'robBrick_EV3-Brick' },
+          values: Object.fromEntries(types.map((type, k) => [`S${k + 1}`, { id: type, type }])),
+        },
+      ],
+    },
+  ],
+})
+
+describe('what a file has plugged in', () => {
+  it('is not said twice where the picture and the lists of ports show it', () => {
+    expect(unknownPorts(plugged(...parts.map(({ type }) => type)))).toEqual([])
+    expect(unknownPorts({ stacks: [] })).toEqual([])
+  })
+
+  it('and nobody knows is said with its port', () => {
+    expect(unknownPorts(plugged('robBrick_touch', 'robBrick_nose'))).toEqual(['2'])
+  })
+})
+
+describe('a key on a sensor', () => {
+  it('moves it, or turns it where it looks somewhere', () => {
+    expect(placedByKey(eye, 'ArrowRight')).toEqual(nudged(eye, 1, 0))
+    expect(placedByKey(eye, 'ArrowUp')).toEqual(nudged(eye, 0, -1))
+    expect(placedByKey(eye, ',')?.angle).toBe(25)
+    expect(placedByKey(eye, '.')?.angle).toBe(15)
+  })
+
+  it('does nothing where it means nothing', () => {
+    expect(placedByKey(bumper, ',')).toEqual(bumper)
+    expect(placedByKey(eye, 'Tab')).toBeNull()
+    expect(placedByKey(eye, 'constructor')).toBeNull()
   })
 })

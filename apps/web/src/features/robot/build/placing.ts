@@ -89,3 +89,16 @@ export function handleOf(place: SensorPlace, away: Cm): Spot {
   const angle = (place.angle * Math.PI) / 180
   return { x: x - away * Math.sin(angle), y: y - away * Math.cos(angle) }
 }
+
+const byKey: { readonly [key: string]: (place: SensorPlace) => SensorPlace } = {
+  ArrowLeft: (place) => nudged(place, -1, 0),
+  ArrowRight: (place) => nudged(place, 1, 0),
+  ArrowUp: (place) => nudged(place, 0, -1),
+  ArrowDown: (place) => nudged(place, 0, 1),
+  ',': (place) => (hasDirection(place.kind) ? turnedBy(place, 1) : place),
+  '.': (place) => (hasDirection(place.kind) ? turnedBy(place, -1) : place),
+}
+
+/** Where a key puts it; null for a key that means nothing here. */
+export const placedByKey = (place: SensorPlace, key: string): SensorPlace | null =>
+  Object.hasOwn(byKey, key) ? byKey[key]!(place) : null

@@ -1,3 +1,4 @@
+import { colours } from '@botgarten/blocks'
 import type { PortSense, Senses } from '@botgarten/lab'
 import type { Colour, ReadMode, RobotConfig } from '@botgarten/simulation'
 import { formatNumber } from '#drawing/numbers.ts'
@@ -23,17 +24,6 @@ const units: { readonly [mode in ReadMode]?: readonly [digits: number, unit: str
   y: [1, ' cm'],
   heading: [0, '°'],
 }
-
-const colourNames: ReadonlyMap<string, string> = new Map([
-  ['#000000', 'black'],
-  ['#0057A6', 'blue'],
-  ['#00642E', 'green'],
-  ['#F7D117', 'yellow'],
-  ['#B30006', 'red'],
-  ['#FFFFFF', 'white'],
-  ['#532115', 'brown'],
-  ['#585858', 'grey'],
-])
 
 /** The table of a robot's senses in the child's words and numbers. */
 export const rowsOf = (senses: Senses, { drive }: RobotConfig, locale: string): SenseRow[] => [
@@ -82,8 +72,8 @@ const channelsRow = (port: string, channels: readonly (Reading | undefined)[], l
 function valueOf(mode: ReadMode, value: Reading, locale: string): string {
   if (mode === 'touch') return say(value === 1 ? 'robot.pressed' : 'robot.free')
   if (mode === 'colour') {
-    const name = colourNames.get(String(value))
-    return name === undefined ? '–' : say(`choice.${name}`)
+    const colour = colours.find((one) => one.value === value)
+    return colour ? say(`choice.${colour.words}`) : '–'
   }
   if (typeof value !== 'number') return '–'
   const [digits, unit] = units[mode] ?? [0, '']

@@ -1,21 +1,23 @@
 import * as Blockly from 'blockly/core'
-import type { Template } from '@botgarten/blocks'
+import { stacksOf, type Template } from '@botgarten/blocks'
 import { grouped } from '../../model/list.ts'
-import { stateOfTemplate } from '../../model/state.ts'
+import { stateOfRow, stateOfTemplate, type State } from '../../model/state.ts'
+
+type Paper = Blockly.WorkspaceSvg
 
 /** The block that a hand or the keyboard was at last. */
-function anchorOn(paper: Blockly.WorkspaceSvg): Blockly.BlockSvg | null {
+function anchorOn(paper: Paper): Blockly.BlockSvg | null {
   const node = Blockly.FocusableTreeTraverser.findFocusedNode(paper)
   return node ? paper.getNavigator().getSourceBlockFromNode(node) : null
 }
 
 /** Puts a block of the shelf at the one that was chosen last, where it fits; else below all others. Returns it. */
-export function put(paper: Blockly.WorkspaceSvg, template: Template): Blockly.BlockSvg {
+export function put(paper: Paper, template: Template): Blockly.BlockSvg {
   return grouped(() => {
     const anchor = anchorOn(paper)
     const box = paper.getBlocksBoundingBox()
     const state = { ...stateOfTemplate(template), x: box.left, y: box.bottom + 24 }
-    const block = Blockly.serialization.blocks.append(state, paper, { recordUndo: true }) as Blockly.BlockSvg
+    const block = append(paper, state)
     if (anchor) join(block, anchor)
     void show(paper, block)
     return block
@@ -23,7 +25,7 @@ export function put(paper: Blockly.WorkspaceSvg, template: Template): Blockly.Bl
 }
 
 /** Chosen, and where it can be seen. */
-export async function show(paper: Blockly.WorkspaceSvg, block: Blockly.BlockSvg) {
+async function show(paper: Paper, block: Blockly.BlockSvg) {
   await Blockly.renderManagement.finishQueuedRenders()
   Blockly.getFocusManager().focusNode(block)
   paper.scrollBoundsIntoView(block.getBoundingRectangle(), 24)
@@ -50,3 +52,41 @@ function gapFor(block: Blockly.BlockSvg, anchor: Blockly.BlockSvg): Blockly.Conn
 
 const goes = (block: Blockly.Connection | null, there: Blockly.Connection): boolean =>
   there.getConnectionChecker().canConnect(there, block, false)
+
+/** Further from what is above than Blockly lets blocks snap. */
+const apart = 60
+
+/** Lays an example's blocks below all others; its variables are made where the program makes its own. One step of undo. */
+export function putExample(paper: Paper, example: readonly Template[]): void {
+  grouped(() => {
+    const [row = [], ...functions] = stacksOf(example)
+    const [start, ...rest] = row
+    for (const made of start?.statements?.['ST'] ?? []) declare(paper, made)
+    const first = add(paper, rest)
+    for (const made of functions) if (!isThere(paper, made[0]!, 'NAME')) add(paper, made)
+    if (first) void show(paper, first)
+  })
+}
+
+function add(paper: Paper, row: readonly Template[]): Blockly.BlockSvg | null {
+  const state = stateOfRow(row, [], true)
+  const { left, bottom } = paper.getBlocksBoundingBox()
+  return state ? append(paper, { ...state, x: left, y: bottom + apart }) : null
+}
+
+const append = (paper: Paper, state: State) =>
+  Blockly.serialization.blocks.append(state, paper, { recordUndo: true }) as Blockly.BlockSvg
+
+/** Is there a block of this type that goes by the same name already? */
+const isThere = (paper: Paper, { type, fields }: Template, name: string): boolean =>
+  paper.getBlocksByType(type).some((block) => block.getFieldValue(name) === fields?.[name])
+
+/** Hangs a variable behind those of the program, unless it has one of this name. */
+function declare(paper: Paper, variable: Template): void {
+  if (isThere(paper, variable, 'VAR')) return
+  const [start] = paper.getBlocksByType('robControls_start')
+  const made = add(paper, [variable])
+  let last = start?.getInput('ST')?.connection
+  for (let block = last?.targetBlock(); block; block = block.getNextBlock()) last = block.nextConnection
+  if (last && made?.previousConnection) last.connect(made.previousConnection)
+}
