@@ -10,7 +10,7 @@ const tour = ({ page, word }: { page: Child['page']; word: (key: string) => stri
   page.getByRole('region', { name: word('tour.title'), exact: true })
 const tourOf = (child: Child) => tour({ page: child.page, word: (key) => child.word(key) })
 const motor = (child: Child) => child.word('neuron.motor', { OUTPUTNODE: leftWheel.motor })
-const glowing = (child: Child) => child.page.locator('.blocklyBlockCanvas .editor-glow')
+const highlighted = (child: Child) => child.page.locator('.blocklyBlockCanvas .editor-highlight')
 const wheel = 'bo motor C'
 
 const phone = { width: 390, height: 844 }
@@ -53,8 +53,8 @@ async function seesPart(child: Child, name: string) {
 
 /** Block, node and part of Bo that light up now. */
 async function lights(child: Child, block: string | null) {
-  await expect(glowing(child)).toHaveCount(block ? 1 : 0)
-  if (block) await expect(glowing(child)).toHaveAttribute('data-id', block)
+  await expect(highlighted(child)).toHaveCount(block ? 1 : 0)
+  if (block) await expect(highlighted(child)).toHaveAttribute('data-id', block)
   await expect.poll(() => child.painted.lit()).toHaveLength(block ? 2 : 0)
   if (block) expect(await child.painted.lit()).toContain(`neuron ${block}`)
 }
@@ -176,7 +176,7 @@ for (const language of languagesOf(import.meta.filename)) {
           expect(await axeFindings(page)).toEqual([])
           await block.click({ position: { x: 8, y: 14 } })
           await expect(tourOf(child)).toContainText(child.word('tour.litBlockAlone'))
-          await expect(glowing(child)).toHaveAttribute('data-id', 'wheelLeft')
+          await expect(highlighted(child)).toHaveAttribute('data-id', 'wheelLeft')
           await child.presses('tour.next')
           // The light has come along: node and wheel are seen lit side by side.
           await expect(tourOf(child)).toContainText(child.word('tour.nodeAlone', { name: motor(child) }))

@@ -35,7 +35,7 @@ test('a part that lights up has a halo, and only that', () => {
     expect(count(drawBo({ ...look, lights: (one) => one === part }), '#FFC83D')).toBe(1)
 })
 
-test('the lamp glows in its colour, and the display shows a heart or lines', () => {
+test('the lamp highlighted in its colour, and the display shows a heart or lines', () => {
   expect(count(drawBo({ ...look, led: 'green' }), '#2FB457')).toBe(2)
   expect(count(drawBo(look), '#FF7E62')).toBe(1)
   expect(count(drawBo({ ...look, text: true }), '#FF7E62')).toBe(0)

@@ -9,7 +9,7 @@ import type { Learner } from '#features/q-learning/feature.ts'
 import { addNeuron, applyFix } from '#features/robot/feature.ts'
 import { Guide, sightOf } from '#features/tour/feature.ts'
 import { BuildMode, world } from '#features/world/feature.ts'
-import { Glow } from '#figures/glow.svelte.ts'
+import { Highlight } from '#figures/highlight.svelte.ts'
 import type { Opened } from '#lab/opening.ts'
 import { LabSession } from '#lab/session.svelte.ts'
 import { TimeMachine } from '#lab/time.svelte.ts'
@@ -18,7 +18,7 @@ import { loadPart } from '#parts/feature.ts'
 import { saveProjectFile } from '#storage/handout.ts'
 import { m } from '#words/say.ts'
 import { againFrom, nextStep, taskOf } from './card.ts'
-import * as doors from './doors.ts'
+import * as navigation from './navigation.ts'
 import { saidAtOnce, stoppingBlocks, wordsOf, wordsOfDifferences } from './findings.ts'
 import { Layout } from './layout.svelte.ts'
 import { RobotTools } from './robot-tools.svelte.ts'
@@ -31,7 +31,7 @@ export class LabScreenState {
   readonly build: BuildMode
   readonly time: TimeMachine
   readonly crew: Crew
-  readonly glow: Glow
+  readonly highlight: Highlight
   readonly tools = new RobotTools()
   readonly guide = new Guide()
   readonly handing = new HandingOut()
@@ -55,7 +55,7 @@ export class LabScreenState {
     )
     this.time = new TimeMachine(this.session)
     this.crew = new Crew(this.session)
-    this.glow = new Glow(
+    this.highlight = new Highlight(
       () => this.neurons,
       () => this.session.robotId,
     )
@@ -200,7 +200,7 @@ export class LabScreenState {
   /** What is seen inside the network comes with the first question. */
   inside = () => loadPart(inside)
 
-  openFile = (file: File): Promise<void> => doors.openFile(file, this.ui)
+  openFile = (file: File): Promise<void> => navigation.openFile(file, this.ui)
   saveFile = (): void => saveProjectFile(this.named)
 }
 

@@ -1,6 +1,6 @@
 import type { Feature } from '#parts/feature.ts'
 
-export type { SortingDoor } from './doors.ts'
+export type { SortingLink } from './links.ts'
 export { default as Sorting } from './view/Sorting.svelte'
 
 /** The Sorting Playground. */

@@ -2,7 +2,7 @@
 import { loadWorld } from '#content/cards.ts'
 import { createRover, type Rover } from './model/rover.ts'
 
-export { doorsOf, openForSorting } from './doors.ts'
+export { linksFor, openForSorting } from './links.ts'
 export { default as Ground } from './view/Floor.svelte'
 
 /** Bo on the floor of coloured tiles. */

@@ -1,6 +1,6 @@
 import type { NeuronOutline, NetworkOutline } from '@botgarten/programs'
 import type { RobotConfig } from '@botgarten/simulation'
-import { partOf, type Part } from '#figures/glow.svelte.ts'
+import { partOf, type Part } from '#figures/highlight.svelte.ts'
 import { readSetting, writeSetting } from '#storage/settings.ts'
 
 /** What the tour shows: a neuron that drives a wheel. */

@@ -8,7 +8,7 @@ import { readingsOf } from '#drawing/senses.ts'
 import { ahead, clockwise, radiusOf } from '#drawing/things.ts'
 import { Trails } from '#drawing/trail.ts'
 import { drawWorld, type Chosen, type Ghost, type Scene } from '#drawing/world.ts'
-import type { Glow } from '#figures/glow.svelte.ts'
+import type { Highlight } from '#figures/highlight.svelte.ts'
 import { letters } from '#figures/letters.svelte.ts'
 import { bodies, robotName } from '#figures/robots.ts'
 import type { Eye } from '#figures/world/eye.svelte.ts'
@@ -49,17 +49,17 @@ export class WorldScene {
   readonly #shown: () => Shown
   readonly #eye: Eye
   readonly #hand: Hand
-  readonly #glow: Glow | undefined
+  readonly #highlight: Highlight | undefined
   readonly #trails = new Trails()
   #standing: readonly Standing[] = []
   /** Have the words for the past come? */
   #words = $state(false)
 
-  constructor(shown: () => Shown, eye: Eye, hand: Hand, glow: Glow | undefined) {
+  constructor(shown: () => Shown, eye: Eye, hand: Hand, highlight: Highlight | undefined) {
     this.#shown = shown
     this.#eye = eye
     this.#hand = hand
-    this.#glow = glow
+    this.#highlight = highlight
   }
 
   readonly #configs = $derived.by(() => configsOf(this.#shown().world))
@@ -142,7 +142,7 @@ export class WorldScene {
       sensing: showRays ? robot : null,
       ghosts: this.#ghosts,
       chosen: this.#chosen,
-      lights: (id, part) => this.#glow?.lightsPart(id, part) ?? false,
+      lights: (id, part) => this.#highlight?.lightsPart(id, part) ?? false,
       strong: comfort.has('projector'),
     }
   })

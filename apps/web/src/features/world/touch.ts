@@ -1,6 +1,6 @@
 import type { Pose } from '@botgarten/simulation'
 import { clamp, type Point } from '#drawing/points.ts'
-import type { Glow } from '#figures/glow.svelte.ts'
+import type { Highlight } from '#figures/highlight.svelte.ts'
 import type { Eye } from '#figures/world/eye.svelte.ts'
 import { Gestures } from './gestures.ts'
 import type { Hand } from './hand.svelte.ts'
@@ -11,7 +11,7 @@ interface Tools {
   readonly eye: Eye
   readonly hand: Hand
   readonly scene: WorldScene
-  readonly glow: Glow | undefined
+  readonly highlight: Highlight | undefined
   /** Set while a child builds. */
   readonly shop: () => Workshop | null
 }
@@ -38,7 +38,7 @@ export class Touch {
 
   down(event: PointerEvent, box: HTMLElement): void {
     if (event.button !== 0) return
-    const { eye, hand, scene, glow } = this.#tools
+    const { eye, hand, scene, highlight } = this.#tools
     const at = inBox(event, box)
     const shop = this.#tools.shop()
     if (shop?.draws && this.#pen === null) {
@@ -51,7 +51,7 @@ export class Touch {
     const { selected } = scene
     if (grabbed?.kind === 'turn' && selected) return this.grab(event, selected.id, selected.pose, 'turn', box)
     if (grabbed && grabbed.kind !== 'turn') {
-      glow?.touchPart(scene.partAt(at)?.part ?? null)
+      highlight?.touchPart(scene.partAt(at)?.part ?? null)
       return this.grab(event, grabbed.id, grabbed.pose, 'move', box)
     }
     box.setPointerCapture(event.pointerId)
@@ -96,7 +96,7 @@ export class Touch {
   }
 
   #pointAtPart(part: string | null): void {
-    if (part !== this.#pointed) this.#tools.glow?.pointAtPart(part)
+    if (part !== this.#pointed) this.#tools.highlight?.pointAtPart(part)
     this.#pointed = part
   }
 }

@@ -12,7 +12,7 @@ export class Showing {
   readonly #open: (finding: Finding) => void
   #findings: readonly Finding[] = []
   #lit: string | null = null
-  #glow: readonly string[] = []
+  #highlight: readonly string[] = []
   #marks: Marks | null = null
 
   constructor(workspace: Blockly.WorkspaceSvg, words: () => Words, open: (finding: Finding) => void) {
@@ -37,10 +37,10 @@ export class Showing {
   }
 
   /** Blocks that light up together with their nodes and with parts of the robot. */
-  glow(ids: readonly string[]): void {
-    for (const id of this.#glow) this.#classOf(id, 'editor-glow', false)
-    for (const id of ids) this.#classOf(id, 'editor-glow', true)
-    this.#glow = ids
+  highlight(ids: readonly string[]): void {
+    for (const id of this.#highlight) this.#classOf(id, 'editor-highlight', false)
+    for (const id of ids) this.#classOf(id, 'editor-highlight', true)
+    this.#highlight = ids
   }
 
   /** Stop points, and values at their blocks. */
@@ -53,7 +53,7 @@ export class Showing {
   /** All of it once more, on blocks that were built again. */
   again(): void {
     this.lit(this.#lit)
-    this.glow(this.#glow)
+    this.highlight(this.#highlight)
     this.findings(this.#findings)
     if (this.#marks) this.marks(this.#marks)
   }

@@ -61,7 +61,7 @@ export async function drawExample(
       append({ x: 0, y, blocks: row as readonly Block[] }, paper)
     }
     for (const block of paper.getAllBlocks(false).filter((block) => block.type === type))
-      block.getSvgRoot().classList.add('editor-glow')
+      block.getSvgRoot().classList.add('editor-highlight')
   })
 }
 

@@ -22,7 +22,7 @@ export function partOf({ type, fields, look }: NeuronOutline): Part | null {
 }
 
 /** What lights up together: a neuron's block, its node, and the wheel, eye or lamp of Bo. */
-export class Glow {
+export class Highlight {
   readonly #neurons: () => readonly NeuronOutline[]
   readonly #robot: () => string
   #pointed = $state.raw<Lit | null>(null)
@@ -76,10 +76,10 @@ export class Glow {
   }
 }
 
-const key = Symbol('glow')
+const key = Symbol('highlight')
 
 /** Gives the lab's drawings what lights up together. */
-export const giveGlow = (glow: Glow): Glow => setContext(key, glow)
+export const provideHighlight = (highlight: Highlight): Highlight => setContext(key, highlight)
 
 /** Undefined for a drawing outside the lab: nothing lights up there. */
-export const takeGlow = (): Glow | undefined => getContext<Glow | undefined>(key)
+export const useHighlight = (): Highlight | undefined => getContext<Highlight | undefined>(key)

@@ -6,17 +6,17 @@ import { writtenReadings } from './model/kept.ts'
 import type { OpenedForSorting } from './model/steps.svelte.ts'
 
 /** A way from the lab into the sorting playground. */
-export interface SortingDoor {
+export interface SortingLink {
   /** Message key under `robot`. */
   readonly word: 'sorting' | 'collected'
   readonly go: () => void
 }
 
 /** Into the playground of this project, and first to what its robot has collected, if it has. */
-export function doorsOf(
+export function linksFor(
   session: LabSession,
   readings: readonly (readonly number[])[],
-): readonly SortingDoor[] {
+): readonly SortingLink[] {
   const playground = {
     word: 'sorting',
     go: () => void enter(session, session.project.sorting),

@@ -3,7 +3,7 @@ import { goto, replaceState } from '$app/navigation'
 import { resolve } from '$app/paths'
 import { placeOf } from '#content/cards.ts'
 import { openRoberta } from '#features/open-roberta/feature.ts'
-import { sorting, type SortingDoor } from '#features/sorting/feature.ts'
+import { sorting, type SortingLink } from '#features/sorting/feature.ts'
 import type { Opened } from '#lab/opening.ts'
 import type { LabUi } from '#lab/ui.svelte.ts'
 import type { LabSession } from '#lab/session.svelte.ts'
@@ -60,13 +60,13 @@ export async function loadNewer(session: LabSession, ui: LabUi, title: string): 
 }
 
 /** Ways into the sorting playground, for a project that sorts or a robot that has collected something. */
-export async function sortingDoors(session: LabSession): Promise<readonly SortingDoor[]> {
+export async function sortingLinks(session: LabSession): Promise<readonly SortingLink[]> {
   const { robots } = session.lab.document.world
   const thread = session.lab.moment.threads[robots.findIndex(({ id }) => id === session.robotId)]
   const readings = thread?.sorting.readings ?? []
   const sorts = session.opened.card?.card.playground === 'sorting' || session.project.sorting
   if (!sorts && readings.length === 0) return []
-  return (await loadPart(sorting)).doorsOf(session, readings)
+  return (await loadPart(sorting)).linksFor(session, readings)
 }
 
 /** What could not be read here stays where it is: the new start has an address of its own from now on. */
