@@ -2,7 +2,7 @@ import type { Phase } from '#drawing/nudge.ts'
 import type { Pose } from '@botgarten/simulation'
 import type { LabUi } from '#lab/ui.svelte.ts'
 import type { LabSession } from '#lab/session.svelte.ts'
-import { Eye } from '#figures/world/eye.svelte.ts'
+import { Viewport } from '#figures/world/viewport.svelte.ts'
 import { Hand } from './hand.svelte.ts'
 import type { Workshop } from './workshop.ts'
 
@@ -10,7 +10,7 @@ import type { Workshop } from './workshop.ts'
 export class BuildMode {
   readonly session: LabSession
   readonly ui: LabUi
-  readonly eye: Eye
+  readonly viewport: Viewport
   readonly hand: Hand
   readonly #loadTools: LoadTools
   #shop = $state.raw<Opened | null>(null)
@@ -20,7 +20,7 @@ export class BuildMode {
     this.session = session
     this.ui = ui
     this.#loadTools = loadTools
-    this.eye = new Eye(
+    this.viewport = new Viewport(
       () => this.shop?.world ?? session.lab.document.world,
       () => session.robotId,
     )

@@ -11,7 +11,7 @@ import { drawWorld, type Chosen, type Ghost, type Scene } from '#drawing/world.t
 import type { Highlight } from '#figures/highlight.svelte.ts'
 import { letters } from '#figures/letters.svelte.ts'
 import { bodies, robotName } from '#figures/robots.ts'
-import type { Eye } from '#figures/world/eye.svelte.ts'
+import type { Viewport } from '#figures/world/viewport.svelte.ts'
 import type { Place } from '#lab/door.ts'
 import type { Slots } from '#lab/slots.ts'
 import { comfort } from '#storage/comfort.svelte.ts'
@@ -47,7 +47,7 @@ interface Selected {
 /** What is painted of the world now, and what of it a finger meets. */
 export class WorldScene {
   readonly #shown: () => Shown
-  readonly #eye: Eye
+  readonly #viewport: Viewport
   readonly #hand: Hand
   readonly #highlight: Highlight | undefined
   readonly #trails = new Trails()
@@ -55,9 +55,9 @@ export class WorldScene {
   /** Have the words for the past come? */
   #words = $state(false)
 
-  constructor(shown: () => Shown, eye: Eye, hand: Hand, highlight: Highlight | undefined) {
+  constructor(shown: () => Shown, viewport: Viewport, hand: Hand, highlight: Highlight | undefined) {
     this.#shown = shown
-    this.#eye = eye
+    this.#viewport = viewport
     this.#hand = hand
     this.#highlight = highlight
   }
@@ -87,21 +87,21 @@ export class WorldScene {
 
   /** The turning handle stands on this side (degrees from ahead), or opposite where that is out of sight. */
   #handleAt(pose: Pose, radius: number, side: number): Point {
-    const { scale } = this.#eye
+    const { scale } = this.#viewport
     const away = Math.max(radius, 22 / scale) + 32 / scale
     const at = (turn: number) => this.#at(ahead(pose, pose.heading + turn, away))
-    return this.#eye.sees(at(side)) ? at(side) : at(side + 180)
+    return this.#viewport.sees(at(side)) ? at(side) : at(side + 180)
   }
 
   #at(point: Point): Point {
-    return onFloor(point, this.#shown().world.size, this.#eye.scale)
+    return onFloor(point, this.#shown().world.size, this.#viewport.scale)
   }
 
   readonly #chosen: Chosen | null = $derived.by(() => {
     if (!this.selected) return null
     const { id, pose, handle } = this.selected
     const thing = this.things.find((one) => one.id === id)?.thing
-    const { scale } = this.#eye
+    const { scale } = this.#viewport
     return {
       at: this.#at(pose),
       turn: thing ? clockwise(pose.heading) : 90 - pose.heading,
@@ -130,7 +130,7 @@ export class WorldScene {
 
   readonly now: Scene = $derived.by(() => {
     const { world, view, robot, showRays, showTrail } = this.#shown()
-    const { scale } = this.#eye
+    const { scale } = this.#viewport
     return {
       floor: world.size,
       scale,
@@ -163,13 +163,13 @@ export class WorldScene {
     const middle = this.#at(pose)
     const point = this.#onFloor(at)
     const own = turned({ x: point.x - middle.x, y: point.y - middle.y }, pose.heading - 90)
-    return config ? { id, part: partAt(config, this.#eye.scale, own) } : null
+    return config ? { id, part: partAt(config, this.#viewport.scale, own) } : null
   }
 
   /** Where everything is painted that can be pointed at or read, in px of the pane. */
   places(): readonly Place[] {
     const { view, sensing, lights } = this.now
-    const { corner } = this.#eye
+    const { corner } = this.#viewport
     const inPane = ({ x, y, ...rest }: Place) => ({
       ...rest,
       x: x + Math.round(corner.x),
@@ -187,7 +187,7 @@ export class WorldScene {
 
   #parts({ id, pose }: RobotView): readonly (Place & { readonly part: string })[] {
     const config = this.#configs.get(id)
-    const { scale } = this.#eye
+    const { scale } = this.#viewport
     const middle = this.#at(pose)
     return (config ? partsOf(config) : []).map(({ part, x, y }) => {
       const off = turned({ x: x * scale, y: y * scale }, 90 - pose.heading)
@@ -207,7 +207,7 @@ export class WorldScene {
   }
 
   #onFloor({ x, y }: Point): Point {
-    const { corner } = this.#eye
+    const { corner } = this.#viewport
     return { x: x - Math.round(corner.x), y: y - Math.round(corner.y) }
   }
 }

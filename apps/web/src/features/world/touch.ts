@@ -1,14 +1,14 @@
 import type { Pose } from '@botgarten/simulation'
 import { clamp, type Point } from '#drawing/points.ts'
 import type { Highlight } from '#figures/highlight.svelte.ts'
-import type { Eye } from '#figures/world/eye.svelte.ts'
+import type { Viewport } from '#figures/world/viewport.svelte.ts'
 import { Gestures } from './gestures.ts'
 import type { Hand } from './hand.svelte.ts'
 import type { WorldScene } from './scene.svelte.ts'
 import type { Workshop } from './workshop.ts'
 
 interface Tools {
-  readonly eye: Eye
+  readonly viewport: Viewport
   readonly hand: Hand
   readonly scene: WorldScene
   readonly highlight: Highlight | undefined
@@ -32,19 +32,19 @@ export class Touch {
     if (event.button !== 0) return
     event.stopPropagation()
     box.setPointerCapture(event.pointerId)
-    const { eye, hand } = this.#tools
-    hand.grab(id, pose, kind, event.pointerId, eye.floorAt(inBox(event, box)))
+    const { viewport, hand } = this.#tools
+    hand.grab(id, pose, kind, event.pointerId, viewport.floorAt(inBox(event, box)))
   }
 
   down(event: PointerEvent, box: HTMLElement): void {
     if (event.button !== 0) return
-    const { eye, hand, scene, highlight } = this.#tools
+    const { viewport, hand, scene, highlight } = this.#tools
     const at = inBox(event, box)
     const shop = this.#tools.shop()
     if (shop?.draws && this.#pen === null) {
       box.setPointerCapture(event.pointerId)
       this.#pen = event.pointerId
-      shop.draw(eye.floorAt(at), 'start')
+      shop.draw(viewport.floorAt(at), 'start')
       return
     }
     const grabbed = scene.grabbedAt(at)
@@ -60,22 +60,22 @@ export class Touch {
   }
 
   move(event: PointerEvent, box: HTMLElement): void {
-    const { eye, hand } = this.#tools
+    const { viewport, hand } = this.#tools
     const at = inBox(event, box)
-    if (event.pointerId === this.#pen) return this.#tools.shop()?.draw(eye.floorAt(at), 'move')
+    if (event.pointerId === this.#pen) return this.#tools.shop()?.draw(viewport.floorAt(at), 'move')
     if (event.pointerType === 'mouse' && event.buttons === 0) this.#point(at)
-    hand.move(event.pointerId, eye.floorAt(at))
+    hand.move(event.pointerId, viewport.floorAt(at))
     const gesture = this.#fingers.move(event.pointerId, at)
     if (!gesture) return
-    eye.push(gesture.right, gesture.down)
-    if (gesture.factor !== 1) eye.zoom(gesture.factor, gesture.at)
+    viewport.push(gesture.right, gesture.down)
+    if (gesture.factor !== 1) viewport.zoom(gesture.factor, gesture.at)
   }
 
   up(event: PointerEvent, box: HTMLElement): void {
-    const { eye, hand } = this.#tools
+    const { viewport, hand } = this.#tools
     if (event.pointerId === this.#pen) {
       this.#pen = null
-      return this.#tools.shop()?.draw(eye.floorAt(inBox(event, box)), 'end')
+      return this.#tools.shop()?.draw(viewport.floorAt(inBox(event, box)), 'end')
     }
     hand.release(event.pointerId)
     this.#fingers.up(event.pointerId)
@@ -88,7 +88,7 @@ export class Touch {
   wheel(event: WheelEvent, box: HTMLElement): void {
     event.preventDefault()
     const lines = event.deltaMode === 0 ? event.deltaY / 40 : event.deltaY
-    this.#tools.eye.zoom(1.05 ** -clamp(lines, -6, 6), inBox(event, box))
+    this.#tools.viewport.zoom(1.05 ** -clamp(lines, -6, 6), inBox(event, box))
   }
 
   #point(at: Point): void {

@@ -2,14 +2,14 @@ import type { Component } from 'svelte'
 import type { Pose, World } from '@botgarten/simulation'
 import type { Phase } from '#drawing/nudge.ts'
 import type { Point } from '#drawing/points.ts'
-import type { Eye } from '#figures/world/eye.svelte.ts'
+import type { Viewport } from '#figures/world/viewport.svelte.ts'
 import type { Hand } from './hand.svelte.ts'
 
 /** What the tools' layers on the floor are told. */
 export interface LayerProps {
   readonly shop: Workshop
   readonly hand: Hand
-  readonly eye: Eye
+  readonly viewport: Viewport
   readonly ondown: (event: PointerEvent, id: string, pose: Pose, kind: 'move' | 'turn') => void
 }
 

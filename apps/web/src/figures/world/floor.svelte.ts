@@ -4,7 +4,7 @@ import { paint, type Picture } from '#drawing/canvas.ts'
 import { pictureOf } from '#drawing/picture.ts'
 import { drawFloor, drawGround } from '#drawing/floor.ts'
 import { letters } from '../letters.svelte.ts'
-import type { Eye } from './eye.svelte.ts'
+import type { Viewport } from './viewport.svelte.ts'
 
 /** In px: what is kept goes on so far beyond the pane, and is painted again so seldom. */
 const step = 256
@@ -13,13 +13,13 @@ const step = 256
 export class FloorPicture {
   readonly #world: () => World
   readonly #url: () => string | null
-  readonly #eye: Eye
+  readonly #viewport: Viewport
   #image = $state.raw<HTMLImageElement | null>(null)
 
-  constructor(world: () => World, url: () => string | null, eye: Eye) {
+  constructor(world: () => World, url: () => string | null, viewport: Viewport) {
     this.#world = world
     this.#url = url
-    this.#eye = eye
+    this.#viewport = viewport
   }
 
   /** Loads the picture that lies on the ground; for an effect. */
@@ -36,15 +36,15 @@ export class FloorPicture {
     image.src = url
   }
 
-  readonly #left = $derived.by(() => Math.floor(-this.#eye.corner.x / step) * step)
-  readonly #top = $derived.by(() => Math.floor(-this.#eye.corner.y / step) * step)
-  readonly #width = $derived.by(() => (Math.ceil(this.#eye.pane.width / step) + 1) * step)
-  readonly #height = $derived.by(() => (Math.ceil(this.#eye.pane.height / step) + 1) * step)
+  readonly #left = $derived.by(() => Math.floor(-this.#viewport.corner.x / step) * step)
+  readonly #top = $derived.by(() => Math.floor(-this.#viewport.corner.y / step) * step)
+  readonly #width = $derived.by(() => (Math.ceil(this.#viewport.pane.width / step) + 1) * step)
+  readonly #height = $derived.by(() => (Math.ceil(this.#viewport.pane.height / step) + 1) * step)
 
   /** A new object whenever it has been painted again; in px of the floor's box. */
   readonly picture: Picture = $derived.by(() => {
     const world = this.#world()
-    const { scale } = this.#eye
+    const { scale } = this.#viewport
     const ratio = devicePixelRatio.current ?? 1
     const place = { x: this.#left, y: this.#top, width: this.#width, height: this.#height }
     const { families } = letters

@@ -133,7 +133,7 @@ export class Builder implements Workshop {
   /** A spot in the middle of what is seen, beside what is there. */
   #spot(kind: Kind): Point {
     const { width, height } = this.world.size
-    const middle = this.mode.eye.middle
+    const middle = this.mode.viewport.middle
     let at = { x: Math.min(width, Math.max(0, middle.x)), y: Math.min(height, Math.max(0, middle.y)) }
     const taken = (spot: Point) =>
       this.world[kind].some((thing) => distance(poseOf({ kind, thing } as Item), spot) < 3)

@@ -27,7 +27,7 @@ async function takeScene(builder: Builder, file: File): Promise<void> {
     const readable = await builder.floors.load(scene, assets)
     if (!readable) return ui.say('problem.pictureBroken.title', 'problem.pictureBroken.text')
     builder.commit(inScene(session.lab.document.world, scene), assets)
-    builder.mode.eye.fitAll()
+    builder.mode.viewport.fitAll()
   } catch (error) {
     if (!(error instanceof ProjectError)) throw error
     console.warn('The scene was refused.', error)

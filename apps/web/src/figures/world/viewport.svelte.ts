@@ -34,7 +34,7 @@ const radiiOf = ({ obstacles }: World): ReadonlyMap<string, number> =>
   new Map(obstacles.map(({ id, shape }) => [id, radiusOf(shape)]))
 
 /** What part of the world is seen in the pane, and the ways between the two. */
-export class Eye {
+export class Viewport {
   pane = $state.raw<Size>({ width: 0, height: 0 })
   #camera = new FollowingCamera()
   #zoom = new Zoom()
@@ -94,7 +94,7 @@ export class Eye {
     return aim(robot.pose, things, this.scale, this.pane, this.#world().size)
   }
 
-  goTo(target: ReturnType<Eye['target']>, jump: boolean): void {
+  goTo(target: ReturnType<Viewport['target']>, jump: boolean): void {
     if (target) this.#camera.goTo(target, jump)
   }
 
