@@ -7,5 +7,5 @@ export const robot = {
   id: 'robot',
   words: ['robot'],
   load: () => import('./lazy.ts'),
-  budget: { part: 12_000 },
+  budget: { part: 14_000 },
 } satisfies Feature
