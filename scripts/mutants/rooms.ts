@@ -12,7 +12,7 @@ export interface Room {
 
 export const rooms: { readonly [name: string]: Room } = {
   storage: {
-    code: ['apps/web/src/storage', 'apps/web/src/lab/keeper.svelte.ts'],
+    code: ['apps/web/src/storage', 'apps/web/src/lab/autosave.svelte.ts'],
     tests: ['apps/web/src/storage', 'apps/web/src/lab'],
     goal: 0.9,
   },
