@@ -22,9 +22,12 @@ function lengthFrom(
   const chord = far(dx - ax, dy - ay)
   const outline = far(bx - ax, by - ay) + far(cx - bx, cy - by) + far(dx - cx, dy - cy)
   if (deeper === 0 || outline - chord <= CLOSE * outline) return (chord + outline) / 2
-  const [px, py, qx, qy, rx, ry] = [(ax + bx) / 2, (ay + by) / 2, (bx + cx) / 2, (by + cy) / 2, (cx + dx) / 2, (cy + dy) / 2]
-  const [sx, sy, tx, ty] = [(px + qx) / 2, (py + qy) / 2, (qx + rx) / 2, (qy + ry) / 2]
-  const [x, y] = [(sx + tx) / 2, (sy + ty) / 2]
+  const px = (ax + bx) / 2, py = (ay + by) / 2
+  const qx = (bx + cx) / 2, qy = (by + cy) / 2
+  const rx = (cx + dx) / 2, ry = (cy + dy) / 2
+  const sx = (px + qx) / 2, sy = (py + qy) / 2
+  const tx = (qx + rx) / 2, ty = (qy + ry) / 2
+  const x = (sx + tx) / 2, y = (sy + ty) / 2
   return lengthFrom(ax, ay, px, py, sx, sy, x, y, deeper - 1) + lengthFrom(x, y, tx, ty, rx, ry, dx, dy, deeper - 1)
 }
 

@@ -326,8 +326,9 @@ describe('a drawing of another program', () => {
 describe('a hostile drawing is read or refused within 200 ms of work', () => {
   const many = (count: number, one: (index: number) => string) =>
     Array.from({ length: count }, (_, index) => one(index)).join('')
-  const chain = (data: string) =>
-    many(95, (id) => `<circle id="node-${id}" r="9"/>`) + many(94, (id) => path(`${id}-${id + 1}`, data))
+  const chain = (data: string, roads = 94) =>
+    many(roads + 1, (id) => `<circle id="node-${id}" r="9"/>`) +
+    many(roads, (id) => path(`${id}-${id + 1}`, data))
   test.each([
     ['groups in groups', svg('<g>'.repeat(300_000)), 'tooDeep'],
     ['elements', svg('<g/>'.repeat(200_000)), 'tooManyElements'],
@@ -345,6 +346,12 @@ describe('a hostile drawing is read or refused within 200 ms of work', () => {
     ],
     ['arcs', svg(chain(`M0 0${'a5 3 30 0110 10'.repeat(490)}`)), 'pathsLong'],
     ['cusps', svg(chain(`M0 0${'c9 9-9 9 0 0'.repeat(490)}`)), 'pathsLong'],
+    ['half as many arcs as it may have', svg(chain(`M0 0${'a5 3 30 0110 10'.repeat(490)}`, 4)), 'pathEnd'],
+    [
+      'half as many cusps as it may have',
+      svg(chain(`M0 0${'c9 9-9 9 0 0'.repeat(490)}L50 50`, 4)),
+      'pathEnd',
+    ],
     ['turned lines', svg(`<g transform="rotate(3)">${chain(`M0 0L${'1 1 '.repeat(490)}`)}</g>`), 'pathsLong'],
     ['stations', svg(many(4_900, (id) => `<g id="node-${id}"/>`)), 'tooManyStations'],
     [

@@ -2,7 +2,7 @@ import { gridMap, type Move } from '@botgarten/learning/q-learning'
 import { elementsOf, type Element } from './elements.ts'
 import { numbersIn } from './path.ts'
 import { distance, type Point } from './point.ts'
-import { roadIn, type ReadRoad } from './road.ts'
+import { dataOf, roadIn, type ReadRoad } from './road.ts'
 import { placeOf, type Place } from './station.ts'
 import type { MapFile, MapProblem } from './types.ts'
 
@@ -104,18 +104,19 @@ function sizeOf({ attributes }: Element) {
 }
 
 function roadsIn(ids: ReadonlyMap<string, Element>, problems: MapProblem[]): readonly Between[] {
-  let room = MOST_DATA
-  return [...ids].flatMap(([name, element]) => {
+  const roads = [...ids].flatMap(([name, element]) => {
     const [, from, to] = roadId.exec(name)?.map(Number) ?? []
-    if (from === undefined || to === undefined) return []
-    room -= (element.attributes['d'] ?? element.attributes['points'] ?? '').length
-    if (room < 0) {
-      if (!problems.some(({ kind }) => kind === 'pathsLong'))
-        problems.push(problem('pathsLong', { name, most: MOST_DATA }))
-      return []
-    }
-    return [{ ...{ name, from, to }, read: roadIn(name, element), attributes: element.attributes }]
+    return from === undefined || to === undefined ? [] : [{ name, from, to, element }]
   })
+  let room = MOST_DATA
+  const late = roads.find(({ element }) => (room -= dataOf(element).length) < 0)
+  if (late) {
+    problems.push(problem('pathsLong', { name: late.name, most: MOST_DATA }))
+    return []
+  }
+  return roads.map(({ element, ...road }) => ({
+    ...{ ...road, read: roadIn(road.name, element), attributes: element.attributes },
+  }))
 }
 
 const keep = <Name extends string>(name: Name, value: number | undefined) =>

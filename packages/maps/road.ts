@@ -39,7 +39,8 @@ export function roadIn(name: string, { matrix, unreadTransform, ...element }: El
   return fits ? { ...shape, line } : broken('tooFar')
 }
 
-function dataOf({ name, attributes }: Pick<Element, 'name' | 'attributes'>): string {
+/** Path data of a path, a line or a polyline. */
+export function dataOf({ name, attributes }: Pick<Element, 'name' | 'attributes'>): string {
   const at = (...names: string[]) => names.map((one) => attributes[one] ?? '0').join(' ')
   if (name === 'line') return `M${at('x1', 'y1')}L${at('x2', 'y2')}`
   if (name === 'polyline') return `M${attributes['points'] ?? ''}`
