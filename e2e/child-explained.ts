@@ -2,10 +2,10 @@ import { expect, type Locator } from '@playwright/test'
 import { BlockHands } from './child-blocks.ts'
 import type { Child } from './child.ts'
 import { finger } from './hand.ts'
-import { say, type Language } from './words.ts'
+import { message, type Language } from './words.ts'
 
 /** The sentence that says what a block does. */
-const helpOf = (type: string, language: Language): string => say(language, `block.${type}.help`)
+const helpOf = (type: string, language: Language): string => message(language, `block.${type}.help`)
 
 /** Hands that ask what a block does. */
 export class AskingHands {

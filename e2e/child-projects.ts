@@ -2,10 +2,10 @@ import { expect, type Download, type Locator } from '@playwright/test'
 import { readFile } from 'node:fs/promises'
 import type { Child } from './child.ts'
 
-type Deed = 'rename' | 'duplicate' | 'saveFile' | 'throw' | 'share'
+type Action = 'rename' | 'duplicate' | 'saveFile' | 'throw' | 'share'
 
-/** A child at its shelf of projects. */
-export class Shelf {
+/** A child at its list of projects. */
+export class ProjectList {
   readonly #child: Child
 
   constructor(child: Child) {
@@ -51,11 +51,11 @@ export class Shelf {
   }
 
   /** Chooses from the menu of a project. */
-  async chooses(name: string, deed: Deed) {
+  async chooses(name: string, action: Action) {
     await this.project(name)
       .getByRole('button', { name: this.#child.word('projects.more', { name }), exact: true })
       .click()
-    const word = deed === 'share' ? 'parts.share' : `projects.${deed}`
+    const word = action === 'share' ? 'parts.share' : `projects.${action}`
     await this.project(name)
       .getByRole('button', { name: this.#child.word(word), exact: true })
       .click()
@@ -89,7 +89,7 @@ export class Shelf {
       .filter({ has: this.#page.getByRole('heading', { name, exact: true }) })
   }
 
-  /** Opens a file from the shelf. */
+  /** Opens a file from the list. */
   async opensFile(name: string, text: string) {
     const file = { name, mimeType: 'application/json', buffer: Buffer.from(text) }
     await this.#page.locator('input[type=file]').setInputFiles(file)

@@ -2,7 +2,7 @@ import { expect, type Locator, type Page } from '@playwright/test'
 import { readFile } from 'node:fs/promises'
 import { finger, mouse, type Hand, type Spot } from './hand.ts'
 import { Painted } from './painted.ts'
-import { say, sayCard, sayCheck, type Language } from './words.ts'
+import { message, cardMessage, checkMessage, type Language } from './words.ts'
 
 /** A neuron as a child would point at it: what it is, where it is plugged in and where it sits. */
 export interface Sensor {
@@ -43,12 +43,12 @@ export class Child {
 
   /** The words of a message in the child's language. */
   word(key: string, facts: { readonly [name: string]: string | number } = {}): string {
-    return say(this.language, key, facts)
+    return message(this.language, key, facts)
   }
 
   /** What a card is called in the child's language. */
   card(id: string): string {
-    return sayCard(this.language, id)
+    return cardMessage(this.language, id)
   }
 
   // ---- going somewhere ----
@@ -329,12 +329,12 @@ export class Child {
   }
 
   check(card: string, id: string): Locator {
-    return this.page.getByRole('listitem').filter({ hasText: sayCheck(this.language, card, id) })
+    return this.page.getByRole('listitem').filter({ hasText: checkMessage(this.language, card, id) })
   }
 
-  async seesCheck(card: string, id: string, passed = true, patience = 40_000) {
+  async seesCheck(card: string, id: string, passed = true, timeout = 40_000) {
     const said = this.word(passed ? 'lab.goalPassed' : 'lab.goalOpen')
-    await expect(this.check(card, id)).toContainText(said, { timeout: patience })
+    await expect(this.check(card, id)).toContainText(said, { timeout })
   }
 
   async seesSaved() {

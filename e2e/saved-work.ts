@@ -19,7 +19,7 @@ import { opensSettings, option } from './child-cards.ts'
 import { Learner } from './child-learning.ts'
 import { NetHands } from './child-network.ts'
 import { Comer } from './child-open-roberta.ts'
-import { Shelf } from './child-projects.ts'
+import { ProjectList } from './child-projects.ts'
 import { SortingHands, sortingProject } from './child-sorting.ts'
 import { TimeHands } from './child-time.ts'
 import { Child, leftEye, leftWheel, rightEye, rightWheel } from './child.ts'
@@ -141,21 +141,21 @@ async function comesFromOpenRoberta(child: Child) {
 }
 
 async function fillsBin(child: Child) {
-  const shelf = new Shelf(child)
-  await shelf.opens()
-  await shelf.opensFile(
+  const list = new ProjectList(child)
+  await list.opens()
+  await list.opensFile(
     'Uno.json',
     freeProgram('Uno', (make) => [make.wait(500)]),
   )
   await expect(child.page.getByRole('heading', { level: 1 })).toHaveText('Uno')
-  await shelf.opens()
+  await list.opens()
   const [fear, free] = [child.card('fear'), child.word('session.free')]
-  await shelf.chooses(fear, 'duplicate')
-  await shelf.chooses(free, 'duplicate')
+  await list.chooses(fear, 'duplicate')
+  await list.chooses(free, 'duplicate')
   const copies = [fear, free].map((name) => child.word('session.copy', { name }))
   for (const name of ['Uno', ...copies]) {
-    await shelf.chooses(name, 'throw')
-    await shelf.hears('projects.thrown', { name })
+    await list.chooses(name, 'throw')
+    await list.hears('projects.thrown', { name })
   }
 }
 
@@ -242,22 +242,22 @@ await comesFromOpenRoberta(child)
 await fillsBin(child)
 await setsUp(child)
 
-const shelf = new Shelf(child)
-await shelf.opens()
+const list = new ProjectList(child)
+await list.opens()
 const links: { [name: string]: string } = {}
-await expect.poll(() => shelf.names()).toHaveLength(8)
-for (const name of await shelf.names()) {
-  const [download] = await Promise.all([child.page.waitForEvent('download'), shelf.chooses(name, 'saveFile')])
+await expect.poll(() => list.names()).toHaveLength(8)
+for (const name of await list.names()) {
+  const [download] = await Promise.all([child.page.waitForEvent('download'), list.chooses(name, 'saveFile')])
   write(join('files', download.suggestedFilename()), readFileSync(await download.path(), 'utf8'))
-  await shelf.chooses(name, 'share')
+  await list.chooses(name, 'share')
   const tooLarge = child.dialog('share.tooLargeTitle')
   await expect(
     child.page.getByRole('textbox', { name: child.word('share.address') }).or(tooLarge),
   ).toBeVisible()
-  if (!(await tooLarge.isVisible())) links[name] = (await shelf.link()).split('#')[1]!
+  if (!(await tooLarge.isVisible())) links[name] = (await list.link()).split('#')[1]!
   await child.types('Escape')
 }
-const home = await shelf.takesHome()
+const home = await list.takesHome()
 write('home.botgarten.json', home)
 write('brain.brain.json', brain)
 write('scene.json', scene)

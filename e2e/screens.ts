@@ -2,7 +2,7 @@ import { expect } from '@playwright/test'
 import { leftEye, leftWheel, rightEye, rightWheel, type Child } from './child.ts'
 import { Builder } from './child-build.ts'
 import { opensSettings } from './child-cards.ts'
-import { Shelf } from './child-projects.ts'
+import { ProjectList } from './child-projects.ts'
 import { RobotHands } from './child-robot.ts'
 import { TimeHands } from './child-time.ts'
 import { projectFile } from './projects.ts'
@@ -139,7 +139,7 @@ export const screens: readonly Screen[] = [
         await child.typesWeight(leftEye, leftWheel, 0.8)
         await child.seesSaved()
       }
-      await new Shelf(child).opens()
+      await new ProjectList(child).opens()
     },
   },
   {

@@ -21,21 +21,21 @@ export function languagesOf(file: string): readonly Language[] {
 const words = new Map(languages.map((language) => [language, wordsOf(language)]))
 
 /** What the screen says for a message key (`lab.start`) in a language. Throws where nobody wrote it. */
-export function say(language: Language, key: string, facts: Facts = {}): string {
+export function message(language: Language, key: string, facts: Facts = {}): string {
   const found = words.get(language)?.[key]
   if (found === undefined) throw new Error(`No word for ${key} in ${language}`)
   return fill(found, facts, language)
 }
 
 /** What a card's check is called in a language. Throws where nobody wrote it. */
-export function sayCheck(language: Language, card: string, id: string): string {
+export function checkMessage(language: Language, card: string, id: string): string {
   const said = content.card(card)?.text[language]?.checks[id]
   if (!said) throw new Error(`No word for the check ${id} of ${card} in ${language}`)
   return said
 }
 
 /** What a card is called in a language. Throws where there is no such card. */
-export function sayCard(language: Language, id: string): string {
+export function cardMessage(language: Language, id: string): string {
   const card = content.cards.find((one) => one.id === id)
   if (!card) throw new Error(`There is no card ${id}`)
   return card.title[language]!

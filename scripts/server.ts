@@ -27,7 +27,7 @@ export interface ServerOptions {
   readonly operator?: string | null
 }
 
-const patience = 3000
+const timeout = 3000
 
 async function handlerOf(build: string): Promise<Handler> {
   const path = pathToFileURL(join(build, 'server', 'handler.js')).href
@@ -67,7 +67,7 @@ const isTrusted = ({ headers }: IncomingMessage) =>
 async function close(server: Server) {
   const closed = once(server, 'close')
   server.close()
-  const timer = setTimeout(() => server.closeAllConnections(), patience)
+  const timer = setTimeout(() => server.closeAllConnections(), timeout)
   await closed
   clearTimeout(timer)
 }

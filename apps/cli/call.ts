@@ -7,7 +7,7 @@ import { CallError, FileError } from './errors.ts'
 import { helpOf, listOf } from './help.ts'
 import { takeNotes } from './notes.ts'
 import { languageIn, languageNamed } from './options.ts'
-import { languageOfMachine, say, speak, type Language } from './words.ts'
+import { languageOfMachine, message, speak, type Language } from './words.ts'
 
 // No screen waits for a smaller first part here.
 addBlocks(expert)
@@ -37,7 +37,7 @@ function sentenceOf(error: CallError | FileError, args: readonly string[]): stri
   const sentence = error.message.replaceAll('\n', ' ')
   if (error instanceof FileError) return sentence
   const { path } = findCommand(languageIn(args).rest)
-  return say('call.help', { sentence, command: ['botgarten', ...path, '--help'].join(' ') })
+  return message('call.help', { sentence, command: ['botgarten', ...path, '--help'].join(' ') })
 }
 
 /** Carries one call out. Exit 0: it ran · 1: a file is at fault · 2: the call is at fault. */

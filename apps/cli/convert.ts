@@ -7,7 +7,7 @@ import { CallError } from './errors.ts'
 import { write } from './files.ts'
 import { options } from './options.ts'
 import { isOpenRoberta, readProjectFile } from './project-file.ts'
-import { say } from './words.ts'
+import { message } from './words.ts'
 
 const known = { robot: { type: 'string' }, json: { type: 'boolean' } } as const
 
@@ -31,8 +31,8 @@ function convertFile(args: string[]): string {
 }
 
 function sentenceOf(path: string, count: number, unknown: readonly string[]): string {
-  const blocks = say('converted.blocks', { path, count })
-  return unknown.length === 0 ? blocks : say('converted.unknown', { blocks, types: unknown.join(', ') })
+  const blocks = message('converted.blocks', { path, count })
+  return unknown.length === 0 ? blocks : message('converted.unknown', { blocks, types: unknown.join(', ') })
 }
 
 function robotOf({ world }: Project, id: string | undefined) {

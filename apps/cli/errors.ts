@@ -1,9 +1,9 @@
-import { say, type Facts, type Key } from './words.ts'
+import { message, type Facts, type Key } from './words.ts'
 
 /** What is said in one sentence, in the language of the call. */
 class Refusal extends Error {
   constructor(key: Key, facts?: Facts) {
-    super(say(key, facts))
+    super(message(key, facts))
   }
 }
 
@@ -15,9 +15,9 @@ export class FileError extends Refusal {}
 
 /** Why the system did not read or write a file. */
 export function causeOf(error: unknown): string {
-  const { code = '', message } = error as NodeJS.ErrnoException
+  const { code = '', message: raw } = error as NodeJS.ErrnoException
   const key = `cause.${code}`
-  return isCause(key) ? say(key) : say('cause.other', { message })
+  return isCause(key) ? message(key) : message('cause.other', { message: raw })
 }
 
 const causes = ['ENOENT', 'EACCES', 'EPERM', 'EISDIR', 'ENOTDIR', 'EEXIST', 'EROFS', 'ENOSPC'] as const

@@ -1,6 +1,6 @@
 import { readFileSync, statSync, writeFileSync } from 'node:fs'
 import { causeOf, FileError } from './errors.ts'
-import { say } from './words.ts'
+import { message } from './words.ts'
 
 const megabyte = 1_000_000
 
@@ -11,7 +11,7 @@ export function readBytes(path: string, most: number): Buffer {
   } catch (error) {
     throw new FileError('file.unreadable', { path, why: causeOf(error) })
   }
-  throw new FileError('file.unreadable', { path, why: say('cause.tooBig', { most }) })
+  throw new FileError('file.unreadable', { path, why: message('cause.tooBig', { most }) })
 }
 
 /** The text of a file. @throws {FileError} also where it has more than so many megabytes */

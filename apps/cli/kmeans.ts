@@ -15,7 +15,7 @@ import { readBytes } from './files.ts'
 import { seedOf } from './learn-options.ts'
 import { note } from './notes.ts'
 import { oneOf, options, refuseMore, wholeNumberIn } from './options.ts'
-import { say } from './words.ts'
+import { message } from './words.ts'
 
 const known = {
   data: { type: 'string' },
@@ -48,12 +48,12 @@ function findGroups(args: string[]): string {
   const points = pointsOf(table.rows)
   const found = find(points, wholeNumberIn('k', values.k, 1, 1, points.count), distance, values)
   const { centres, labels, inertia, iterations } = found
-  note(say('groups.read', { how: readingOf(table) }))
+  note(message('groups.read', { how: readingOf(table) }))
   const { columns, rows, reading, encoding } = table
   const read = { columns: columns.length, rows: rows.length, ...reading, encoding }
   if (values.json) return JSON.stringify({ centres, labels, inertia, iterations, read })
   const sentence = sentenceOf(found)
-  return table.maybeOneColumn ? say('groups.foundEitherWay', { found: sentence }) : sentence
+  return table.maybeOneColumn ? message('groups.foundEitherWay', { found: sentence }) : sentence
 }
 
 function find(points: Points, groups: number, distance: Distance, values: Values): Clustering {
@@ -94,13 +94,13 @@ function tableIn(path: string, values: Values): ReadTable {
     return { ...table, encoding }
   } catch (error) {
     if (!(error instanceof TableError)) throw error
-    throw new FileError('file.noTable', { path, why: say(`table.${error.problem}`, error.facts) })
+    throw new FileError('file.noTable', { path, why: message(`table.${error.problem}`, error.facts) })
   }
 }
 
 function sentenceOf({ centres, labels, inertia, iterations }: Clustering): string {
   const sizes = centres.map((_, group) => labels.filter((label) => label === group).length)
-  return say('groups.found', {
+  return message('groups.found', {
     ...{ iterations, inertia: inertia.at(-1)!, groups: centres.length },
     sizes: sizes.join(', '),
   })
@@ -110,11 +110,11 @@ function sentenceOf({ centres, labels, inertia, iterations }: Clustering): strin
 function readingOf({ columns, rows, reading: { mark, decimal, heading }, encoding }: ReadTable): string {
   return [
     mark === null
-      ? say('groups.oneColumn')
-      : say('groups.columns', { count: columns.length, mark: say(`groups.${mark}`) }),
-    ...(decimal === null ? [] : [say('groups.decimal', { mark: say(`groups.${decimal}`) })]),
-    ...(heading ? [say('groups.heading')] : []),
-    say('groups.rows', { count: rows.length }),
+      ? message('groups.oneColumn')
+      : message('groups.columns', { count: columns.length, mark: message(`groups.${mark}`) }),
+    ...(decimal === null ? [] : [message('groups.decimal', { mark: message(`groups.${decimal}`) })]),
+    ...(heading ? [message('groups.heading')] : []),
+    message('groups.rows', { count: rows.length }),
     ...(encoding === 'utf-8' ? [] : [encoding]),
   ].join(', ')
 }

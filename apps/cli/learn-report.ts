@@ -7,7 +7,7 @@ import {
   type Plan,
   type Settings,
 } from '@botgarten/learning/q-learning'
-import { say } from './words.ts'
+import { message } from './words.ts'
 
 /** Why there is no learned way, and the station that it is about. */
 interface NotLearned {
@@ -85,12 +85,14 @@ interface Report {
 
 export function sentenceOf(report: Report): string {
   const { bestWay, reason, walked, notLearned, plan, moves, episodes, firstShortestMove: first } = report
-  const after = say('learned.after', { moves, episodes })
+  const after = message('learned.after', { moves, episodes })
   if (plan) return planSentence(after, plan, notLearned)
   const way = bestWay && joined(bestWay)
   if (notLearned && isDoubt(notLearned.reason)) return doubtSentence(after, notLearned, way)
-  if (way === null) return say('learned.noWay', { after, reason, walked: joined(walked) })
-  return first === null ? say('learned.way', { after, way }) : say('learned.wayFirst', { after, way, first })
+  if (way === null) return message('learned.noWay', { after, reason, walked: joined(walked) })
+  return first === null
+    ? message('learned.way', { after, way })
+    : message('learned.wayFirst', { after, way, first })
 }
 
 const joined = (stations: readonly number[]) => stations.join(' → ')
@@ -100,13 +102,13 @@ const isDoubt = (reason: LearnedWay['reason']): reason is (typeof doubts)[number
   doubts.some((doubt) => doubt === reason)
 
 function doubtSentence(after: string, { reason, station }: NotLearned, way: string | null): string {
-  const doubt = say(`learned.${reason as (typeof doubts)[number]}`)
-  const notYet = say('learned.notYet', { after, reason, station, doubt })
-  return way === null ? notYet : say('learned.notYetShown', { notYet, way })
+  const doubt = message(`learned.${reason as (typeof doubts)[number]}`)
+  const notYet = message('learned.notYet', { after, reason, station, doubt })
+  return way === null ? notYet : message('learned.notYetShown', { notYet, way })
 }
 
 function planSentence(after: string, plan: PlanSaid, notLearned: NotLearned | null): string {
-  const judged = say('learned.plan', {
+  const judged = message('learned.plan', {
     after,
     expected: numberSaid(plan.expectedReturn),
     best: numberSaid(plan.bestReturn),
@@ -115,9 +117,12 @@ function planSentence(after: string, plan: PlanSaid, notLearned: NotLearned | nu
   const moves = Object.entries(plan.policy)
     .map(([station, move]) => `${station} ${move}`)
     .join(', ')
-  const sentence = notLearned === null ? judged : say('learned.planNotYet', { plan: judged, ...notLearned })
-  return notLearned !== null && moves === '' ? sentence : say('learned.planMoves', { plan: sentence, moves })
+  const sentence =
+    notLearned === null ? judged : message('learned.planNotYet', { plan: judged, ...notLearned })
+  return notLearned !== null && moves === ''
+    ? sentence
+    : message('learned.planMoves', { plan: sentence, moves })
 }
 
 const numberSaid = (value: number | null) =>
-  value === null ? say('learned.noEnd') : Number(value.toPrecision(4)).toString()
+  value === null ? message('learned.noEnd') : Number(value.toPrecision(4)).toString()

@@ -4,7 +4,7 @@ import { readMap, type MapFile, type MapProblem } from '@botgarten/maps'
 import { CallError, FileError } from './errors.ts'
 import { readText } from './files.ts'
 import { note } from './notes.ts'
-import { say } from './words.ts'
+import { message } from './words.ts'
 
 /** In megabytes. */
 const tooLarge = 4
@@ -21,12 +21,15 @@ export function findMap(what: string): MapFile {
       path: what,
       why: [...problems.map(sentenceFor), named].filter(Boolean).join('; '),
     })
-  if (named !== '') note(say('file.mapWith', { path: what, why: named }))
+  if (named !== '') note(message('file.mapWith', { path: what, why: named }))
   return map
 }
 
 const sentenceFor = ({ kind, facts }: MapProblem): string =>
-  say(`map.${kind}`, Object.fromEntries(Object.entries(facts).map(([name, value]) => [name, shorten(value)])))
+  message(
+    `map.${kind}`,
+    Object.fromEntries(Object.entries(facts).map(([name, value]) => [name, shorten(value)])),
+  )
 
 const shorten = (fact: string | number) =>
   typeof fact === 'string' && fact.length > 40 ? `${fact.slice(0, 40)}…` : fact

@@ -1,6 +1,6 @@
 import { parseArgs, type ParseArgsConfig } from 'node:util'
 import { CallError } from './errors.ts'
-import { languages, say, type Language } from './words.ts'
+import { languages, message, type Language } from './words.ts'
 
 export type Options = NonNullable<ParseArgsConfig['options']>
 
@@ -67,7 +67,8 @@ export function oneOf<Name extends string>(
   return found
 }
 
-const listed = (names: readonly string[]) => names.reduce((first, last) => say('call.or', { first, last }))
+const listed = (names: readonly string[]) =>
+  names.reduce((first, last) => message('call.or', { first, last }))
 
 /** The rest of a call, and the language that it asks for. It is heard first: a faulty call too is answered in it. */
 export function languageIn(args: readonly string[]) {

@@ -4,7 +4,7 @@ import { parseProject, ProjectError, type Project } from '@botgarten/programs'
 import { projectFrom } from '@botgarten/programs/open-roberta'
 import { FileError } from './errors.ts'
 import { readText } from './files.ts'
-import { say, sayProblem } from './words.ts'
+import { message, problemMessage } from './words.ts'
 
 /** In megabytes: no file that can be opened is larger. */
 const tooLarge = 20
@@ -26,10 +26,10 @@ export function readProjectFile(path: string): Project {
 const shorten = (text: string) => (text.length > 160 ? `${text.slice(0, 160)}…` : text)
 
 /** Who builds files by hand is also told which part of it is wrong. */
-function whyOf({ reason, facts, message }: ProjectError): string {
-  const sentence = sayProblem(reason, facts)
+function whyOf({ reason, facts, message: detail }: ProjectError): string {
+  const sentence = problemMessage(reason, facts)
   const isVague = reason === 'notAProject' || reason === 'notOpenRoberta'
-  return isVague ? say('project.detail', { sentence, detail: shorten(message) }) : sentence
+  return isVague ? message('project.detail', { sentence, detail: shorten(detail) }) : sentence
 }
 
 export const isOpenRoberta = (path: string): boolean => extname(path).toLowerCase() === '.xml'

@@ -12,7 +12,7 @@ import { numberIn, options, wholeNumberIn } from './options.ts'
 import { isOpenRoberta, readProjectFile } from './project-file.ts'
 import { findMap } from './maps.ts'
 import { withWeights } from './weights.ts'
-import { say, sayProblem } from './words.ts'
+import { message, problemMessage } from './words.ts'
 
 const known = {
   solution: { type: 'boolean' },
@@ -122,7 +122,7 @@ function refuseWhatCannotRun({ programs, world }: Document): void {
     const finding = program && check(program, robot.config).find(({ stops }) => stops)
     if (finding)
       throw new FileError('file.cannotRun', {
-        why: sayProblem(finding.problem.replace('problem.', ''), finding.facts),
+        why: problemMessage(finding.problem.replace('problem.', ''), finding.facts),
         block: finding.block,
       })
   }
@@ -145,14 +145,14 @@ function assertionsOf(lab: Lab) {
 
 function sentenceOf({ seconds, pose, checks, assertions, hash }: ReturnType<typeof reportOf>): string {
   const [x, y, heading] = [pose.x, pose.y, pose.heading].map((value) => value.toFixed(1))
-  const place = say('ran.place', { x: x!, y: y!, heading: heading! })
+  const place = message('ran.place', { x: x!, y: y!, heading: heading! })
   const results = checks.map(({ id, passed, at }) => {
-    if (!passed) return say('ran.open', { id })
-    return at === null ? say('ran.passed', { id }) : say('ran.passedAt', { id, at: at.toFixed(1) })
+    if (!passed) return message('ran.open', { id })
+    return at === null ? message('ran.passed', { id }) : message('ran.passedAt', { id, at: at.toFixed(1) })
   })
   const wrong = assertions.failed.map(({ text, expected, got }) =>
-    say('ran.asserted', { text, expected, got }),
+    message('ran.asserted', { text, expected, got }),
   )
   const lines = [...results, ...wrong].map((line) => `  ${line}`)
-  return [say('ran.end', { seconds, place, hash }), ...lines].join('\n')
+  return [message('ran.end', { seconds, place, hash }), ...lines].join('\n')
 }

@@ -2,7 +2,7 @@ import { brainsFor, type Document } from '@botgarten/lab'
 import { biasRow, type Brain, type Weights } from '@botgarten/learning/neural-network'
 import { FileError } from './errors.ts'
 import { readText } from './files.ts'
-import { say } from './words.ts'
+import { message } from './words.ts'
 
 /** In megabytes. */
 const tooLarge = 5
@@ -46,7 +46,7 @@ const namesIn = (weights: Weights) =>
 function listed(links: readonly string[]): string {
   const first = links.slice(0, mostNamed).join(', ')
   const count = links.length - mostNamed
-  return count > 0 ? say('weights.more', { links: first, count }) : first
+  return count > 0 ? message('weights.more', { links: first, count }) : first
 }
 
 function readWeights(path: string): Weights {
@@ -63,7 +63,7 @@ function jsonIn(path: string): unknown {
     return JSON.parse(readText(path, tooLarge))
   } catch (error) {
     if (error instanceof FileError) throw error
-    throw new FileError('file.unreadable', { path, why: say('cause.notJson') })
+    throw new FileError('file.unreadable', { path, why: message('cause.notJson') })
   }
 }
 

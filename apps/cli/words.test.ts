@@ -2,7 +2,7 @@ import { afterAll, describe, expect, it } from 'vitest'
 import type { ProjectReason } from '@botgarten/programs'
 import { commands, type Commands } from './commands.ts'
 import { helpOf, listOf } from './help.ts'
-import { languages, sayProblem, speak } from './words.ts'
+import { languages, problemMessage, speak } from './words.ts'
 
 /** Every command and group of commands with the words that lead there. */
 const all = (some: Commands, path: readonly string[] = []): [string[], Commands[string]][] => [
@@ -40,6 +40,6 @@ describe.each(languages)('in %s', (language) => {
 
   it('every reason to refuse a file is a sentence', () => {
     speak(language)
-    for (const reason of Object.keys(reasons)) expect(sayProblem(reason)).toMatch(/ .*\.$/)
+    for (const reason of Object.keys(reasons)) expect(problemMessage(reason)).toMatch(/ .*\.$/)
   })
 })

@@ -31,7 +31,7 @@ export function speak(language: Language): void {
 }
 
 /** Says a sentence of the command line in the language of this call. */
-export const say = (key: Key, facts: Facts = {}): string => filled(own()[key] ?? key, facts)
+export const message = (key: Key, facts: Facts = {}): string => filled(own()[key] ?? key, facts)
 
 /** The command line's own word, where it has one. */
 export function ownWord(key: string): string | undefined {
@@ -40,7 +40,7 @@ export function ownWord(key: string): string | undefined {
 }
 
 /** Says what is wrong with a program or a file as the lab does; the name alone where the lab has no words for it. */
-export function sayProblem(problem: string, facts: Facts = {}): string {
+export function problemMessage(problem: string, facts: Facts = {}): string {
   const ours = own()[`project.${problem}`]
   if (ours !== undefined) return filled(ours, facts)
   const words = all()

@@ -37,7 +37,7 @@ const outOfSight = (page: Page) =>
 
 /**
  * Nothing is left out, Blockly included: what axe has to say about Blockly 13 as it comes (`aria-owns` with ids that are no
- * names, a list box without a name) is gone with plain ids and names for the shelf.
+ * names, a list box without a name) is gone with plain ids and names for the list.
  */
 async function findsNothing(page: Page, where: string) {
   await settles(page)

@@ -2,7 +2,7 @@
 import { axeFindings } from '../axe.ts'
 import { opensSettings } from '../child-cards.ts'
 import { Builder } from '../child-build.ts'
-import { Shelf } from '../child-projects.ts'
+import { ProjectList } from '../child-projects.ts'
 import { RobotHands } from '../child-robot.ts'
 import { TimeHands } from '../child-time.ts'
 import type { Child } from '../child.ts'
@@ -75,29 +75,29 @@ const pageFaces: Faces = {
     await opensSettings(child, 'home')
   },
   'a new name': async (child) => {
-    const shelf = new Shelf(child)
-    await shelf.opens()
-    await shelf.opensFile(
+    const list = new ProjectList(child)
+    await list.opens()
+    await list.opensFile(
       'Uno.json',
       freeProgram('Uno', (make) => [make.wait(1)]),
     )
     await expect(child.page.getByRole('heading', { level: 1 })).toHaveText('Uno')
     await child.seesSaved()
-    await shelf.opens()
-    await shelf.chooses('Uno', 'rename')
+    await list.opens()
+    await list.chooses('Uno', 'rename')
   },
   'into the bin': async (child) => {
     await child.presses('projects.cancel')
-    await new Shelf(child).chooses('Uno', 'throw')
-    await new Shelf(child).hears('projects.thrown', { name: 'Uno' })
+    await new ProjectList(child).chooses('Uno', 'throw')
+    await new ProjectList(child).hears('projects.thrown', { name: 'Uno' })
   },
-  'a full bin': (child) => new Shelf(child).goesToBin(),
+  'a full bin': (child) => new ProjectList(child).goesToBin(),
   'is it to be emptied?': (child) => child.presses('projects.emptyBin'),
   'a home file is read': async (child) => {
     await child.presses('projects.cancel')
-    const shelf = new Shelf(child)
-    await shelf.opens()
-    await shelf.opensFile('home.json', '{"botgartenHome":1,"projects":[{}]}')
+    const list = new ProjectList(child)
+    await list.opens()
+    await list.opensFile('home.json', '{"botgartenHome":1,"projects":[{}]}')
     await expect(child.dialog('projects.mergedTitle')).toBeVisible()
   },
   'a link that is cut': async (child) => {

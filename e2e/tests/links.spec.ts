@@ -2,7 +2,7 @@
 import type { Block } from '@botgarten/blocks'
 import type { Project } from '@botgarten/programs'
 import { Child, leftEye, leftWheel } from '../child.ts'
-import { Shelf } from '../child-projects.ts'
+import { ProjectList } from '../child-projects.ts'
 import { expect, test } from '../house.ts'
 import { freeProgram } from '../projects.ts'
 import { languagesOf } from '../words.ts'
@@ -24,7 +24,7 @@ for (const language of languagesOf(import.meta.filename)) {
       await child.seesSaved()
       await child.presses('lab.menu')
       await child.presses('parts.share')
-      return new Shelf(child).link()
+      return new ProjectList(child).link()
     }
 
     test('whoever opens it has a project of their own; mine stays as it is', async ({ child, browser }) => {
@@ -93,14 +93,14 @@ for (const language of languagesOf(import.meta.filename)) {
       await page.evaluate((whole) => (location.hash = whole), hash)
       await child.seesLab()
       await child.seesWeight(leftEye, leftWheel, 0.45)
-      const shelf = new Shelf(child)
-      await shelf.opens()
-      await expect.poll(() => shelf.names()).toHaveLength(2)
+      const list = new ProjectList(child)
+      await list.opens()
+      await expect.poll(() => list.names()).toHaveLength(2)
     })
 
     test('a project that is too large for a link offers the file', async ({ child, page }) => {
-      const shelf = new Shelf(child)
-      await shelf.opens()
+      const list = new ProjectList(child)
+      await list.opens()
       const file = JSON.parse(freeProgram('Riesig', (make) => [make.wait(1)])) as Project
       const data = noise(15_000)
       const blocks = file.programs['main']!.stacks[0]!.blocks as Block[]
@@ -108,10 +108,10 @@ for (const language of languagesOf(import.meta.filename)) {
         { id: 'n1', type: 'text', data },
         { id: 'n2', type: 'text', data: data.split('').reverse().join('') },
       )
-      await shelf.opensFile('riesig.json', JSON.stringify(file))
+      await list.opensFile('riesig.json', JSON.stringify(file))
       await expect(page.getByRole('heading', { level: 1 })).toHaveText('Riesig')
-      await shelf.opens()
-      await shelf.chooses('Riesig', 'share')
+      await list.opens()
+      await list.chooses('Riesig', 'share')
       await expect(child.dialog('share.tooLargeTitle')).toContainText(child.word('share.tooLargeText'))
       await Promise.all([
         page.waitForEvent('download'),

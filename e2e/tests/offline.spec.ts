@@ -4,18 +4,18 @@ import type { Page } from '@playwright/test'
 import { flags } from '../browser.ts'
 import { findChromium } from '../chromium.mjs'
 import { Child, leftEye, leftWheel, rightEye, rightWheel } from '../child.ts'
-import { Shelf } from '../child-projects.ts'
-import { doormanOf, type Doorman } from '../doorman.ts'
+import { ProjectList } from '../child-projects.ts'
+import { guardOf, type Guard } from '../guard.ts'
 import { expect, test as base } from '../house.ts'
 import { languagesOf } from '../words.ts'
 
 /** A name that leads to this machine: for the browser it is a classroom's server, plain http. */
 const classroom = 'classroom.test'
 
-const test = base.extend<{ door: Doorman; at: string }>({
+const test = base.extend<{ door: Guard; at: string }>({
   at: ['localhost', { option: true }],
   door: async ({ house }, use) => {
-    const door = await doormanOf(house)
+    const door = await guardOf(house)
     await use(door)
     await door.shut()
   },
@@ -72,9 +72,9 @@ for (const language of languagesOf(import.meta.filename)) {
       await child.seesSaved()
       await isKept(page)
       await door.shut()
-      const shelf = new Shelf(child)
-      await shelf.opens()
-      await shelf.seesNames(child.card('friendship'))
+      const list = new ProjectList(child)
+      await list.opens()
+      await list.seesNames(child.card('friendship'))
       await page.goto('/about')
       await expect(page.getByRole('heading', { level: 1 })).toHaveText(child.word('parts.about'))
       await page.goto('/materials/card/friendship')
@@ -90,7 +90,7 @@ for (const language of languagesOf(import.meta.filename)) {
       await child.seesSaved()
       await child.presses('lab.menu')
       await child.presses('parts.share')
-      const link = await new Shelf(child).link()
+      const link = await new ProjectList(child).link()
       await isKept(page)
       await door.shut()
       await page.goto('/about')
@@ -179,10 +179,10 @@ for (const language of languagesOf(import.meta.filename)) {
       await child.presses('parts.close')
       await child.presses('lab.menu')
       await page.getByRole('link', { name: child.word('parts.myProjects') }).click()
-      const shelf = new Shelf(child)
-      await shelf.seesNames(child.card('friendship'))
+      const list = new ProjectList(child)
+      await list.seesNames(child.card('friendship'))
       await expect(page.getByText(child.word('projects.plainHttp'))).toBeVisible()
-      await shelf.takesHome()
+      await list.takesHome()
       await child.presses('projects.new')
       await child.seesLab()
       expect(door.asked.length).toBe(asked)

@@ -2,24 +2,24 @@
 import type { BrowserContext } from '@playwright/test'
 import { Child, leftEye, leftWheel, rightEye, rightWheel } from '../child.ts'
 import { opensSettings, option } from '../child-cards.ts'
-import { Shelf } from '../child-projects.ts'
+import { ProjectList } from '../child-projects.ts'
 import { expect, test } from '../house.ts'
 import { freeProgram } from '../projects.ts'
 import { languagesOf, type Language } from '../words.ts'
 
 /** Puts projects of these names on the device, the last one changed last. */
 async function keeps(child: Child, ...names: readonly string[]) {
-  const shelf = new Shelf(child)
+  const list = new ProjectList(child)
   for (const [index, name] of names.entries()) {
-    await shelf.opens()
-    await shelf.opensFile(
+    await list.opens()
+    await list.opensFile(
       `${name}.json`,
       freeProgram(name, (make) => [make.wait(index)]),
     )
     await expect(child.page.getByRole('heading', { level: 1 })).toHaveText(name)
   }
-  await shelf.opens()
-  return shelf
+  await list.opens()
+  return list
 }
 
 const otherTab = async (context: BrowserContext, language: Language) =>
@@ -30,31 +30,31 @@ for (const language of languagesOf(import.meta.filename)) {
   test.describe(`my projects, in ${language}`, () => {
     test.use({ language })
 
-    test('an empty shelf says what will lie there; home and the lab lead to it', async ({ child, page }) => {
+    test('an empty list says what will lie there; home and the lab lead to it', async ({ child, page }) => {
       await child.opensHome()
       await page.getByRole('link', { name: child.word('parts.myProjects') }).click()
-      const shelf = new Shelf(child)
-      await shelf.isSeen()
+      const list = new ProjectList(child)
+      await list.isSeen()
       await expect(child.words('projects.noneTitle')).toBeVisible()
       await child.presses('projects.new')
       await child.seesLab()
       await child.presses('lab.menu')
       await page.getByRole('link', { name: child.word('parts.myProjects') }).click()
-      await shelf.isSeen()
+      await list.isSeen()
     })
 
     test('what was built lies there with its picture, and gets another name', async ({ child }) => {
       await child.opensLab('friendship')
       await child.typesWeight(leftEye, leftWheel, 0.4)
       await child.seesSaved()
-      const shelf = new Shelf(child)
-      await shelf.opens()
+      const list = new ProjectList(child)
+      await list.opens()
       const card = child.card('friendship')
-      await shelf.seesNames(card)
-      await expect(shelf.project(card).locator('svg image')).toHaveCount(1)
-      await shelf.renames(card, 'Mein bester Versuch')
-      await shelf.seesNames('Mein bester Versuch')
-      await shelf.opensProject('Mein bester Versuch')
+      await list.seesNames(card)
+      await expect(list.project(card).locator('svg image')).toHaveCount(1)
+      await list.renames(card, 'Mein bester Versuch')
+      await list.seesNames('Mein bester Versuch')
+      await list.opensProject('Mein bester Versuch')
       await expect(heading(child)).toHaveText('Mein bester Versuch')
       await child.seesWeight(leftEye, leftWheel, 0.4)
     })
@@ -63,27 +63,27 @@ for (const language of languagesOf(import.meta.filename)) {
       child,
       page,
     }) => {
-      const shelf = await keeps(child, 'Uno')
-      await shelf.chooses('Uno', 'rename')
+      const list = await keeps(child, 'Uno')
+      await list.chooses('Uno', 'rename')
       const field = page.getByRole('textbox', { name: child.word('projects.name') })
       await field.fill('   ')
       await expect(child.button('projects.take')).toHaveAttribute('aria-disabled', 'true')
       await field.fill('<img src=x onerror=alert(1)>')
       await child.presses('projects.take')
-      await shelf.seesNames('<img src=x onerror=alert(1)>')
+      await list.seesNames('<img src=x onerror=alert(1)>')
     })
 
     test('a copy goes its own way', async ({ child }) => {
       await child.opensLab('friendship')
       await child.typesWeight(leftEye, leftWheel, 0.4)
       await child.seesSaved()
-      const shelf = new Shelf(child)
-      await shelf.opens()
+      const list = new ProjectList(child)
+      await list.opens()
       const card = child.card('friendship')
       const copy = child.word('session.copy', { name: card })
-      await shelf.chooses(card, 'duplicate')
-      await shelf.seesNames(copy, card)
-      await shelf.opensProject(copy)
+      await list.chooses(card, 'duplicate')
+      await list.seesNames(copy, card)
+      await list.opensProject(copy)
       await child.typesWeight(leftEye, leftWheel, 0.9)
       await child.seesSaved()
       await child.opensLab('friendship')
@@ -91,46 +91,46 @@ for (const language of languagesOf(import.meta.filename)) {
     })
 
     test('the bin gives back at once and later, and forgets only when it is emptied', async ({ child }) => {
-      const shelf = await keeps(child, 'Uno', 'Due')
-      await shelf.chooses('Due', 'throw')
-      await shelf.hears('projects.thrown', { name: 'Due' })
-      await shelf.seesNames('Uno')
+      const list = await keeps(child, 'Uno', 'Due')
+      await list.chooses('Due', 'throw')
+      await list.hears('projects.thrown', { name: 'Due' })
+      await list.seesNames('Uno')
       await child.presses('projects.takeBack')
-      await shelf.seesNames('Due', 'Uno')
+      await list.seesNames('Due', 'Uno')
 
-      await shelf.chooses('Uno', 'throw')
-      await shelf.seesNames('Due')
-      await shelf.goesToBin()
-      await expect(shelf.inBin('Uno')).toContainText(child.word('projects.days', { days: 30 }))
+      await list.chooses('Uno', 'throw')
+      await list.seesNames('Due')
+      await list.goesToBin()
+      await expect(list.inBin('Uno')).toContainText(child.word('projects.days', { days: 30 }))
       await child.presses('projects.takeBack')
       await expect(child.words('projects.binEmpty')).toBeVisible()
 
-      await shelf.opens()
-      await shelf.seesNames('Due', 'Uno')
-      await shelf.chooses('Uno', 'throw')
-      await shelf.hears('projects.thrown', { name: 'Uno' })
-      await shelf.goesToBin()
+      await list.opens()
+      await list.seesNames('Due', 'Uno')
+      await list.chooses('Uno', 'throw')
+      await list.hears('projects.thrown', { name: 'Uno' })
+      await list.goesToBin()
       await child.presses('projects.emptyBin')
       await child.presses('projects.cancel')
-      await expect(shelf.inBin('Uno')).toBeVisible()
+      await expect(list.inBin('Uno')).toBeVisible()
       await child.presses('projects.emptyBin')
       await child.presses('projects.emptyYes')
       await expect(child.words('projects.binEmpty')).toBeVisible()
-      await shelf.opens()
-      await shelf.seesNames('Due')
+      await list.opens()
+      await list.seesNames('Due')
     })
 
     test('among many one searches, and puts them in order', async ({ child, page }) => {
       const names = ['Möwe 10', 'Möwe 9', 'C', 'D', 'E', 'F', 'G', 'H', 'I']
-      const shelf = await keeps(child, ...names)
-      await shelf.seesNames(...names.toReversed())
+      const list = await keeps(child, ...names)
+      await list.seesNames(...names.toReversed())
       await page.getByRole('searchbox').fill('möwe')
-      await shelf.seesNames('Möwe 9', 'Möwe 10')
+      await list.seesNames('Möwe 9', 'Möwe 10')
       await page.getByRole('searchbox').fill('nichts davon')
       await expect(child.words('projects.nothingFound')).toBeVisible()
       await page.getByRole('searchbox').fill('')
       await page.getByRole('combobox').selectOption('name')
-      await shelf.seesNames('C', 'D', 'E', 'F', 'G', 'H', 'I', 'Möwe 9', 'Möwe 10')
+      await list.seesNames('C', 'D', 'E', 'F', 'G', 'H', 'I', 'Möwe 9', 'Möwe 10')
     })
 
     test('a project that another tab throws away is not lost in this one', async ({ child, context }) => {
@@ -138,11 +138,11 @@ for (const language of languagesOf(import.meta.filename)) {
       await child.typesWeight(leftEye, leftWheel, 0.4)
       await child.seesSaved()
       const other = await otherTab(context, language)
-      const shelf = new Shelf(other)
-      await shelf.opens()
+      const list = new ProjectList(other)
+      await list.opens()
       const card = child.card('friendship')
-      await expect(shelf.project(card)).toContainText(child.word('projects.elsewhere'))
-      await shelf.chooses(card, 'throw')
+      await expect(list.project(card)).toContainText(child.word('projects.elsewhere'))
+      await list.chooses(card, 'throw')
       await expect(child.dialog('lab.goneTitle')).toContainText(child.word('lab.goneText'))
       await child.presses('lab.goneKeep')
       await child.seesSaved()
@@ -154,16 +154,16 @@ for (const language of languagesOf(import.meta.filename)) {
     })
 
     test('everything goes home as one file, and lies beside what is there', async ({ child, browser }) => {
-      const shelf = await keeps(child, 'Uno', 'Due')
+      const list = await keeps(child, 'Uno', 'Due')
       await child.opensLab('friendship')
       await child.typesWeight(leftEye, leftWheel, 0.4)
       await child.seesSaved()
-      await shelf.opens()
-      const file = await shelf.takesHome()
+      await list.opens()
+      const file = await list.takesHome()
 
       const context = await browser.newContext({ locale: language, baseURL: child.page.url() })
       const home = new Child(await context.newPage(), language)
-      const there = new Shelf(home)
+      const there = new ProjectList(home)
       await home.opensLab('friendship')
       await home.typesWeight(leftEye, leftWheel, 0.9)
       await home.seesSaved()
@@ -186,18 +186,18 @@ for (const language of languagesOf(import.meta.filename)) {
     })
 
     test('the bin and the settings go home too; what is set at home stays', async ({ child, browser }) => {
-      const shelf = await keeps(child, 'Uno', 'Due')
-      await shelf.chooses('Due', 'throw')
-      await shelf.hears('projects.thrown', { name: 'Due' })
+      const list = await keeps(child, 'Uno', 'Due')
+      await list.chooses('Due', 'throw')
+      await list.hears('projects.thrown', { name: 'Due' })
       await child.opensHome()
       await opensSettings(child, 'home')
       await option(child, 'letters').click()
-      await shelf.opens()
-      const file = await shelf.takesHome()
+      await list.opens()
+      const file = await list.takesHome()
 
       const context = await browser.newContext({ locale: language, baseURL: child.page.url() })
       const home = new Child(await context.newPage(), language)
-      const there = new Shelf(home)
+      const there = new ProjectList(home)
       await there.opens()
       await there.opensFile('home.botgarten.json', file)
       const dialog = home.dialog('projects.mergedTitle')
@@ -228,19 +228,19 @@ for (const language of languagesOf(import.meta.filename)) {
     test('a home file that is broken is refused with a reason; a broken project in it is left out', async ({
       child,
     }) => {
-      const shelf = await keeps(child, 'Uno')
-      const file = JSON.parse(await shelf.takesHome()) as { projects: unknown[] }
-      await shelf.opensFile('x.json', '{"botgartenHome":1}')
-      await shelf.isTold('problem.notAProject.title', 'problem.notAProject.text')
-      await shelf.opensFile('x.json', '{"botgartenHome":9,"projects":[]}')
-      await shelf.isTold('problem.newerVersion.title', 'problem.newerVersion.text', { version: 9 })
-      await shelf.opensFile('x.json', '{"botgartenHome":1,"projects":[')
-      await shelf.isToldOfAnEarlierClosing('problem.notJson.title')
-      await shelf.isTold('problem.notJson.title', 'problem.notJson.text')
+      const list = await keeps(child, 'Uno')
+      const file = JSON.parse(await list.takesHome()) as { projects: unknown[] }
+      await list.opensFile('x.json', '{"botgartenHome":1}')
+      await list.isTold('problem.notAProject.title', 'problem.notAProject.text')
+      await list.opensFile('x.json', '{"botgartenHome":9,"projects":[]}')
+      await list.isTold('problem.newerVersion.title', 'problem.newerVersion.text', { version: 9 })
+      await list.opensFile('x.json', '{"botgartenHome":1,"projects":[')
+      await list.isToldOfAnEarlierClosing('problem.notJson.title')
+      await list.isTold('problem.notJson.title', 'problem.notJson.text')
       file.projects.push({ id: 'x', changed: 1, project: { botgarten: 1 } })
-      await shelf.opensFile('x.json', JSON.stringify(file))
-      await shelf.isTold('projects.mergedTitle', 'projects.mergedBroken', { broken: 1 })
-      await shelf.seesNames('Uno')
+      await list.opensFile('x.json', JSON.stringify(file))
+      await list.isTold('projects.mergedTitle', 'projects.mergedBroken', { broken: 1 })
+      await list.seesNames('Uno')
     })
 
     test('says where a device forgets', async ({ child }) => {
@@ -249,7 +249,7 @@ for (const language of languagesOf(import.meta.filename)) {
       await expect(child.page.getByText(child.word('projects.forgets'))).toBeVisible()
     })
 
-    test('a browser that keeps nothing says so on the shelf', async ({ child, page }) => {
+    test('a browser that keeps nothing says so on the list', async ({ child, page }) => {
       await page.addInitScript(() => {
         Object.defineProperty(IDBFactory.prototype, 'open', {
           value: () => {
@@ -257,14 +257,14 @@ for (const language of languagesOf(import.meta.filename)) {
           },
         })
       })
-      const shelf = new Shelf(child)
-      await shelf.opens()
+      const list = new ProjectList(child)
+      await list.opens()
       await expect(page.getByText(child.word('projects.keptNowhereText'))).toBeVisible()
-      await shelf.opensFile(
+      await list.opensFile(
         'uno.json',
         freeProgram('Uno', (make) => [make.wait(1)]),
       )
-      await shelf.isTold('problem.notKept.title', 'problem.notKept.text')
+      await list.isTold('problem.notKept.title', 'problem.notKept.text')
     })
   })
 }

@@ -1,7 +1,7 @@
 // Rooms: scripts, service-worker
 import { buildStaticWhenNeeded, webSpace } from '../../scripts/prepare/build.mjs'
 import { Child, leftEye, leftWheel, rightEye, rightWheel } from '../child.ts'
-import { Shelf } from '../child-projects.ts'
+import { ProjectList } from '../child-projects.ts'
 import { expect, test as base } from '../house.ts'
 import { serveFolder, type WebSpace } from '../web-space.ts'
 import { languagesOf } from '../words.ts'
@@ -51,15 +51,15 @@ for (const language of languagesOf(import.meta.filename)) {
 
       await child.presses('lab.menu')
       await child.presses('parts.share')
-      const link = await new Shelf(child).link()
+      const link = await new ProjectList(child).link()
       expect(link).toContain('/schools/one/open')
       await child.presses('parts.close')
       await child.presses('lab.menu')
       await page.getByRole('link', { name: child.word('parts.myProjects') }).click()
-      const shelf = new Shelf(child)
-      await shelf.seesNames(child.card('friendship'))
+      const list = new ProjectList(child)
+      await list.seesNames(child.card('friendship'))
       await page.reload()
-      await shelf.seesNames(child.card('friendship'))
+      await list.seesNames(child.card('friendship'))
       await page.goto(link)
       await child.seesLab()
       await child.seesWeight(rightEye, rightWheel, 0.8)

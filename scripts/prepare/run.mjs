@@ -68,7 +68,7 @@ export async function npmAside(args, options = {}) {
 }
 
 /**
- * Runs `work` as the whole of a script: a trouble is one line on standard error and exit 1.
+ * Runs `work` as the whole of a script: an error is one line on standard error and exit 1.
  * @param {() => Promise<number>} work gives the exit code
  */
 export async function asScript(work) {

@@ -4,7 +4,7 @@ import { join } from 'node:path'
 import { findChromium, flags } from '@botgarten/chromium'
 import type { Browser } from 'playwright-core'
 import { FileError } from '../errors.ts'
-import { say } from '../words.ts'
+import { message } from '../words.ts'
 
 /** A folder for all that the browser and who starts it lay down: whenever this program ends, it goes. */
 function folderForOnce(): string {
@@ -28,7 +28,7 @@ const signals = ['SIGINT', 'SIGTERM'] as const
 /** The machine's browser, without a window. @throws FileError that says what to do where there is none */
 export async function openBrowser(): Promise<Browser> {
   const executablePath = findChromium()
-  if (executablePath === null) throw new FileError('file.noBrowser', { help: say('file.browserHelp') })
+  if (executablePath === null) throw new FileError('file.noBrowser', { help: message('file.browserHelp') })
   // Asked for late: no other verb needs it.
   const { chromium } = await import('playwright-core')
   try {
@@ -40,7 +40,7 @@ export async function openBrowser(): Promise<Browser> {
     const [said] = (error as Error).message.split('\n')
     throw new FileError('file.browserEnded', {
       ...{ path: executablePath, message: said ?? '' },
-      help: say('file.browserHelp'),
+      help: message('file.browserHelp'),
     })
   }
 }

@@ -8,7 +8,7 @@ import { openBrowser } from './browser.ts'
 import { startServer } from './server.ts'
 import type { FoundItem } from './items.ts'
 import { known, orderOf, type Order } from './order.ts'
-import { say, type Language } from '../words.ts'
+import { message, type Language } from '../words.ts'
 
 interface Written {
   readonly file: string
@@ -29,7 +29,7 @@ async function printAll(args: string[], asked?: Language): Promise<string> {
   const lines = written.map(({ file, bytes }) => `${file}  ${Math.ceil(bytes / 1000)} kB`)
   return [
     ...lines,
-    ...(order.paper === 'a4' && order.items.some(isCard) ? [say(`printed.turn-${order.turn}`)] : []),
+    ...(order.paper === 'a4' && order.items.some(isCard) ? [message(`printed.turn-${order.turn}`)] : []),
   ].join('\n')
 }
 
@@ -77,15 +77,15 @@ const nameOf = ({ item, folder }: FoundItem, language: string, paper: string) =>
 
 async function pdfOf(page: Page, { item }: FoundItem, { paper, turn, address }: Order): Promise<Buffer> {
   const options = new URLSearchParams({ paper, turn, address: address ?? '' })
-  const troubles: string[] = []
-  const hear = (error: Error) => troubles.push(error.message)
+  const errors: string[] = []
+  const hear = (error: Error) => errors.push(error.message)
   page.on('pageerror', hear)
   try {
     await page.goto(`/materials/${item.kind}/${item.id}?${options.toString()}`)
     await page.locator('html[data-print=ready]').waitFor({ state: 'attached', timeout })
     return await page.pdf({ preferCSSPageSize: true, printBackground: true, tagged: true, outline: true })
   } catch (error) {
-    const said = troubles[0] ?? (error as Error).message
+    const said = errors[0] ?? (error as Error).message
     throw new FileError('file.notPrinted', { id: item.id, message: said.split('\n')[0]! })
   } finally {
     page.off('pageerror', hear)

@@ -1,7 +1,7 @@
 import type { Shard } from '@botgarten/experiments/sweep'
 import { CallError } from '../errors.ts'
 import { write } from '../files.ts'
-import { say } from '../words.ts'
+import { message } from '../words.ts'
 
 /** Options of every sweep: how much of it, and where its table goes. */
 export const tableOptions = {
@@ -23,12 +23,12 @@ export function shardIn(text = '1/1'): Shard {
 /** Progress goes beside the result, and only to somebody who looks. */
 export function tell(count: number, of: number): void {
   if (process.stderr.isTTY)
-    process.stderr.write(`\r${say('learned.progress', { count, all: of })}${count === of ? '\n' : ''}`)
+    process.stderr.write(`\r${message('learned.progress', { count, all: of })}${count === of ? '\n' : ''}`)
 }
 
 /** Where the call names a file the table goes there and a sentence comes back. */
 export function handOut(table: string, csv: string | undefined, settings: number): string {
   if (csv === undefined) return table.trimEnd()
   write(csv, table)
-  return say('learned.written', { count: settings, path: csv })
+  return message('learned.written', { count: settings, path: csv })
 }

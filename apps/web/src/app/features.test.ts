@@ -16,7 +16,7 @@ const sourcesOf = (id: string) =>
     .map((file) => readFileSync(join(folder, id, file), 'utf8'))
 
 /** Keys of messages that stand in code, and files of messages that it asks for. */
-const keysIn = (code: string) => [...code.matchAll(/\b(?:m\[|say\()'([^']+)'/g)].map(([, key]) => key!)
+const keysIn = (code: string) => [...code.matchAll(/\b(?:m\[|message\()'([^']+)'/g)].map(([, key]) => key!)
 const askedIn = (code: string) =>
   [...code.matchAll(/(?:fetchWords|withWords)\(([^;]*?)\)\s*(?:[;.\]},]|then|$)/gm)].flatMap(([, list]) =>
     [...list!.matchAll(/'([\w-]+)'/g)].map(([, file]) => file!),

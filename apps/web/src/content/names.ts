@@ -1,6 +1,6 @@
 import type { Project } from '@botgarten/programs'
 import { language } from '#words/language.svelte.ts'
-import { m } from '#words/say.ts'
+import { m } from '#words/message.ts'
 import { allCards, placeOf } from './cards.ts'
 import { resolve } from '$app/paths'
 

@@ -1,4 +1,4 @@
-import { m } from '#words/say.ts'
+import { m } from '#words/message.ts'
 
 /** `shared`: the same program, weights of its own · `own`: a program of its own, with weights of its own. */
 export type NewRobot = 'shared' | 'own'

@@ -23,10 +23,10 @@ test('a card opens fresh where nothing is kept, and says whether anything can be
 })
 
 test('the floor whose picture does not come is white, and that is said', async () => {
-  expect(await openLab('friendship', null, packs)).toMatchObject({ trouble: 'floorMissing' })
+  expect(await openLab('friendship', null, packs)).toMatchObject({ error: 'floorMissing' })
   const coloured = { ...friendship, world: { ...friendship.world, floor: { colour: '#00FF00' } } }
   await save('friendship', coloured, 0)
-  expect(await openLab('friendship', null, packs)).toMatchObject({ trouble: null, floorAddress: null })
+  expect(await openLab('friendship', null, packs)).toMatchObject({ error: null, floorAddress: null })
 })
 
 test('what is kept is opened, under the card or under a key of its own', async () => {
@@ -49,13 +49,13 @@ test('what is damaged stays where it is; what of it can be opened is a project o
   const project = { ...record.project, name: 'n'.repeat(20_001) }
   await recordIn('projects', 'friendship', { ...record, project })
   const opened = await openLab('friendship', null, packs)
-  expect(opened).toMatchObject({ revision: 0, trouble: 'partlyHere' })
+  expect(opened).toMatchObject({ revision: 0, error: 'partlyHere' })
   expect(opened!.id).toMatch(/^friendship-\w+/)
   expect(opened!.project.name).toHaveLength(20_000)
   expect(opened!.damaged).toMatchObject({ raw: project })
   await recordIn('projects', 'friendship', { ...record, project: 'scribble' })
   expect(await openLab('friendship', null, packs)).toMatchObject({
-    ...{ trouble: 'brokenHere', project: { card: 'friendship' } },
+    ...{ error: 'brokenHere', project: { card: 'friendship' } },
     damaged: { name: 'friendship', raw: 'scribble' },
   })
   expect(((await recordIn('projects', 'friendship')) as { project: unknown }).project).toBe('scribble')

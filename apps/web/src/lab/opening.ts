@@ -19,7 +19,7 @@ export interface Opened {
   /** Does its program hold more than the plain shelf? */
   readonly expert: boolean
   /** Message keys of what went wrong on the way; the lab stands all the same. */
-  readonly trouble: 'brokenHere' | 'partlyHere' | 'floorMissing' | null
+  readonly error: 'brokenHere' | 'partlyHere' | 'floorMissing' | null
   /** What lies on the device and could not be read whole. */
   readonly damaged: { readonly name: string; readonly raw: unknown } | null
   /** Does this device keep anything at all? */
@@ -54,7 +54,7 @@ export async function openLab(name: string, projectId: string | null, packs: Pac
     floor: floor ?? paintFloor({ ...project.world, floor: { colour: '#FFFFFF' } }),
     floorAddress: pictureOf(project),
     expert,
-    trouble: kept.trouble ?? (floor ? null : 'floorMissing'),
+    error: kept.error ?? (floor ? null : 'floorMissing'),
     damaged: kept.damaged,
     keeps: kept.revision > 0 || (await keepsAnything()),
   }
@@ -66,10 +66,10 @@ export async function openLab(name: string, projectId: string | null, packs: Pac
  */
 async function readKept(id: string, place: string, fresh: Project) {
   const kept = await load(id)
-  if (!kept) return { id, revision: 0, project: null, trouble: null, damaged: null }
+  if (!kept) return { id, revision: 0, project: null, error: null, damaged: null }
   try {
     const project = parseProject(kept.project)
-    return { id, revision: kept.revision, project, trouble: null, damaged: null }
+    return { id, revision: kept.revision, project, error: null, damaged: null }
   } catch (cause) {
     console.warn('A kept project cannot be read.', cause)
     const project = salvageProject(kept.project, fresh)?.project ?? null
@@ -77,7 +77,7 @@ async function readKept(id: string, place: string, fresh: Project) {
     return {
       ...{ id: freshId(place), revision: 0 },
       project: project && { ...project, name },
-      trouble: project ? ('partlyHere' as const) : ('brokenHere' as const),
+      error: project ? ('partlyHere' as const) : ('brokenHere' as const),
       damaged: { name, raw: kept.project },
     }
   }

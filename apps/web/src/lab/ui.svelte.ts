@@ -47,12 +47,12 @@ export class LabUi {
 
   constructor(session: LabSession) {
     this.#session = session
-    const { trouble } = session.opened
-    if (trouble === 'floorMissing') this.notice = trouble
+    const { error } = session.opened
+    if (error === 'floorMissing') this.notice = error
     const { damaged } = session.opened
     if (damaged)
       this.message = {
-        ...{ title: `session.${trouble}`, text: `session.${trouble}Text`, facts: {} },
+        ...{ title: `session.${error}`, text: `session.${error}Text`, facts: {} },
         onsaveraw: () => saveRaw(damaged.name, damaged.raw),
       }
   }
@@ -188,7 +188,7 @@ export class LabUi {
     this.#shown = finding
   }
 
-  say(title: string, text: string, facts: Facts = {}): void {
+  announce(title: string, text: string, facts: Facts = {}): void {
     this.message = { title, text, facts }
   }
 }

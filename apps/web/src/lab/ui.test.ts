@@ -185,8 +185,8 @@ describe('a run', () => {
 
 describe('what is said', () => {
   test('at first: a floor that is missing, a project that could be read in parts', () => {
-    expect(opened(undefined, { trouble: 'floorMissing' }).ui.notice).toBe('floorMissing')
-    const { ui } = opened(undefined, { trouble: 'partlyHere', damaged: { name: 'a', raw: {} } })
+    expect(opened(undefined, { error: 'floorMissing' }).ui.notice).toBe('floorMissing')
+    const { ui } = opened(undefined, { error: 'partlyHere', damaged: { name: 'a', raw: {} } })
     expect(ui.notice).toBeNull()
     expect(ui.message).toMatchObject({
       title: 'session.partlyHere',
@@ -200,9 +200,9 @@ describe('what is said', () => {
 
   test('in a dialog: keys of words, with their facts', () => {
     const { ui } = opened()
-    ui.say('a.title', 'a.text', { count: 2 })
+    ui.announce('a.title', 'a.text', { count: 2 })
     expect(ui.message).toEqual({ title: 'a.title', text: 'a.text', facts: { count: 2 } })
-    ui.say('b', 'c')
+    ui.announce('b', 'c')
     expect(ui.message).toEqual({ title: 'b', text: 'c', facts: {} })
   })
 

@@ -1,5 +1,5 @@
 import type { WordsFile } from '#words/generated/files.ts'
-import { withWords } from '#words/say.ts'
+import { withWords } from '#words/message.ts'
 
 /**
  * What a feature says of itself in its door, `features/<id>/feature.ts`; other rooms know nothing else of it. What a page

@@ -1,4 +1,4 @@
-import { fetchWords } from '#words/say.ts'
+import { fetchWords } from '#words/message.ts'
 
 // The lab lives in the browser; pages are shells that start with the network cable pulled.
 export const ssr = false

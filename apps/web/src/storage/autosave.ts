@@ -1,6 +1,6 @@
 import type { Project, ProjectError } from '@botgarten/programs'
 import { whenChangedElsewhere, type News } from './channel.ts'
-import type { Trouble } from './database.ts'
+import type { StorageError } from './database.ts'
 import { save, type Saved } from './projects.ts'
 
 /** A pause in editing after which the project is saved, in milliseconds. */
@@ -15,7 +15,7 @@ export interface SaveStatus {
   /** `elsewhere`: another tab has saved this project · `gone`: another tab has thrown it away. */
   readonly state: 'saving' | 'saved' | 'failed' | 'elsewhere' | 'gone'
   /** Why nothing can be saved. `tooMuch`: it could not be opened again; `refusal` says what is too much. */
-  readonly storage: 'ok' | 'tooMuch' | Trouble
+  readonly storage: 'ok' | 'tooMuch' | StorageError
   readonly refusal: ProjectError | null
 }
 

@@ -1,5 +1,5 @@
 import { announce } from './channel.ts'
-import { tried, troubleIn, writing, type Thrown, type Trouble, type Writing } from './database.ts'
+import { tried, storageErrorIn, writing, type Thrown, type StorageError, type Writing } from './database.ts'
 import { freshId } from './projects.ts'
 import {
   deleteProject,
@@ -32,7 +32,7 @@ export interface ToBin extends Omit<Binned, 'id' | 'left'> {
 }
 
 /** `gone`: another tab has moved it already. */
-type Moved = { readonly kind: 'moved'; readonly id: string } | { readonly kind: 'gone' | Trouble }
+type Moved = { readonly kind: 'moved'; readonly id: string } | { readonly kind: 'gone' | StorageError }
 
 /** Puts a project into the bin, as whoever saved last has left it, damaged or not. Both happen, or neither. */
 export async function throwAway(id: string): Promise<Moved> {
@@ -98,8 +98,8 @@ async function dayThrown(transaction: Writing, record: Thrown, today: number): P
 }
 
 /** Puts projects into the bin that come from elsewhere. All of them, or none. */
-export async function addToBin(all: readonly ToBin[]): Promise<Trouble | null> {
-  return troubleIn(async (transaction) => {
+export async function addToBin(all: readonly ToBin[]): Promise<StorageError | null> {
+  return storageErrorIn(async (transaction) => {
     const revision = firstRevision()
     const today = await daysOfUse(transaction, Date.now())
     for (const { daysIn, ...one } of all)
@@ -108,8 +108,8 @@ export async function addToBin(all: readonly ToBin[]): Promise<Trouble | null> {
 }
 
 /** Forgets these for good: what the child has seen in the bin, and nothing that another tab has put there since. */
-export async function emptyBin(ids: readonly string[]): Promise<Trouble | null> {
-  return troubleIn(async (transaction) => {
+export async function emptyBin(ids: readonly string[]): Promise<StorageError | null> {
+  return storageErrorIn(async (transaction) => {
     await Promise.all(ids.map((id) => transaction.objectStore('bin').delete(id)))
   })
 }

@@ -68,7 +68,7 @@ const migrations: readonly ((db: Opened) => void)[] = [
 ]
 
 /** So long another tab may hold on to an older database before this one says so, in milliseconds. */
-const PATIENCE = 3000
+const TIMEOUT = 3000
 
 class BlockedError extends Error {
   override readonly name = 'BlockedError'
@@ -89,7 +89,7 @@ async function open(): Promise<Opened> {
   let giveUp: (error: Error) => void = () => {}
   const blocked = new Promise<never>((_, reject) => (giveUp = reject))
   const wait = () =>
-    void setTimeout(() => giveUp(new BlockedError('An older tab holds the database.')), PATIENCE)
+    void setTimeout(() => giveUp(new BlockedError('An older tab holds the database.')), TIMEOUT)
   const asked = openDB<Schema>('botgarten', migrations.length, {
     upgrade: (db, from) => migrations.slice(from).forEach((migrate) => migrate(db)),
     blocked: wait,
@@ -142,37 +142,39 @@ export async function keepsAnything(): Promise<boolean> {
  * `full`: no room left · `refused`: the device keeps nothing · `outdated`: a newer Botgarten has been here, this page is to
  * be loaded again · `blocked`: a tab with an older one does not let go.
  */
-export type Trouble = 'full' | 'refused' | 'outdated' | 'blocked'
+export type StorageError = 'full' | 'refused' | 'outdated' | 'blocked'
 
-const troubles: { readonly [name: string]: Trouble } = {
+const storageErrors: { readonly [name: string]: StorageError } = {
   QuotaExceededError: 'full',
   VersionError: 'outdated',
   BlockedError: 'blocked',
 }
 
 /** What kept a write from happening. */
-export function troubleOf(cause: unknown): Trouble {
+export function storageErrorOf(cause: unknown): StorageError {
   console.warn('This could not be kept on the device.', cause)
-  return (cause instanceof Error && troubles[cause.name]) || 'refused'
+  return (cause instanceof Error && storageErrors[cause.name]) || 'refused'
 }
 
 /** Writes, or says why that could not be. */
 export async function tried<Result>(
   act: (transaction: Writing) => Promise<Result>,
-): Promise<Result | { readonly kind: Trouble }> {
+): Promise<Result | { readonly kind: StorageError }> {
   try {
     return await writing(act)
   } catch (cause) {
-    return { kind: troubleOf(cause) }
+    return { kind: storageErrorOf(cause) }
   }
 }
 
 /** Writes what is only asked whether it went well. */
-export async function troubleIn(act: (transaction: Writing) => Promise<void>): Promise<Trouble | null> {
+export async function storageErrorIn(
+  act: (transaction: Writing) => Promise<void>,
+): Promise<StorageError | null> {
   try {
     await writing(act)
     return null
   } catch (cause) {
-    return troubleOf(cause)
+    return storageErrorOf(cause)
   }
 }

@@ -2,9 +2,9 @@ import type { Facts } from '@botgarten/blocks'
 import { parseProject, ProjectError, salvageProject, type Project } from '@botgarten/programs/project'
 import { loadFreeLab, placeOf } from '#content/cards.ts'
 import { shownName } from '#content/names.ts'
-import { m } from '#words/say.ts'
+import { m } from '#words/message.ts'
 import { nameOfCopy } from './messages.ts'
-import { troubleOf } from './database.ts'
+import { storageErrorOf } from './database.ts'
 import { isOpenRoberta, handOut } from './handout.ts'
 import { addToBin, listBin } from './bin.ts'
 import { isHome, mostHomeBytes, packHome, readHome, mergeBin, mergeHome } from './home-file.ts'
@@ -101,8 +101,8 @@ async function takeHomeFile(data: unknown): Promise<OpenedFile> {
     place: placeOf,
   })
   const thrown = mergeBin((await listBin()).thrown, bin, Date.now())
-  const trouble = (await add(added)) ?? (await addToBin(thrown))
-  if (trouble) return { problem: 'notKept', facts: {} }
+  const error = (await add(added)) ?? (await addToBin(thrown))
+  if (error) return { problem: 'notKept', facts: {} }
   const come = takeSettings(settings)
   if (!come) return { problem: 'notKept', facts: {} }
   return { merged: { added: added.length, copies, same, binned: thrown.length, broken, settings: come } }
@@ -120,7 +120,7 @@ function takeSettings(settings: HomeSettings): Merged['settings'] | null {
       sorted: kept.length < merged.kept.length,
     }
   } catch (cause) {
-    troubleOf(cause)
+    storageErrorOf(cause)
     return null
   }
 }

@@ -1,4 +1,4 @@
-import { m, say } from '#words/say.ts'
+import { m, message } from '#words/message.ts'
 import type { Facts } from '@botgarten/blocks'
 
 /** The name without what says that it is a copy, in the language of now. */
@@ -23,6 +23,6 @@ export function nameOfCopy(name: string, taken: readonly string[]): string {
 
 /** A refusal in a child's words. */
 export const wordsOfRefusal = (problem: string, facts: Facts = {}) => ({
-  title: say(`problem.${problem}.title`, facts),
-  text: say(`problem.${problem}.text`, facts),
+  title: message(`problem.${problem}.title`, facts),
+  text: message(`problem.${problem}.text`, facts),
 })

@@ -1,6 +1,6 @@
 import { refusalOf, type Project, type ProjectError } from '@botgarten/programs/project'
 import { announce } from './channel.ts'
-import { database, reading, tried, troubleIn, type Kept, type Trouble } from './database.ts'
+import { database, reading, tried, storageErrorIn, type Kept, type StorageError } from './database.ts'
 import {
   firstRevision,
   getProject,
@@ -18,7 +18,7 @@ import {
  */
 export type Saved =
   | { readonly kind: 'saved'; readonly revision: number }
-  | { readonly kind: 'newer' | 'gone' | Trouble }
+  | { readonly kind: 'newer' | 'gone' | StorageError }
   | { readonly kind: 'tooMuch'; readonly refusal: ProjectError }
 
 /** Projects in a list, without their pictures. */
@@ -53,7 +53,7 @@ export async function open(id: string): Promise<Kept | null> {
 
 /** Gives pictures and revision of an older record records of their own. Where that fails it stays as it is. */
 async function split(id: string): Promise<void> {
-  await troubleIn(async (transaction) => {
+  await storageErrorIn(async (transaction) => {
     const found = await getProject(transaction, id)
     if (found) await putProject(transaction, found)
   })
@@ -128,8 +128,8 @@ export async function rename(id: string, name: string): Promise<Saved> {
 }
 
 /** Keeps projects under keys that are free. All of them, or none. */
-export async function add(projects: readonly Listed[]): Promise<Trouble | null> {
-  return troubleIn(async (transaction) => {
+export async function add(projects: readonly Listed[]): Promise<StorageError | null> {
+  return storageErrorIn(async (transaction) => {
     const revision = firstRevision()
     for (const one of projects) {
       if ((await savedRevision(transaction, one.id)) !== null) throw new Error(`${one.id} is taken.`)

@@ -2,7 +2,7 @@
 import { files } from 'content:words'
 import type { WordsFile } from './generated/files.ts'
 import { language } from './language.svelte.ts'
-import { fetchWords } from './say.ts'
+import { fetchWords } from './message.ts'
 
 const all = Object.keys(files.en).filter((file) => file !== 'blockly') as WordsFile[]
 await fetchWords(...all)

@@ -23,10 +23,10 @@ async function pageWith(folder: string) {
   onTestFinished(() => server.close())
   const load = async <Module>(file: string) => (await server.ssrLoadModule(file)) as Module
   const { language } = await load<typeof import('./language.svelte.ts')>('/src/words/language.svelte.ts')
-  const { fetchWords, say } = await load<typeof import('./say.ts')>('/src/words/say.ts')
+  const { fetchWords, message } = await load<typeof import('./message.ts')>('/src/words/message.ts')
   const { render } = await load<typeof import('svelte/server')>('svelte/server')
   const offers = await load<{ default: Component }>('/src/parts/LanguageSwitch.svelte')
-  return { language, fetchWords, say, html: () => render(offers.default).body }
+  return { language, fetchWords, message, html: () => render(offers.default).body }
 }
 
 test('a folder of messages is a language: offered, spoken, and filled where it has no words', async () => {
@@ -37,15 +37,15 @@ test('a folder of messages is a language: offered, spoken, and filled where it h
   writeFileSync(join(folder, 'xx', 'app.json'), JSON.stringify({ world: { lost: 'Bo xix xax.' } }))
   const told = vi.spyOn(console, 'error')
 
-  const { language, fetchWords, say, html } = await pageWith(folder)
+  const { language, fetchWords, message, html } = await pageWith(folder)
   expect(language.all).toEqual(['de', 'en', 'xx'])
   await fetchWords('app', 'projects')
   expect(html()).toMatch(/<button[^>]* lang="xx"[^>]*>XX<\/button>/)
 
   await language.speak('xx' as 'en')
   expect(language.locale).toBe('xx')
-  expect(say('world.lost')).toBe('Bo xix xax.')
-  expect(say('home.title')).toBe('Teach a robot.')
-  expect([1, 2].map((days) => say('projects.days', { days }))).toEqual(['Last day', '2 days left'])
+  expect(message('world.lost')).toBe('Bo xix xax.')
+  expect(message('home.title')).toBe('Teach a robot.')
+  expect([1, 2].map((days) => message('projects.days', { days }))).toEqual(['Last day', '2 days left'])
   expect(told).not.toHaveBeenCalled()
 })

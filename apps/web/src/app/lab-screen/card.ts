@@ -2,7 +2,7 @@ import { titleOf } from '#content/names.ts'
 import { resolve } from '$app/paths'
 import type { LoadedCard } from '#content/cards.ts'
 import { textOf } from '#figures/card/face.ts'
-import { m } from '#words/say.ts'
+import { m } from '#words/message.ts'
 
 export interface Goal {
   readonly id: string

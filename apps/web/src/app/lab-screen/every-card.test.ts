@@ -15,7 +15,7 @@ const solutionOf = (id: string) => content.program(id, 'solution')!
 const screen = { next: (_: number) => {}, now: 0 }
 const FRAME = 100
 /** More simulated seconds than any card needs. */
-const PATIENCE = 240
+const TIMEOUT = 240
 
 beforeAll(() => {
   vi.useFakeTimers({ toFake: ['setTimeout', 'clearTimeout'] })
@@ -45,7 +45,7 @@ async function opened(card: LoadedCard, program: CardProgram): Promise<LabSessio
   const expert = await packs.loadFor(project)
   const session = new LabSession({
     ...{ id: card.card.id, revision: 0, project, card, floor: content.floorOf(project.world), expert },
-    ...{ floorAddress: null, trouble: null, damaged: null, keeps: true },
+    ...{ floorAddress: null, error: null, damaged: null, keeps: true },
   })
   session.learnFirst = () => false
   session.lab.speed = 16
@@ -58,7 +58,7 @@ function runs({ lab }: LabSession, start: () => unknown): boolean {
   const stopFrames = lab.run()
   start()
   screen.now = performance.now()
-  while (lab.view.phase === 'running' && lab.view.seconds < PATIENCE && !lab.facts.succeeded)
+  while (lab.view.phase === 'running' && lab.view.seconds < TIMEOUT && !lab.facts.succeeded)
     screen.next((screen.now += FRAME))
   stopFrames()
   return lab.facts.succeeded

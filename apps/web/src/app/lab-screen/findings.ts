@@ -1,4 +1,4 @@
-import { say } from '#words/say.ts'
+import { message } from '#words/message.ts'
 import type { Finding } from '@botgarten/blocks'
 import type { Difference } from '@botgarten/programs/open-roberta'
 
@@ -13,12 +13,12 @@ type Fix = NonNullable<Finding['fixes']>[number]
 
 /** A finding in a child's words, with its ways out. */
 export const wordsOf = (finding: Finding, apply: (fix: Fix) => void, putIn: () => void): FindingWords => ({
-  title: say(`${finding.problem}.title`, finding.facts),
-  text: say(`${finding.problem}.text`, finding.facts),
+  title: message(`${finding.problem}.title`, finding.facts),
+  text: message(`${finding.problem}.text`, finding.facts),
   fixes: [
-    ...(finding.putIn ? [{ label: say(finding.putIn), fix: putIn }] : []),
+    ...(finding.putIn ? [{ label: message(finding.putIn), fix: putIn }] : []),
     ...(finding.fixes ?? []).map((fix) => ({
-      label: say(fix.words, fix.facts),
+      label: message(fix.words, fix.facts),
       fix: () => apply(fix),
     })),
   ],
@@ -29,10 +29,10 @@ export const wordsOfDifferences = (
   differences: readonly Difference[],
   show: (block: string) => void,
 ): FindingWords => ({
-  title: say('openRoberta.ends.title'),
-  text: differences.map(({ kind }) => say(`openRoberta.ends.${kind}`)).join(' '),
+  title: message('openRoberta.ends.title'),
+  text: differences.map(({ kind }) => message(`openRoberta.ends.${kind}`)).join(' '),
   fixes: differences.map(({ kind, block }) => ({
-    label: say(`openRoberta.ends.show.${kind}`),
+    label: message(`openRoberta.ends.show.${kind}`),
     fix: () => show(block),
   })),
 })

@@ -10,7 +10,7 @@ import type { LabSession } from '#lab/session.svelte.ts'
 import { freshId } from '#storage/projects.ts'
 import { nameOfCopy } from '#storage/messages.ts'
 import { loadPart } from '#parts/feature.ts'
-import { fetchWords } from '#words/say.ts'
+import { fetchWords } from '#words/message.ts'
 
 const addressOf = (card: string, id: string) => resolve(`/lab/[card]?p=${encodeURIComponent(id)}`, { card })
 const show = (card: string, id: string, state: App.PageState = {}) =>
@@ -23,7 +23,7 @@ export async function openFile(file: File, ui: LabUi): Promise<void> {
   if ('problem' in outcome) {
     await fetchWords('files')
     const { problem, facts } = outcome
-    ui.say(`problem.${problem}.title`, `problem.${problem}.text`, facts)
+    ui.announce(`problem.${problem}.title`, `problem.${problem}.text`, facts)
   } else if ('merged' in outcome) await goto(resolve('/projects'), { state: { merged: outcome.merged } })
   else await show(placeOf(outcome.project), outcome.id, { lost: outcome.lost ?? false, fromFile: true })
 }
@@ -56,7 +56,7 @@ export async function loadNewer(session: LabSession, ui: LabUi, title: string): 
   const place = placeOf(session.project)
   const safe = await session.autosave.putAside(freshId(place), nameOfCopy(title, []))
   if (safe) await show(place, session.autosave.id)
-  else ui.say('problem.notKept.title', 'problem.notKept.text')
+  else ui.announce('problem.notKept.title', 'problem.notKept.text')
 }
 
 /** Ways into the sorting playground, for a project that sorts or a robot that has collected something. */

@@ -16,7 +16,7 @@ import { TimeMachine } from '#lab/time.svelte.ts'
 import { LabUi } from '#lab/ui.svelte.ts'
 import { loadPart } from '#parts/feature.ts'
 import { saveProjectFile } from '#storage/handout.ts'
-import { m } from '#words/say.ts'
+import { m } from '#words/message.ts'
 import { againFrom, nextStep, taskOf } from './card.ts'
 import * as navigation from './navigation.ts'
 import { saidAtOnce, stoppingBlocks, wordsOf, wordsOfDifferences } from './findings.ts'
@@ -167,7 +167,7 @@ export class LabScreenState {
     else this.differences = []
   }
 
-  /** What is said at the foot of the world: `help` leads to the program, `info` can be put away. */
+  /** What is said at the footer of the world: `help` leads to the program, `info` can be put away. */
   readonly notice = $derived.by(() => {
     const { notice } = this.ui
     if (this.finding?.stops)

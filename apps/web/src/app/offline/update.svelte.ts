@@ -1,15 +1,15 @@
 import { LAB_LOCK } from './lock.ts'
 
 /** A lab that was just closed may hold its lock for a moment longer: how long to wait for that, in ms. */
-const PATIENCE = 2000
+const TIMEOUT = 2000
 
 /** Does something while no lab is open, in no tab. @returns whether it was done */
-async function whileNoLab(deed: () => Promise<void>): Promise<boolean> {
+async function whileNoLab(action: () => Promise<void>): Promise<boolean> {
   let begun = false
   await navigator.locks
-    .request(LAB_LOCK, { signal: AbortSignal.timeout(PATIENCE) }, () => {
+    .request(LAB_LOCK, { signal: AbortSignal.timeout(TIMEOUT) }, () => {
       begun = true
-      return deed()
+      return action()
     })
     .catch((cause: unknown) => {
       if (begun) throw cause

@@ -1,7 +1,7 @@
 import { untrack } from 'svelte'
 import { calm } from '#drawing/calm.ts'
 import type { LabSession } from '#lab/session.svelte.ts'
-import { m } from '#words/say.ts'
+import { m } from '#words/message.ts'
 import { language } from '#words/language.svelte.ts'
 import type { Variable } from '@botgarten/lab'
 import { noValues, valuesAtBlocks, type ValueWords } from './values.ts'

@@ -2,7 +2,7 @@ import { titleOf } from '#content/names.ts'
 import materials from 'content:items'
 import { resolve } from '$app/paths'
 import { allCards } from '#content/cards.ts'
-import { m, say } from '#words/say.ts'
+import { m, message } from '#words/message.ts'
 import { itemNamed, textOf, allItems } from './library.ts'
 import type { Item } from '@botgarten/content/items'
 
@@ -32,7 +32,7 @@ export function numberedName(target: string, words = ''): string {
   const name = nameOfTarget(target)
   if (item && new RegExp(`\\b${item.number}$`).test(words)) return name
   const number = item
-    ? m['materials.kindAndNumber']({ kind: say(`materials.kind.${item.kind}`), number: item.number })
+    ? m['materials.kindAndNumber']({ kind: message(`materials.kind.${item.kind}`), number: item.number })
     : allCards.find((card) => card.id === id)?.code
   return number === undefined ? name : m['materials.numberedName']({ number, name })
 }

@@ -1,4 +1,4 @@
-import { fetchWords } from '#words/say.ts'
+import { fetchWords } from '#words/message.ts'
 import { titleOf } from '#content/names.ts'
 import materials from 'content:items'
 import { allCards } from '#content/cards.ts'

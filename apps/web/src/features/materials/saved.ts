@@ -3,7 +3,7 @@ import { load, open, save } from '#storage/projects.ts'
 import { cardProject } from '@botgarten/content/document'
 import type { Progress } from '@botgarten/programs'
 import { titleOf } from '#content/names.ts'
-import { say } from '#words/say.ts'
+import { message } from '#words/message.ts'
 import { programOf } from './programs.ts'
 import { readSetting, writeSetting } from '#storage/settings.ts'
 
@@ -43,7 +43,7 @@ export async function layOut(card: string, file: string): Promise<LaidOut> {
   const kept = await load(id)
   if (!kept && file === 'start') return { id, asStart: false }
   const { card: loaded, program } = await programOf(card, file)
-  const name = `${titleOf(card)} · ${say('materials.onSlides')}`
+  const name = `${titleOf(card)} · ${message('materials.onSlides')}`
   const project = cardProject(loaded.world, loaded.card, program, name)
   const { kind } = await save(id, project, kept?.revision ?? 0)
   // Another window that shows the same slide has laid out the same.

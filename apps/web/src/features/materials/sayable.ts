@@ -1,6 +1,6 @@
 import { type Markdown, spoken } from '#parts/markdown.ts'
 import type { Embed, ItemMarkdown, ItemNode } from '@botgarten/content/items'
-import { m } from '#words/say.ts'
+import { m } from '#words/message.ts'
 import { flows } from './drawn/flow/flows.ts'
 import { flowWords } from './drawn/flow/flow.ts'
 import { allQuestions, questionText } from './library.ts'

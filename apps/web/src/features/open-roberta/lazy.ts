@@ -1,7 +1,7 @@
 // What writes Open Roberta's files: only one who asks for such a file waits for it.
 import { strToU8, zipSync } from 'fflate'
 import { handOut } from '#storage/handout.ts'
-import { m } from '#words/say.ts'
+import { m } from '#words/message.ts'
 import type { Project } from '@botgarten/programs'
 import { filesOf, outgoingOf, type Outgoing, save } from './outgoing.ts'
 

@@ -1,12 +1,12 @@
 import type { Feature } from '#parts/feature.ts'
 
-export type { Deed } from './projects.ts'
+export type { Action } from './projects.ts'
 export { default as BinnedProject } from './BinnedProject.svelte'
 export { default as KeptNotice } from './KeptNotice.svelte'
 export { default as Outcome } from './Outcome.svelte'
 export { default as ProjectGrid } from './ProjectGrid.svelte'
 export { default as RenameDialog } from './RenameDialog.svelte'
-export { Shelf } from './shelf.svelte.ts'
+export { ProjectList } from './project-list.svelte.ts'
 
 /** The projects of this device. */
 export const projects = {

@@ -49,4 +49,4 @@ export function floorOf({ world, assets }: Pick<Project, 'world' | 'assets'>): s
 }
 
 /** What the menu of a project offers. */
-export type Deed = 'rename' | 'duplicate' | 'share' | 'saveFile' | 'saveOpenRoberta' | 'throw'
+export type Action = 'rename' | 'duplicate' | 'share' | 'saveFile' | 'saveOpenRoberta' | 'throw'

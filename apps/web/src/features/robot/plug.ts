@@ -34,11 +34,11 @@ export async function addNeuron(
 }
 
 /** A page that is busy hears of a new block some frames later, and not always of all of it at once. */
-const patience = 20
+const timeout = 20
 
 /** The sensor that has to be plugged in where a new neuron looks for one; undefined where one is there. */
 async function missing(session: LabSession, block: string): Promise<Plug | undefined> {
-  for (let tries = 0; tries < patience; tries++) {
+  for (let tries = 0; tries < timeout; tries++) {
     await told()
     const finding = session.findings.find((found) => found.block === block)
     const plug = finding?.fixes?.find((fix) => fix.plug?.port === finding.facts?.port)?.plug

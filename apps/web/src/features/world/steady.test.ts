@@ -14,7 +14,7 @@ const world = { obstacles: [thing('a'), thing('b')] } as unknown as World
 const view = (...xs: number[]) =>
   ({ obstacles: xs.map((x, i) => ({ id: 'ab'[i], pose: { x, y: 0, heading: 0 } })) }) as unknown as View
 
-test('what stands still is the same object from frame to frame, so that nothing is drawn anew', () => {
+test('what stands still is the same object from frame to frame, so that nothing is drawn again', () => {
   const first = standing(view(1, 2), world, [])
   expect(standing(view(1, 2), world, first)).toBe(first)
   const second = standing(view(1, 3), world, first)

@@ -10,7 +10,7 @@ export interface Standing {
 
 const same = (a: Pose, b: Pose) => a.x === b.x && a.y === b.y && a.heading === b.heading
 
-/** The view's obstacles with their looks. What has not moved is the same object as in `before`: nothing is drawn anew for it. */
+/** The view's obstacles with their looks. What has not moved is the same object as in `before`: nothing is drawn again for it. */
 export function standing(view: View, world: World, before: readonly Standing[]): readonly Standing[] {
   const kept = new Map(before.map((one) => [one.id, one]))
   const things = new Map(world.obstacles.map((thing) => [thing.id, thing]))

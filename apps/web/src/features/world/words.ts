@@ -1,5 +1,5 @@
 import type { Obstacle } from '@botgarten/simulation'
-import { m } from '#words/say.ts'
+import { m } from '#words/message.ts'
 
 const names: { readonly [look: string]: () => string } = {
   block: m['world.thing.block'],

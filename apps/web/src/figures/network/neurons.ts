@@ -1,7 +1,7 @@
 import type { Track } from '#drawing/track.ts'
 import type { NeuronOutline } from '@botgarten/programs'
 import type { RobotConfig } from '@botgarten/simulation'
-import { say } from '#words/say.ts'
+import { message } from '#words/message.ts'
 import { colourOf, labelOf, placeOf } from './words.ts'
 
 /** A neuron as it is drawn. */
@@ -20,12 +20,12 @@ export interface Neuron {
 export function drawn(neuron: NeuronOutline, config: RobotConfig, problems: ReadonlySet<string>): Neuron {
   const label = labelOf(neuron)
   const key = placeOf(neuron, config)
-  const place = key === null ? null : say(key)
+  const place = key === null ? null : message(key)
   return {
     id: neuron.id,
     label,
     place,
-    name: place === null ? label : say('network.name', { label, place }),
+    name: place === null ? label : message('network.name', { label, place }),
     colour: colourOf(neuron),
     missing: problems.has(neuron.id),
   }

@@ -1,7 +1,7 @@
 import { definitions, isBlockType, nearestOption, optionFor, type FieldLook } from '@botgarten/blocks'
 import type { NeuronOutline } from '@botgarten/programs'
 import type { RobotConfig, SensorPlace, SensorPort } from '@botgarten/simulation'
-import { say } from '#words/say.ts'
+import { message } from '#words/message.ts'
 
 /** The fields of a neuron as a child reads them: `ULTRASONIC_PORT_2` is "2", `#00642E` is "green". */
 function shownFields({ type, fields }: NeuronOutline): { readonly [name: string]: string } {
@@ -16,13 +16,13 @@ function shownFields({ type, fields }: NeuronOutline): { readonly [name: string]
 
 function shownChoice({ options }: Extract<FieldLook, { kind: 'choice' }>, value: string): string {
   const option = optionFor(options, value)
-  if (option) return option.words ? say(option.words) : option.value
+  if (option) return option.words ? message(option.words) : option.value
   const near = nearestOption(options, value)
-  return near?.words ? say('choice.almost', { name: say(near.words) }) : value
+  return near?.words ? message('choice.almost', { name: message(near.words) }) : value
 }
 
 /** What stands beside a node: "distance, port 2". */
-export const labelOf = (neuron: NeuronOutline): string => say(neuron.look.label, shownFields(neuron))
+export const labelOf = (neuron: NeuronOutline): string => message(neuron.look.label, shownFields(neuron))
 
 /** Where the sensor or wheel of a neuron is: a message key, or null where there is no place to name. */
 export function placeOf({ look, fields }: NeuronOutline, config: RobotConfig): string | null {

@@ -21,7 +21,7 @@ export function sessionOf(
     ...{ id: 'friendship', revision: 0, project, keeps: true, expert: false },
     card: isCard ? ({ card } as LoadedCard) : null,
     floor: paintFloor({ ...project.world, floor: { colour: '#FFFFFF' } }),
-    ...{ floorAddress: null, trouble: null, damaged: null },
+    ...{ floorAddress: null, error: null, damaged: null },
     ...more,
   })
   open.push(session)

@@ -1,5 +1,5 @@
 /** Browsers tell of their voices a moment after they are asked. */
-const patience = 1500
+const timeout = 1500
 
 function voicesOf(speech: SpeechSynthesis): Promise<readonly SpeechSynthesisVoice[]> {
   const voices = speech.getVoices()
@@ -7,7 +7,7 @@ function voicesOf(speech: SpeechSynthesis): Promise<readonly SpeechSynthesisVoic
   return new Promise((resolve) => {
     const answer = () => resolve(speech.getVoices())
     speech.addEventListener('voiceschanged', answer, { once: true })
-    setTimeout(answer, patience)
+    setTimeout(answer, timeout)
   })
 }
 

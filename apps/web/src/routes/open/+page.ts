@@ -1,4 +1,4 @@
 import { share } from '#features/share/feature.ts'
-import { fetchWords } from '#words/say.ts'
+import { fetchWords } from '#words/message.ts'
 
 export const load = () => fetchWords('files', ...share.words)

@@ -1,5 +1,5 @@
 import { sorting } from '#features/sorting/feature.ts'
-import { fetchWords } from '#words/say.ts'
+import { fetchWords } from '#words/message.ts'
 import type { PageLoad } from './$types'
 
 /** Without a project the page is this device's; `?p=` opens the sorting of a project. */

@@ -10,7 +10,7 @@ export interface Copy {
 export function watchCopies(
   workspace: Blockly.Workspace,
 ): (event: Blockly.Events.Abstract) => readonly Copy[] {
-  // A block from the shelf is a copy too, of one that never stood on the workspace.
+  // A block from the toolbox is a copy too, of one that never stood on the workspace.
   const gone = new Set<string>()
   const wasHere = (id: string) => gone.has(id) || workspace.getBlockById(id) !== null
 

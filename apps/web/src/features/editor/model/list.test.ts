@@ -77,9 +77,9 @@ describe('the minus of a row', () => {
 })
 
 describe('undo and redo', () => {
-  type Deed = { list: 'inputs' | 'outputs' } & ({ kind: 'add' } | { kind: 'remove' | 'turn'; at: number })
+  type Edit = { list: 'inputs' | 'outputs' } & ({ kind: 'add' } | { kind: 'remove' | 'turn'; at: number })
   const at = fc.nat(5)
-  const deed: fc.Arbitrary<Deed> = fc
+  const edit: fc.Arbitrary<Edit> = fc
     .tuple(
       fc.constantFrom('inputs' as const, 'outputs' as const),
       fc.oneof(
@@ -89,24 +89,24 @@ describe('undo and redo', () => {
     )
     .map(([list, rest]) => ({ list, ...rest }))
 
-  function carryOut(deed: Deed) {
-    const list = bench.block(deed.list)
-    if (deed.kind === 'add') return void addLine(list)
+  function execute(edit: Edit) {
+    const list = bench.block(edit.list)
+    if (edit.kind === 'add') return void addLine(list)
     const lines = linesOf(list)
-    const line = lines[deed.at % lines.length]!
-    if (deed.kind === 'remove') return removeLine(list, line)
+    const line = lines[edit.at % lines.length]!
+    if (edit.kind === 'remove') return removeLine(list, line)
     const neuron = list.getInputTargetBlock(line)
-    const name = deed.list === 'inputs' ? 'INPUTNODE' : 'OUTPUTNODE'
-    neuron?.setFieldValue(deed.list === 'inputs' ? 'ULTRASONIC_PORT_1' : 'MOTORPORT_A', name)
+    const name = edit.list === 'inputs' ? 'INPUTNODE' : 'OUTPUTNODE'
+    neuron?.setFieldValue(edit.list === 'inputs' ? 'ULTRASONIC_PORT_1' : 'MOTORPORT_A', name)
   }
 
   it('go back and forth through any work on the lists, ids and all', () => {
     fc.assert(
-      fc.property(fc.array(deed, { maxLength: 8 }), (deeds) => {
+      fc.property(fc.array(edit, { maxLength: 8 }), (edits) => {
         friendship()
         const states = [bench.program()]
-        for (const deed of deeds) {
-          carryOut(deed)
+        for (const edit of edits) {
+          execute(edit)
           bench.settle()
           if (JSON.stringify(bench.program()) !== JSON.stringify(states.at(-1))) states.push(bench.program())
         }

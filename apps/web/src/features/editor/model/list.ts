@@ -4,7 +4,7 @@ import { faceOf, type BotBlock } from './bot-block.ts'
 import { ButtonField } from '../view/button-field.ts'
 import { freshNeuron } from './fresh.ts'
 import { stateOfTemplate } from './state.ts'
-import type { Words } from '#words/say.ts'
+import type { Words } from '#words/message.ts'
 
 /** The socket at the foot of a list: what is dropped there gets a line of its own. */
 export const foot = 'FOOT'

@@ -12,9 +12,9 @@ import {
 import type { Brain } from '@botgarten/learning/neural-network'
 import { holesOf, statementNames, type Project } from '@botgarten/programs'
 import { learning, learningToolbox } from '@botgarten/blocks/packs/learning'
-import { fetchWords, withWords } from '#words/say.ts'
+import { fetchWords, withWords } from '#words/message.ts'
 
-type Expert = Pick<typeof import('../view/expert/expert.ts'), 'expertShelf' | 'everything'>
+type Expert = Pick<typeof import('../view/expert/expert.ts'), 'toolboxOf' | 'everything'>
 
 /** Words of the blocks for deeper networks, for maps and groups. */
 const ofPacks = ['blocks-network', 'blocks-q-learning', 'blocks-sorting'] as const
@@ -31,12 +31,12 @@ export const expertParts = (): Expert | null => expert
 
 /** Brings the whole language with its words; programs may hold all of it from then on. */
 export async function loadExpert(): Promise<Expert> {
-  const { learn, expertShelf, everything } = await withWords(import('../view/expert/expert.ts'), [
+  const { learn, toolboxOf, everything } = await withWords(import('../view/expert/expert.ts'), [
     'expert',
     ...ofPacks,
   ])
   if (!expert) learn()
-  return (expert = { expertShelf, everything })
+  return (expert = { toolboxOf, everything })
 }
 
 /** Brings the blocks for deeper networks, for maps and groups. */

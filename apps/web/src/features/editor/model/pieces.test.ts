@@ -1,7 +1,7 @@
 import { definitions } from '@botgarten/blocks'
 import { describe, expect, it } from 'vitest'
 import { piecesOf } from './pieces.ts'
-import { wordsIn } from '#words/say.ts'
+import { wordsIn } from '#words/message.ts'
 
 describe('the rows of a block', () => {
   it('are cut at their placeholders, in the order of the language', () => {

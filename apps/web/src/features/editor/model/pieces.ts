@@ -1,4 +1,4 @@
-import type { Words } from '#words/say.ts'
+import type { Words } from '#words/message.ts'
 
 /** A row of a block in reading order: words, and places where a field, an input or an icon stands. */
 export type Piece = { readonly text: string } | { readonly name: string }

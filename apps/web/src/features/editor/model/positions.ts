@@ -36,8 +36,8 @@ export function positionOf(block: Blockly.Block): Point {
 export const isStart = ({ type }: Blockly.Block): boolean => type === 'robControls_start'
 
 /** The start block's stack first, then as they are read. */
-const inOrder = (paper: Blockly.WorkspaceSvg): readonly Blockly.BlockSvg[] =>
-  paper
+const inOrder = (workspace: Blockly.WorkspaceSvg): readonly Blockly.BlockSvg[] =>
+  workspace
     .getTopBlocks(false)
     .filter((block) => !block.isInsertionMarker())
     .map((block) => ({ block, ...shownPosition(block) }))
@@ -49,15 +49,15 @@ function boxOf(block: Blockly.BlockSvg) {
   return { left, top, width: right - left, height: bottom - top }
 }
 
-/** What was parted on this paper before is of another program. */
-export const forgetParted = (paper: Blockly.Workspace): void => void parted.delete(paper)
+/** What was parted on this workspace before is of another program. */
+export const forgetParted = (workspace: Blockly.Workspace): void => void parted.delete(workspace)
 
 /**
  * Moves stacks that lie on each other apart, without a step that could be undone: blocks are taller here than where the
  * file was made. The start block's stack stays.
  */
-export function part(paper: Blockly.WorkspaceSvg): void {
-  const stacks = inOrder(paper)
+export function part(workspace: Blockly.WorkspaceSvg): void {
+  const stacks = inOrder(workspace)
   const tops = partedTops(stacks.map(boxOf), gap)
   const after = new Map<string, Parted>()
   Blockly.Events.disable()
@@ -69,13 +69,13 @@ export function part(paper: Blockly.WorkspaceSvg): void {
     if (!same(own, shown)) after.set(block.id, { own, shown })
   })
   Blockly.Events.enable()
-  parted.set(paper, after)
-  paper.resizeContents()
+  parted.set(workspace, after)
+  workspace.resizeContents()
 }
 
 /** Puts all stacks below the start block's, or else below the first, as one step to undo. */
-export function tidy(paper: Blockly.WorkspaceSvg): void {
-  const [first, ...others] = inOrder(paper)
+export function tidy(workspace: Blockly.WorkspaceSvg): void {
+  const [first, ...others] = inOrder(workspace)
   if (!first) return
   const { left, top, height } = boxOf(first)
   let next = Math.ceil(top + height + gap)

@@ -17,7 +17,7 @@ import { fits } from './fits.ts'
 import { toProgram, toWorkspace } from './program.ts'
 import { defineBlocks } from '../view/shape.ts'
 import { defineUnknownBlocks } from './unknown.ts'
-import { wordsIn } from '#words/say.ts'
+import { wordsIn } from '#words/message.ts'
 
 addBlocks(learning, learningToolbox)
 const empty: Program = { stacks: [], config: { stacks: [] } }

@@ -20,18 +20,18 @@ const isUnknownBlock = (block: Blockly.Block): block is UnknownBlock => 'raw' in
 const besides = 60
 const { VALUE, STATEMENT } = Blockly.inputs.inputTypes
 
-/** Blocks of a large program that are not on the paper yet, by the id of the block they come after. */
+/** Blocks of a large program that are not on the workspace yet, by the id of the block they come after. */
 export const awaited = new WeakMap<Blockly.Workspace, ReadonlyMap<string, readonly Block[]>>()
 
 /** Shows a program on an empty workspace. Fires no events: what is loaded is not an edit. */
 export function toWorkspace(program: Program, workspace: Blockly.Workspace): void {
-  const paper = workspace instanceof Blockly.WorkspaceSvg ? workspace : null
-  paper?.setResizesEnabled(false)
+  const rendered = workspace instanceof Blockly.WorkspaceSvg ? workspace : null
+  rendered?.setResizesEnabled(false)
   unheard(workspace, () => {
     for (const stack of program.stacks) append(stack, workspace)
     for (const block of workspace.getAllBlocks(false)) knowShadows(block)
   })
-  paper?.setResizesEnabled(true)
+  rendered?.setResizesEnabled(true)
 }
 
 /** Without events, measuring each word once, and putting sockets in order once instead of for each block. */

@@ -7,7 +7,7 @@ import type { BotBlock } from './bot-block.ts'
 import { toProgram, toWorkspace } from './program.ts'
 import { defineBlocks } from '../view/shape.ts'
 import { defineUnknownBlocks } from './unknown.ts'
-import { wordsIn } from '#words/say.ts'
+import { wordsIn } from '#words/message.ts'
 
 addBlocks(learning, learningToolbox)
 

@@ -6,7 +6,7 @@ import { stateOfTemplate } from '../model/state.ts'
 
 // Hidden layers as blocks, changed from the playground.
 
-type Paper = Blockly.WorkspaceSvg
+type Workspace = Blockly.WorkspaceSvg
 export type LayerActivation = Exclude<Activation, 'softmax'>
 
 /** Words of files for what a hidden layer's neurons do. */
@@ -19,8 +19,8 @@ const fieldOf: { readonly [name in LayerActivation]: string } = {
 }
 
 /** A hidden layer before the outputs, as a block. */
-export function addLayer(paper: Paper, network: string, neurons: number): void {
-  const socket = paper.getBlockById(network)?.getInput('INPUT_LAYER')?.connection
+export function addLayer(workspace: Workspace, network: string, neurons: number): void {
+  const socket = workspace.getBlockById(network)?.getInput('INPUT_LAYER')?.connection
   if (!socket) return
   grouped(() => {
     const before = socket.targetBlock()
@@ -28,7 +28,7 @@ export function addLayer(paper: Paper, network: string, neurons: number): void {
       type: hiddenType,
       fields: { NEURONS: String(neurons), ACTIVATION: 'RELU' },
     })
-    const layer = Blockly.serialization.blocks.append(state, paper, { recordUndo: true })
+    const layer = Blockly.serialization.blocks.append(state, workspace, { recordUndo: true })
     socket.connect(layer.outputConnection!)
     const inner = layer.getInput('LAYER')?.connection
     if (before?.outputConnection) inner?.connect(before.outputConnection)
@@ -36,8 +36,8 @@ export function addLayer(paper: Paper, network: string, neurons: number): void {
 }
 
 /** So many neurons; with none the layer's block goes, and what stands in it takes its place. */
-export function setNeurons(paper: Paper, layer: string, neurons: number): void {
-  const block = paper.getBlockById(layer)
+export function setNeurons(workspace: Workspace, layer: string, neurons: number): void {
+  const block = workspace.getBlockById(layer)
   if (!block) return
   grouped(() => {
     if (neurons > 0) block.setFieldValue(String(neurons), 'NEURONS')
@@ -54,6 +54,6 @@ function removeLayer(block: Blockly.Block): void {
 }
 
 /** What becomes of the sums of a layer's neurons. */
-export function setLayerActivation(paper: Paper, layer: string, activation: LayerActivation): void {
-  grouped(() => paper.getBlockById(layer)?.setFieldValue(fieldOf[activation], 'ACTIVATION'))
+export function setLayerActivation(workspace: Workspace, layer: string, activation: LayerActivation): void {
+  grouped(() => workspace.getBlockById(layer)?.setFieldValue(fieldOf[activation], 'ACTIVATION'))
 }

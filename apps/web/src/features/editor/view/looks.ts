@@ -1,9 +1,9 @@
 import * as Blockly from 'blockly/core'
 import type { Locale } from '#words/language.svelte.ts'
-import { wordsIn } from '#words/say.ts'
+import { wordsIn } from '#words/message.ts'
 import { rendererName } from './renderer.ts'
 import { fontFor, themeFor } from './theme.ts'
-import { shelfPlugins, toolboxInfo } from './toolbox.ts'
+import { toolboxPlugins, toolboxInfo } from './toolbox/info.ts'
 
 const startScale = 0.76
 /** For the last row of a class. */
@@ -28,7 +28,7 @@ export function options(locale: Locale, media: string, looks: Looks): Blockly.Bl
     renderer: rendererName,
     theme: themeFor(looks.letters),
     media,
-    plugins: shelfPlugins,
+    plugins: toolboxPlugins,
     sounds: false,
     trashcan: false,
     grid: { spacing: 29, length: 3, colour: '#E6D6BA', snap: false },

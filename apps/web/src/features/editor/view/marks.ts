@@ -18,7 +18,7 @@ interface Shown {
 
 const shown = new WeakMap<Blockly.BlockSvg, Shown>()
 const svg = Blockly.utils.dom.createSvgElement
-/** Width of a character of the value's letters, in units of the paper. */
+/** Width of a character of the value's letters, in units of the workspace. */
 const character = 8.2
 const longest = 24
 

@@ -1,7 +1,7 @@
 import * as Blockly from 'blockly/core'
 import { isBotBlock } from '../model/bot-block.ts'
 import { registerNotes, toggleNote } from './note-icon.ts'
-import { m } from '#words/say.ts'
+import { m } from '#words/message.ts'
 import { readSetting, writeSetting } from '#storage/settings.ts'
 
 type CopyData = Blockly.clipboard.BlockCopyData
@@ -13,16 +13,18 @@ const notForUs = ['undoWorkspace', 'redoWorkspace', 'workspaceDelete', 'blockInl
 /** Where this device keeps what was copied, for other projects and other tabs. */
 const place = 'copied'
 
-/** By paper: brings the whole language to it. */
+/** By workspace: brings the whole language to it. */
 const teachers = new WeakMap<Blockly.Workspace, () => Promise<void>>()
-/** What is pasted may need more of the language than the paper knows: `teach` brings it. */
-export const letPaste = (paper: Blockly.Workspace, teach: () => Promise<void>) => teachers.set(paper, teach)
+/** What is pasted may need more of the language than the workspace knows: `teach` brings it. */
+export const letPaste = (workspace: Blockly.Workspace, teach: () => Promise<void>) =>
+  teachers.set(workspace, teach)
 
-/** By paper: tells what blocks of a type do. */
+/** By workspace: tells what blocks of a type do. */
 const askers = new WeakMap<Blockly.Workspace, (type: string) => void>()
-export const letAsk = (paper: Blockly.Workspace, ask: (type: string) => void) => askers.set(paper, ask)
+export const letAsk = (workspace: Blockly.Workspace, ask: (type: string) => void) =>
+  askers.set(workspace, ask)
 
-/** Menus of the blocks and of the paper, and copies that can be taken along. */
+/** Menus of the blocks and of the workspace, and copies that can be taken along. */
 export function setUpMenus(): void {
   const { registry } = ContextMenuRegistry
   for (const id of notForUs) if (registry.getItem(id)) registry.unregister(id)
@@ -51,7 +53,7 @@ export function setUpMenus(): void {
     scopeType: BLOCK,
     displayText: () => m['editor.what'](),
     preconditionFn: ({ block }) => (isBotBlock(block ?? null) ? 'enabled' : 'hidden'),
-    callback: ({ block }) => block && askers.get(paperOf(block.workspace))?.(block.type),
+    callback: ({ block }) => block && askers.get(workspaceOf(block.workspace))?.(block.type),
   })
   const comment = registry.getItem('blockComment')
   if (comment && !comment.separator) {
@@ -73,14 +75,14 @@ function withKey(text: string | undefined, letter: string): HTMLElement {
   return line
 }
 
-/** Blockly's keys for copies, for every paper there is. */
+/** Blockly's keys for copies, for every workspace there is. */
 function takeCopiesAlong() {
   for (const name of ['copy', 'cut'])
     change(name, ({ callback }) => ({
       callback: (...all) => callback!(...all) && keep(clipboard.getLastCopiedData()),
     }))
   change('paste', ({ preconditionFn, callback }) => ({
-    preconditionFn: (paper, scope) => take(paper) && preconditionFn!(paper, scope),
+    preconditionFn: (workspace, scope) => take(workspace) && preconditionFn!(workspace, scope),
     callback(...all) {
       void taught(all[0]).then(() => callback!(...all))
       return true
@@ -109,14 +111,14 @@ function kept(): CopyData | null {
   return typeof data?.blockState?.type === 'string' ? (data as CopyData) : null
 }
 
-/** The paper on which a copy is to stand: the one beside an open shelf. */
-const paperOf = (paper: Blockly.WorkspaceSvg) => paper.targetWorkspace ?? paper
+/** The workspace on which a copy is to stand: the one beside an open toolbox. */
+const workspaceOf = (workspace: Blockly.WorkspaceSvg) => workspace.targetWorkspace ?? workspace
 
 /** Gives Blockly what was copied. Is there anything? */
-function take(paper: Blockly.WorkspaceSvg): boolean {
+function take(workspace: Blockly.WorkspaceSvg): boolean {
   const data = kept()
   if (!data) return false
-  const target = paperOf(paper)
+  const target = workspaceOf(workspace)
   clipboard.setLastCopiedData(belowAll(data, target))
   clipboard.setLastCopiedWorkspace(target)
   clipboard.setLastCopiedLocation(
@@ -126,25 +128,29 @@ function take(paper: Blockly.WorkspaceSvg): boolean {
 }
 
 /** Where no block is, a copy comes below all others. */
-function belowAll(data: CopyData, paper: Blockly.WorkspaceSvg): CopyData {
-  const { left, bottom } = paper.getBlocksBoundingBox()
+function belowAll(data: CopyData, workspace: Blockly.WorkspaceSvg): CopyData {
+  const { left, bottom } = workspace.getBlocksBoundingBox()
   return Object.assign(data, { blockState: { ...data.blockState, x: left, y: bottom + 24 } })
 }
 
-/** Resolves when the paper knows the blocks that were copied. */
-async function taught(paper: Blockly.WorkspaceSvg): Promise<void> {
+/** Resolves when the workspace knows the blocks that were copied. */
+async function taught(workspace: Blockly.WorkspaceSvg): Promise<void> {
   const data = kept()
-  if (data && !isKnown(data.blockState)) await teachers.get(paperOf(paper))?.()
+  if (data && !isKnown(data.blockState)) await teachers.get(workspaceOf(workspace))?.()
 }
 
 /** Where the menu was opened; a menu that the keyboard has opened knows no place. */
-async function paste(paper: Blockly.WorkspaceSvg, opened: Event) {
-  await taught(paper)
+async function paste(workspace: Blockly.WorkspaceSvg, opened: Event) {
+  await taught(workspace)
   const data = kept()
   if (!data || !isKnown(data.blockState)) return
   const { Coordinate, svgMath } = Blockly.utils
   const at = opened instanceof PointerEvent && new Coordinate(opened.clientX, opened.clientY)
-  clipboard.paste(belowAll(data, paper), paper, at ? svgMath.screenToWsCoordinates(paper, at) : undefined)
+  clipboard.paste(
+    belowAll(data, workspace),
+    workspace,
+    at ? svgMath.screenToWsCoordinates(workspace, at) : undefined,
+  )
 }
 
 const isKnown = (state: State): boolean => state.type in Blockly.Blocks && inside(state).every(isKnown)

@@ -41,7 +41,7 @@ const isNetwork = (held: Blockly.IDraggable): held is Blockly.BlockSvg =>
 
 /** `dropped` is called when Blockly has let the block go, in the same step of undo. Returns how to measure the place again. */
 export function takeNetworks(
-  paper: Blockly.WorkspaceSvg,
+  workspace: Blockly.WorkspaceSvg,
   drop: NetworkDrop,
   dropped: (block: string) => void,
 ): () => void {
@@ -54,13 +54,13 @@ export function takeNetworks(
     })
   })
   const capabilities = [Blockly.ComponentManager.Capability.DRAG_TARGET]
-  paper.getComponentManager().addComponent({ component, weight: 2, capabilities })
-  paper.addChangeListener((event) => {
+  workspace.getComponentManager().addComponent({ component, weight: 2, capabilities })
+  workspace.addChangeListener((event) => {
     if (!(event instanceof Blockly.Events.BlockDrag)) return
-    const held = paper.getBlockById(event.blockId ?? '')
+    const held = workspace.getBlockById(event.blockId ?? '')
     if (!event.isStart) drop.hover(null)
     // Blockly tells of the beginning a little later: the hand may be there already.
     else if (held && holdsNetwork(held) && !component.isOver) drop.hover('away')
   })
-  return () => paper.recordDragTargets()
+  return () => workspace.recordDragTargets()
 }

@@ -10,19 +10,19 @@ import { letAsk, letPaste } from './menus.ts'
 import { addNeuron } from '../model/network.ts'
 import type { NetworkDrop } from '#lab/blocks.ts'
 import { takeNetworks } from './network-drop.ts'
-import { deleteSelected, place, reveal, setFields, step, typeAt, unseen } from './on-paper.ts'
+import { deleteSelected, place, reveal, setFields, step, typeAt, unseen } from './on-workspace.ts'
 import { forgetParted, part, tidy } from '../model/positions.ts'
 import { restore, statesOn, toProgram } from '../model/program.ts'
 import { networkType, putIn, putNetworkIn, switchOn } from '../model/put-in.ts'
 import { fontReady, options, scaleOf, spaceLetters, type Looks } from './looks.ts'
 import { nameParts, setUp, speak } from './setup.ts'
-import { explain } from './shelf/explain.ts'
-import { Shelf } from './shelf/shelf.ts'
+import { explain } from './toolbox/explain.ts'
+import { Toolbox } from './toolbox/toolbox.ts'
 import { Showing } from './showing.ts'
 import { knowRobot } from '../model/fresh.ts'
 import { themeFor } from './theme.ts'
 import type { Locale } from '#words/language.svelte.ts'
-import { wordsIn } from '#words/say.ts'
+import { wordsIn } from '#words/message.ts'
 
 /** What the pane tells the page. */
 export interface PaneReports extends Reports {
@@ -40,7 +40,7 @@ export class Pane {
   #locale: Locale
   #looks: Looks
   #program: Program
-  readonly shelf: Shelf
+  readonly toolbox: Toolbox
   /** What is shown at blocks. */
   readonly showing: Showing
   #fill: Fill | undefined
@@ -60,7 +60,7 @@ export class Pane {
     this.#reports = reports
     this.#looks = looks
     this.#workspace = Blockly.inject(host, options(locale, media, looks))
-    this.shelf = new Shelf(this.#workspace, () => wordsIn(this.#locale), {
+    this.toolbox = new Toolbox(this.#workspace, () => wordsIn(this.#locale), {
       speak: () => speak(this.#locale),
       redraw: () => this.#redraw(),
     })
@@ -79,7 +79,7 @@ export class Pane {
     // Blockly measures words on a canvas at the end of the body; it shows nothing.
     document.querySelector('.blocklyComputeCanvas')?.setAttribute('aria-hidden', 'true')
     nameParts(this.#workspace, wordsIn(this.#locale))
-    letPaste(this.#workspace, () => this.shelf.learn())
+    letPaste(this.#workspace, () => this.toolbox.learn())
     letAsk(this.#workspace, (type) => void explain(this.#workspace, type))
     this.#stops = [listen(this.#workspace, reports, () => this.#emit()), keepEscape(host, this.#workspace)]
   }
@@ -101,8 +101,8 @@ export class Pane {
     this.#place()
   }
 
-  /** The paper with the blocks, for what comes late. */
-  get paper(): Blockly.WorkspaceSvg {
+  /** The workspace with the blocks, for what comes late. */
+  get workspace(): Blockly.WorkspaceSvg {
     return this.#workspace
   }
 
@@ -111,7 +111,7 @@ export class Pane {
     this.#fill?.finish()
     const states = statesOn(this.#workspace)
     speak(this.#locale)
-    this.shelf.fill()
+    this.toolbox.fill()
     this.#refill(() => restore(states, this.#workspace))
   }
 
@@ -127,7 +127,7 @@ export class Pane {
     this.#looks = looks
     if (looks.large !== large) {
       this.#workspace.setScale(scaleOf(looks))
-      // Its shelf is wider then.
+      // Its toolbox is wider then.
       this.#workspace.getToolbox()?.position()
       this.resize()
     }
@@ -141,7 +141,7 @@ export class Pane {
     this.#refill(() => restore(states, this.#workspace))
   }
 
-  /** The type of the block that an element of the pane belongs to, on the paper or on the open shelf. */
+  /** The type of the block that an element of the pane belongs to, on the workspace or on the open toolbox. */
   typeAt(element: Element): string | null {
     return typeAt(this.#workspace, element)
   }

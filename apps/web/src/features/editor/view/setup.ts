@@ -4,9 +4,9 @@ import { blocklyWordsIn } from './blockly-words.ts'
 import { usePlainIds } from '../model/ids.ts'
 import { setUpMenus } from './menus.ts'
 import { defineBlocks } from './shape.ts'
-import { registerShelf } from './toolbox.ts'
+import { registerToolbox } from './toolbox/info.ts'
 import type { Locale } from '#words/language.svelte.ts'
-import { wordsIn, type Words } from '#words/say.ts'
+import { wordsIn, type Words } from '#words/message.ts'
 
 let ready = false
 
@@ -16,7 +16,7 @@ export function setUp(): void {
   ready = true
   usePlainIds()
   Blockly.Scrollbar.scrollbarThickness = 8
-  registerShelf()
+  registerToolbox()
   setUpMenus()
   leaveUndoToThePage()
   nameKeys()
@@ -55,7 +55,7 @@ function nameFieldsWhenDrawn() {
   }
 }
 
-/** Blockly leaves its frame and its shelf without names, and counts only what it saw coming. */
+/** Blockly leaves its frame and its toolbox without names, and counts only what it saw coming. */
 export function nameParts(workspace: Blockly.WorkspaceSvg, words: Words): void {
   const frame = workspace.getInjectionDiv()
   frame.setAttribute('aria-label', words('editor.blocks'))

@@ -10,7 +10,7 @@ import { buildList, matchLines } from '../model/list.ts'
 import { piecesOf } from '../model/pieces.ts'
 import { decimalMark } from '#drawing/numbers.ts'
 import type { Locale } from '#words/language.svelte.ts'
-import { isSaid, type Words } from '#words/say.ts'
+import { hasMessage, type Words } from '#words/message.ts'
 
 export interface Language {
   readonly words: Words
@@ -71,7 +71,7 @@ function behaviour(definition: Definition, language: Language) {
 function build(block: BotBlock, language: Language) {
   const { look, words } = block.definition
   block.setStyle(look.category)
-  block.setTooltip(() => (isSaid(words.help) ? language.words(words.help) : '…'))
+  block.setTooltip(() => (hasMessage(words.help) ? language.words(words.help) : '…'))
   block.setInputsInline(true)
   connect(block, look)
   look.rows.forEach((key, at) => new RowBuilder(block, language, at === 0).build(key))

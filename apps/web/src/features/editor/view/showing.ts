@@ -1,6 +1,6 @@
 import type * as Blockly from 'blockly/core'
 import type { Finding } from '@botgarten/blocks'
-import type { Words } from '#words/say.ts'
+import type { Words } from '#words/message.ts'
 import { showMarks, type Marks } from './marks.ts'
 import { showFindings } from './finding-icon.ts'
 

@@ -1,4 +1,4 @@
-import { m, say } from '#words/say.ts'
+import { m, message } from '#words/message.ts'
 import { language } from '#words/language.svelte.ts'
 import { formatNumber } from '#drawing/numbers.ts'
 import type { Neuron } from '#figures/network/neurons.ts'
@@ -21,7 +21,7 @@ export function nameIn({ inputs, outputs, brain }: Inside, id: string): string {
   if (output) return output.label
   const layer = brain.layers.findIndex((one) => one.some((neuron) => neuron.id === id))
   const neuron = brain.layers[layer]?.findIndex((one) => one.id === id) ?? 0
-  return say('net.hidden', { layer, neuron: neuron + 1 })
+  return message('net.hidden', { layer, neuron: neuron + 1 })
 }
 
 /** What stands under the pale robot. */

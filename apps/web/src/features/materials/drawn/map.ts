@@ -1,5 +1,5 @@
 import type { LearningOutline } from '@botgarten/programs'
-import { fetchWords } from '#words/say.ts'
+import { fetchWords } from '#words/message.ts'
 import { riddenLine } from '#figures/map/roads.ts'
 import Signs from '#figures/map/Signs.svelte'
 import { loadStage, courseOn, type Stage } from '#figures/map/stage.ts'

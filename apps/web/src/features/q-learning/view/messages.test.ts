@@ -1,6 +1,6 @@
 import { Course, gridMap, layOutWorld, type Settings, type Task } from '@botgarten/learning/q-learning'
 import { describe, expect, test } from 'vitest'
-import { m } from '#words/say.ts'
+import { m } from '#words/message.ts'
 import { shownOf } from '../model/shown.ts'
 import { reasonOf } from './messages.ts'
 

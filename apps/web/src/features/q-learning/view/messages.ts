@@ -1,7 +1,7 @@
 import type { Plan } from '@botgarten/learning/q-learning'
 import type { LearnedRun } from '@botgarten/programs'
 import { language } from '#words/language.svelte.ts'
-import { isSaid, m, say } from '#words/say.ts'
+import { hasMessage, m, message } from '#words/message.ts'
 import type { Level } from '../model/choices.svelte.ts'
 import type { Learning } from '../model/learning.svelte.ts'
 import type { Shown } from '../model/shown.ts'
@@ -112,7 +112,7 @@ const choices: { readonly [name in Setting]: { readonly [value: string]: string 
 /** A setting as its block says it; a number where no block says it so, and for experts. */
 export function settingOf(run: LearnedRun, name: Setting, level: Level): string {
   const key = choices[name][String(run[name])]
-  return level === 'expert' || key === undefined ? number(run[name], 4) : say(`choice.${key}`)
+  return level === 'expert' || key === undefined ? number(run[name], 4) : message(`choice.${key}`)
 }
 
 export const wayOf = (text: string) => text.replaceAll('-', ' → ')
@@ -125,5 +125,5 @@ export const guessOf = ({ guess, way }: LearnedRun) =>
 export function taskOf(run: LearnedRun): string {
   const name = `choice.MAP_${run.map.toUpperCase()}`
   const task = m['q.task'](run)
-  return isSaid(name) ? `${say(name)}: ${task}` : task
+  return hasMessage(name) ? `${message(name)}: ${task}` : task
 }

@@ -2,7 +2,7 @@ import { colours } from '@botgarten/blocks'
 import type { PortSense, Senses } from '@botgarten/lab'
 import type { Colour, ReadMode, RobotConfig } from '@botgarten/simulation'
 import { formatNumber } from '#drawing/numbers.ts'
-import { say } from '#words/say.ts'
+import { message } from '#words/message.ts'
 
 /** A line of the table: what it is, what it says, and the colour that is seen where it says one. */
 export interface SenseRow {
@@ -35,13 +35,13 @@ export const rowsOf = (senses: Senses, { drive }: RobotConfig, locale: string): 
     .map(({ port, percent, turned }) => ({
       id: `motor ${port}`,
       place: port,
-      label: say('robot.motor'),
+      label: message('robot.motor'),
       value: `${formatNumber(percent, locale, 0)} %, ${formatNumber(turned, locale, 0)}°`,
     })),
   ...senses.timers.map((milliseconds, index) => ({
     id: `timer ${index}`,
     place: String(index + 1),
-    label: say('robot.timer'),
+    label: message('robot.timer'),
     value: `${formatNumber(milliseconds, locale, 0)} ms`,
   })),
 ]
@@ -55,7 +55,7 @@ const portRows = (
   ...(Object.entries(values) as [ReadMode, Reading][]).map(([mode, value]) => ({
     id: `${port} ${mode}`,
     place: port,
-    label: say(`robot.mode.${mode}`),
+    label: message(`robot.mode.${mode}`),
     value: valueOf(mode, value, locale),
     ...(mode === 'colour' && value !== '' ? { colour: String(value) } : {}),
   })),
@@ -65,15 +65,15 @@ const portRows = (
 const channelsRow = (port: string, channels: readonly (Reading | undefined)[], locale: string): SenseRow => ({
   id: `${port} channels`,
   place: port,
-  label: say('robot.mode.channels'),
+  label: message('robot.mode.channels'),
   value: channels.map((channel) => formatNumber(Number(channel), locale, 0)).join(' · '),
 })
 
 function valueOf(mode: ReadMode, value: Reading, locale: string): string {
-  if (mode === 'touch') return say(value === 1 ? 'robot.pressed' : 'robot.free')
+  if (mode === 'touch') return message(value === 1 ? 'robot.pressed' : 'robot.free')
   if (mode === 'colour') {
     const colour = colours.find((one) => one.value === value)
-    return colour ? say(`choice.${colour.words}`) : '–'
+    return colour ? message(`choice.${colour.words}`) : '–'
   }
   if (typeof value !== 'number') return '–'
   const [digits, unit] = units[mode] ?? [0, '']

@@ -2,28 +2,28 @@ import fc from 'fast-check'
 import { describe, expect, test } from 'vitest'
 import { Playground } from './playground.svelte.ts'
 import { othersIn, read, workOfReadings, writtenReadings, written, type Kept } from './kept.ts'
-import type { Shelf } from './steps.svelte.ts'
+import type { Store } from './steps.svelte.ts'
 import { fileTable, MOST_COLUMNS, MOST_FLAGS, MOST_POINTS, withTable } from './work.ts'
 
-/** A shelf that goes through JSON, as files and devices do. */
-function shelfOf(kept: unknown = null): Shelf & { readonly now: () => unknown } {
+/** A store that goes through JSON, as files and devices do. */
+function storeOf(kept: unknown = null): Store & { readonly now: () => unknown } {
   let now = kept
   return {
     kept,
     keep: (next) => (now = JSON.parse(JSON.stringify(next())) as unknown),
     flush: () => {},
-    owner: null,
+    project: null,
     close: () => {},
     now: () => now,
   }
 }
 
 const whole = (): Kept => {
-  const shelf = shelfOf()
-  const playground = new Playground(shelf)
+  const store = storeOf()
+  const playground = new Playground(store)
   playground.takeTrap('heaps')
   playground.name(1, 'Heap')
-  return shelf.now() as Kept
+  return store.now() as Kept
 }
 
 describe('what a project keeps of the playground', () => {
@@ -53,15 +53,15 @@ describe('what a project keeps of the playground', () => {
   test('has a version, and comes back as it was', () => {
     const kept = whole()
     expect(kept.version).toBe(1)
-    const again = new Playground(shelfOf(kept))
+    const again = new Playground(storeOf(kept))
     expect(written(again.work)).toEqual(kept)
     expect(again.unread).toBe(false)
     expect(again.nameOf(1)).toBe('Heap')
   })
 
   test('the axes that were chosen, too', () => {
-    const shelf = shelfOf()
-    const playground = new Playground(shelf)
+    const store = storeOf()
+    const playground = new Playground(store)
     playground.takeTable(
       ['a', 'b', 'c'],
       [
@@ -71,7 +71,7 @@ describe('what a project keeps of the playground', () => {
       ],
     )
     playground.setAxis(0, 2)
-    expect(new Playground(shelfOf(shelf.now())).work.axes).toEqual([2, 1])
+    expect(new Playground(storeOf(store.now())).work.axes).toEqual([2, 1])
   })
 
   test('what Bo has collected lies on the plane by its colours', () => {
@@ -85,17 +85,17 @@ describe('what a project keeps of the playground', () => {
   })
 
   test('readings from the lab leave the other pages as they are', () => {
-    const shelf = shelfOf(whole())
-    const playground = new Playground(shelf)
+    const store = storeOf(whole())
+    const playground = new Playground(store)
     playground.turnTo('things')
     playground.takeSet('leaves')
-    const kept = writtenReadings([[255, 0, 0]], shelf.now())
+    const kept = writtenReadings([[255, 0, 0]], store.now())
     expect(kept).toMatchObject({ version: 1, source: 'readings' })
     expect(kept.pages!.map(({ source, set }) => [source, set])).toEqual([
       ['things', 'leaves'],
       ['points', 'heaps'],
     ])
-    const again = new Playground(shelfOf(kept))
+    const again = new Playground(storeOf(kept))
     again.turnTo('points')
     expect([again.work.set, again.nameOf(1)]).toEqual(['heaps', 'Heap'])
     expect(writtenReadings([[1, 2, 3]], 'broken').pages).toBeUndefined()
@@ -132,7 +132,7 @@ describe('what a project keeps of the playground', () => {
     ['a distance that nobody knows', { distance: 'far' }],
     ['an axis that is none', { axes: [0, 99] }],
   ])('%s is not read: the playground begins again, and says so', (_, part) => {
-    const playground = new Playground(shelfOf({ ...whole(), ...part }))
+    const playground = new Playground(storeOf({ ...whole(), ...part }))
     expect(playground.unread).toBe(true)
     expect(playground.work).toMatchObject({ source: 'things', set: 'vessels' })
   })
@@ -143,7 +143,7 @@ describe('what a project keeps of the playground', () => {
     const names = [...Object.keys(kept), 'pages']
     fc.assert(
       fc.property(fc.constantFrom(...names), part, (name, value) => {
-        const playground = new Playground(shelfOf({ ...kept, [name]: value }))
+        const playground = new Playground(storeOf({ ...kept, [name]: value }))
         for (let step = 0; step < 5; step++) playground.stepAll()
         expect(playground.work.flags).toBeGreaterThan(0)
       }),
@@ -153,7 +153,7 @@ describe('what a project keeps of the playground', () => {
 })
 
 test('all letters of a name are one step, and can be taken back', () => {
-  const playground = new Playground(shelfOf())
+  const playground = new Playground(storeOf())
   const before = playground.last
   for (const name of ['B', 'Bo', 'Bot']) playground.name(0, name)
   expect(playground.last).toBe(before + 1)

@@ -1,6 +1,6 @@
 import { startAt, stepOne, stepPhase, type Distance } from '@botgarten/learning/k-means'
 import { LONGEST_NAME } from './kept.ts'
-import { deviceShelf, Steps, type Shelf } from './steps.svelte.ts'
+import { deviceStore, Steps, type Store } from './steps.svelte.ts'
 import {
   isFresh,
   MOST_POINTS,
@@ -36,8 +36,8 @@ export class Playground {
   /** The thing or point that a finger is on. */
   touched = $state<number | null>(null)
 
-  constructor(shelf: Shelf = deviceShelf()) {
-    this.#steps = new Steps(shelf)
+  constructor(store: Store = deviceStore()) {
+    this.#steps = new Steps(store)
   }
 
   get unread(): boolean {
@@ -255,7 +255,7 @@ export class Playground {
   close(): void {
     this.endCollecting()
     this.pause()
-    this.#steps.shelf.close()
+    this.#steps.store.close()
   }
 
   setSpeed(speed: number): void {

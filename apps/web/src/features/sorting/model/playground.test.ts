@@ -2,13 +2,13 @@ import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest'
 import { Playground } from './playground.svelte.ts'
 import { traps } from './traps.ts'
 
-const shelf = new Map<string, string>()
+const store = new Map<string, string>()
 beforeEach(() => {
   vi.useFakeTimers()
-  shelf.clear()
+  store.clear()
   vi.stubGlobal('localStorage', {
-    getItem: (key: string) => shelf.get(key) ?? null,
-    setItem: (key: string, value: string) => shelf.set(key, value),
+    getItem: (key: string) => store.get(key) ?? null,
+    setItem: (key: string, value: string) => store.set(key, value),
   })
 })
 afterEach(() => {
@@ -224,7 +224,7 @@ describe('the sorting playground', () => {
   test.each(['{"source":"things","set":"cars"}', '[1,2]', '{"rows":[[null]]}', 'not json'])(
     'what is broken on the device is the first playground: %s',
     (text) => {
-      shelf.set('botgarten.sorting', text)
+      store.set('botgarten.sorting', text)
       expect(new Playground().work).toMatchObject({ source: 'things', set: 'vessels' })
     },
   )

@@ -9,18 +9,18 @@ import type { Source, Work } from './work.ts'
 const LONGEST = 400
 
 /** Where a playground is kept. */
-export interface Shelf {
+export interface Store {
   /** What lay there when it was opened; not to be trusted. */
   readonly kept: unknown
   keep(kept: () => Kept): void
   /** Saves what waits, now. */
   flush(): void
   /** Whose it is; null on the page that belongs to no project. */
-  readonly owner: Owner | null
+  readonly project: OpenProject | null
   close(): void
 }
 
-export interface Owner {
+export interface OpenProject {
   /** The card, or `free`. */
   readonly place: string
   readonly id: string
@@ -35,16 +35,16 @@ export interface OpenedForSorting {
 }
 
 /** The page without a project: this device keeps what was done last. */
-export const deviceShelf = (): Shelf => ({
+export const deviceStore = (): Store => ({
   kept: readSetting<unknown>('sorting', null),
   keep: (kept) => writeSetting('sorting', kept()),
   flush: () => {},
-  owner: null,
+  project: null,
   close: () => {},
 })
 
 /** In the project's document: it goes wherever the project goes. */
-export function projectShelf({ id, revision, project }: OpenedForSorting): Shelf {
+export function projectStore({ id, revision, project }: OpenedForSorting): Store {
   const autosave = new ProjectAutosave(id, revision)
   let { name } = project
   autosave.whenRenamed = (renamed) => (name = renamed)
@@ -52,14 +52,14 @@ export function projectShelf({ id, revision, project }: OpenedForSorting): Shelf
     kept: project.sorting ?? null,
     keep: (kept) => autosave.changed(() => ({ ...project, name, sorting: kept() })),
     flush: () => void autosave.flush(),
-    owner: { place: placeOf(project), id, autosave },
+    project: { place: placeOf(project), id, autosave },
     close: () => autosave.close(),
   }
 }
 
-/** The line of steps that leads back, and the shelf on which the one that is shown is kept. */
+/** The line of steps that leads back, and the store on which the one that is shown is kept. */
 export class Steps {
-  readonly shelf: Shelf
+  readonly store: Store
   /** A newer Botgarten has left something here, or it is broken: it stays as it is until something is changed. */
   readonly unread: boolean
   #line = $state.raw<readonly Work[]>([])
@@ -70,12 +70,12 @@ export class Steps {
   /** What the step that is shown is still open for: a drag, letters of a name, readings of a drive. */
   #open: string | null = null
 
-  constructor(shelf: Shelf) {
-    this.shelf = shelf
-    const work = read(shelf.kept)
-    this.unread = work === null && shelf.kept !== null
+  constructor(store: Store) {
+    this.store = store
+    const work = read(store.kept)
+    this.unread = work === null && store.kept !== null
     this.#line = [work ?? firstWork()]
-    this.#left = Object.fromEntries(othersIn(shelf.kept).map((one) => [one.source, one]))
+    this.#left = Object.fromEntries(othersIn(store.kept).map((one) => [one.source, one]))
   }
 
   get work(): Work {
@@ -150,11 +150,11 @@ export class Steps {
   /** The page is hidden, or left without a farewell. */
   flush(): void {
     if (this.#unkept) this.#write()
-    this.shelf.flush()
+    this.store.flush()
   }
 
   #write(): void {
-    this.shelf.keep(() => written(this.work, Object.values(this.#left)))
+    this.store.keep(() => written(this.work, Object.values(this.#left)))
     this.#unkept = false
   }
 }

@@ -1,7 +1,7 @@
 import type { Column, ThingSet } from '@botgarten/content/things'
 import { formatNumber } from '#drawing/numbers.ts'
 import { language } from '#words/language.svelte.ts'
-import { m } from '#words/say.ts'
+import { m } from '#words/message.ts'
 import { setOf } from '#figures/things/sets.ts'
 import type { Work } from '../model/work.ts'
 

@@ -1,6 +1,6 @@
 import { beforeAll, describe, expect, test } from 'vitest'
 import { language } from '#words/language.svelte.ts'
-import { fetchWords } from '#words/say.ts'
+import { fetchWords } from '#words/message.ts'
 import { openTable } from './table-file.ts'
 
 const file = (content: string | Uint8Array<ArrayBuffer>) => new File([content], 'table.csv')

@@ -1,6 +1,6 @@
 import { LARGEST } from '@botgarten/learning/k-means'
 import type { Encoding, Table, TableError } from '@botgarten/content/tables'
-import { m } from '#words/say.ts'
+import { m } from '#words/message.ts'
 import { MOST_COLUMNS, MOST_POINTS } from '../model/work.ts'
 
 const limits = { rows: MOST_POINTS, columns: MOST_COLUMNS, largest: LARGEST }

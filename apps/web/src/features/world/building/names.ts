@@ -1,4 +1,4 @@
-import { m } from '#words/say.ts'
+import { m } from '#words/message.ts'
 import { thingName } from '../words.ts'
 import type { Item } from './edits.ts'
 

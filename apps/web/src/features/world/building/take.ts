@@ -12,7 +12,7 @@ async function takePicture(builder: Builder, file: File): Promise<void> {
   const { session, ui } = builder.mode
   const taken = await floorPictureFrom(file, session.project)
   if ('problem' in taken) {
-    ui.say(`problem.${taken.problem}.title`, `problem.${taken.problem}.text`, taken.facts)
+    ui.announce(`problem.${taken.problem}.title`, `problem.${taken.problem}.text`, taken.facts)
     return
   }
   builder.floors.keep(taken.asset, taken.picture)
@@ -25,12 +25,12 @@ async function takeScene(builder: Builder, file: File): Promise<void> {
     if (file.size > 5_000_000) throw new ProjectError('tooBig', 'A scene has at most 5 MB.')
     const { assets, ...scene } = parseScene(await file.text())
     const readable = await builder.floors.load(scene, assets)
-    if (!readable) return ui.say('problem.pictureBroken.title', 'problem.pictureBroken.text')
+    if (!readable) return ui.announce('problem.pictureBroken.title', 'problem.pictureBroken.text')
     builder.commit(inScene(session.lab.document.world, scene), assets)
     builder.mode.viewport.fitAll()
   } catch (error) {
     if (!(error instanceof ProjectError)) throw error
     console.warn('The scene was refused.', error)
-    ui.say(`problem.${error.reason}.title`, `problem.${error.reason}.text`, error.facts)
+    ui.announce(`problem.${error.reason}.title`, `problem.${error.reason}.text`, error.facts)
   }
 }

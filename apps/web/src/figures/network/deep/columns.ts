@@ -1,7 +1,7 @@
 import { biasOf, hiddenId, type Brain, type Weights } from '@botgarten/learning/neural-network'
 import type { HiddenOutline } from '@botgarten/programs'
 import { language } from '#words/language.svelte.ts'
-import { say } from '#words/say.ts'
+import { message } from '#words/message.ts'
 import { formatNumber } from '#drawing/numbers.ts'
 import type { Neuron } from '../neurons.ts'
 
@@ -10,7 +10,7 @@ const violet = '#6F55C4'
 /** The neurons of a hidden layer as they are drawn; `index` counts layers from 0. */
 export const hiddenColumn = ({ id, neurons }: HiddenOutline, index: number): Neuron[] =>
   Array.from({ length: neurons }, (_, k) => {
-    const label = say('net.hidden', { layer: index + 1, neuron: k + 1 })
+    const label = message('net.hidden', { layer: index + 1, neuron: k + 1 })
     return {
       id: hiddenId(id, k + 1),
       label,
@@ -29,7 +29,7 @@ export function dressed(neuron: Neuron, brain: Brain | undefined, weights: Weigh
   const bias = biasOf(weights, own)
   const notes = [
     ...(neuron.place === null ? [] : [neuron.place]),
-    ...(own.activation === 'identity' || neuron.bare ? [] : [say(`net.activation.${own.activation}`)]),
+    ...(own.activation === 'identity' || neuron.bare ? [] : [message(`net.activation.${own.activation}`)]),
     ...(bias === 0 ? [] : [signed(bias)]),
   ]
   return { ...neuron, place: notes.length > 0 ? notes.join(' · ') : null }
@@ -48,7 +48,7 @@ const parts: ReadonlyMap<number, string> = new Map([
 /** "half of 60", for children who have no decimals yet. */
 export function partOf(weight: number, value: string): string {
   const name = parts.get(weight)
-  if (name) return say(`net.part.${name}`, { value })
+  if (name) return message(`net.part.${name}`, { value })
   const tenths = formatNumber(weight * 10, language.locale)
-  return say('net.part.tenths', { tenths, value })
+  return message('net.part.tenths', { tenths, value })
 }

@@ -5,10 +5,10 @@ import { knowTypes } from '../../model/bot-block.ts'
 import { keepWhatFilesJoin } from '../../model/fits.ts'
 import { knowComingParts } from '../shape.ts'
 import { stateOfTemplate } from '../../model/state.ts'
-import { toolboxInfo } from '../toolbox.ts'
+import { toolboxInfo } from '../toolbox/info.ts'
 import { toProgram } from '../../model/program.ts'
 import { defineUnknownBlocks } from '../../model/unknown.ts'
-import type { Words } from '#words/say.ts'
+import type { Words } from '#words/message.ts'
 import { variablesOn } from './name-field.ts'
 import { comingParts, typedOutput } from './parts.ts'
 
@@ -44,10 +44,10 @@ const parameter = {
 
 const empty = { stacks: [], config: { stacks: [] } }
 
-const inShelf = (template: Template) =>
+const inToolbox = (template: Template) =>
   ({ kind: 'block', ...stateOfTemplate(template) }) as Blockly.utils.toolbox.FlyoutItemInfo
 
-/** A new name for every variable that is taken from the shelf. */
+/** A new name for every variable that is taken from the toolbox. */
 function freeName(workspace: Blockly.Workspace, names: string): string {
   const taken = variablesOn(workspace).map(({ name }) => name)
   return [...names].find((name) => !taken.includes(name)) ?? `x${taken.length}`
@@ -69,7 +69,7 @@ function functionBlocksOn(workspace: Blockly.Workspace): readonly Template[] {
   return [...plain, parameter, ...calls]
 }
 
-/** All that the shelf with everything offers for the program on a workspace. */
+/** All that the toolbox with everything offers for the program on a workspace. */
 export const everything = (workspace: Blockly.Workspace): readonly ToolboxCategory[] =>
   expertToolbox.flatMap((row) => {
     if (row.category === 'functions') return [{ ...row, blocks: functionBlocksOn(workspace) }]
@@ -77,19 +77,16 @@ export const everything = (workspace: Blockly.Workspace): readonly ToolboxCatego
     return row.category === 'lists' ? [row, variables] : [row]
   })
 
-/** Rows of the shelf that follow the program. */
+/** Rows of the toolbox that follow the program. */
 const following = ['variables', 'functions']
 
-/** The shelf with everything. */
-export function expertShelf(
-  words: Words,
-  workspace: Blockly.WorkspaceSvg,
-): Blockly.utils.toolbox.ToolboxInfo {
+/** The toolbox with everything. */
+export function toolboxOf(words: Words, workspace: Blockly.WorkspaceSvg): Blockly.utils.toolbox.ToolboxInfo {
   const rows = everything(workspace)
   for (const name of following)
     workspace.registerToolboxCategoryCallback(name, (on) =>
       everything(on as Blockly.Workspace).flatMap(({ category, blocks }) =>
-        category === name ? blocks.map(inShelf) : [],
+        category === name ? blocks.map(inToolbox) : [],
       ),
     )
   const { kind, contents } = toolboxInfo(words, rows, '')

@@ -6,7 +6,7 @@ import { beforeAll, expect, it } from 'vitest'
 import { toProgram, toWorkspace } from '../../model/program.ts'
 import { defineBlocks } from '../shape.ts'
 import { defineUnknownBlocks } from '../../model/unknown.ts'
-import { wordsIn } from '#words/say.ts'
+import { wordsIn } from '#words/message.ts'
 import { learn } from './expert.ts'
 
 const folder = new URL(

@@ -1,7 +1,7 @@
 import { definitions } from '@botgarten/blocks'
 import * as Blockly from 'blockly/core'
 import { beforeAll, expect, it } from 'vitest'
-import { wordsIn } from '#words/say.ts'
+import { wordsIn } from '#words/message.ts'
 import { defineBlocks } from '../shape.ts'
 import { learn } from './expert.ts'
 

@@ -1,7 +1,7 @@
 import * as Blockly from 'blockly/core'
 import { awaited } from '../../model/program.ts'
 
-/** With fewer blocks on the paper all of them are drawn. */
+/** With fewer blocks on the workspace all of them are drawn. */
 const many = 300
 /** Of the view's height and width: as much is drawn around it, so that scrolling finds its next blocks drawn. */
 const around = 0.3

@@ -7,12 +7,12 @@ import { showInSlices, type Slices } from './slices.ts'
 /** Keys that only look around. */
 const quiet = /^(Arrow|Page|Home|End|Tab|Shift|Control|Alt|Meta|Escape)/
 
-/** A paper that gets large programs. */
+/** A workspace that gets large programs. */
 export interface Fill {
   show(program: Program): void
   /** All that is still missing, before something is changed; of one stack only, where a block of it is given. */
   finish(of?: Blockly.Block): void
-  /** The paper is emptied. */
+  /** The workspace is emptied. */
   drop(): void
   stop(): void
 }
@@ -46,7 +46,7 @@ function fillSlowly(workspace: Blockly.WorkspaceSvg, ready: () => void): Fill {
 /** Some 300 blocks. */
 const isLarge = (program: Program) => JSON.stringify(program).length > 40_000
 
-/** Shows a program on an empty paper: at once, or a large one by `fill`, which is returned. */
+/** Shows a program on an empty workspace: at once, or a large one by `fill`, which is returned. */
 export function show(
   program: Program,
   workspace: Blockly.WorkspaceSvg,

@@ -12,7 +12,7 @@ const slice = 25
 
 type Rows = Map<string, readonly Block[]>
 
-/** A large program on its way to the paper. */
+/** A large program on its way to the workspace. */
 export interface Slices {
   /** Makes all that is missing now; of one stack only, where a block of it is given. */
   finish(of?: Blockly.Block): void

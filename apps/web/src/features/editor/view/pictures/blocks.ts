@@ -14,7 +14,7 @@ import type { CardProgram } from '@botgarten/content'
 import type { BlockPicture } from '#figures/blocks/slot.ts'
 import type { Locale } from '#words/language.svelte.ts'
 
-/** A card's program, drawn by the editor's own renderer; `dress` changes what stands on the paper. */
+/** A card's program, drawn by the editor's own renderer; `dress` changes what stands on the workspace. */
 export async function drawProgram(
   program: CardProgram,
   locale: Locale,
@@ -22,25 +22,25 @@ export async function drawProgram(
 ): Promise<BlockPicture> {
   await Promise.all([loadFor(program), fetchBlocklyWords(locale), fontReady(letters)])
   const first: Program = Object.values(program.programs)[0]!
-  return drawn(locale, letters, (paper) => {
-    toWorkspace(first, paper)
-    tellFolded(paper)
+  return drawn(locale, letters, (workspace) => {
+    toWorkspace(first, workspace)
+    tellFolded(workspace)
   })
 }
 
-const onShelf = (type: string) =>
+const inToolbox = (type: string) =>
   toolbox.flatMap(({ blocks }) => blocks).find((one) => one.type === type) ?? { type }
 
-/** A block with what is in its sockets; of a type alone: as it lies on the shelf, with its presets. */
+/** A block with what is in its sockets; of a type alone: as it lies on the toolbox, with its presets. */
 export async function drawBlock(
   block: Block | string,
   locale: Locale,
   letters: boolean,
 ): Promise<BlockPicture> {
   await Promise.all([loadLearning(), fetchBlocklyWords(locale), fontReady(letters)])
-  const template = typeof block === 'string' ? onShelf(block) : block
-  return drawn(locale, letters, (paper) => {
-    Blockly.serialization.blocks.append(stateOfTemplate(template), paper)
+  const template = typeof block === 'string' ? inToolbox(block) : block
+  return drawn(locale, letters, (workspace) => {
+    Blockly.serialization.blocks.append(stateOfTemplate(template), workspace)
   })
 }
 
@@ -55,46 +55,50 @@ export async function drawExample(
   letters: boolean,
 ): Promise<BlockPicture> {
   await Promise.all([fetchBlocklyWords(locale), fontReady(letters)])
-  return drawn(locale, letters, (paper) => {
+  return drawn(locale, letters, (workspace) => {
     for (const row of stacksOf(example)) {
-      const y = paper.getBlocksBoundingBox().bottom + apart
-      append({ x: 0, y, blocks: row as readonly Block[] }, paper)
+      const y = workspace.getBlocksBoundingBox().bottom + apart
+      append({ x: 0, y, blocks: row as readonly Block[] }, workspace)
     }
-    for (const block of paper.getAllBlocks(false).filter((block) => block.type === type))
+    for (const block of workspace.getAllBlocks(false).filter((block) => block.type === type))
       block.getSvgRoot().classList.add('editor-highlight')
   })
 }
 
-/** The drawing stays when the paper it was made on is thrown away: only the styles of the editor are needed. */
-function drawn(locale: Locale, letters: boolean, fill: (paper: Blockly.WorkspaceSvg) => void): BlockPicture {
+/** The drawing stays when the workspace it was made on is thrown away: only the styles of the editor are needed. */
+function drawn(
+  locale: Locale,
+  letters: boolean,
+  fill: (workspace: Blockly.WorkspaceSvg) => void,
+): BlockPicture {
   setUp()
   speak(locale)
   const host = document.createElement('div')
   host.style.cssText = 'position:absolute;left:-4000px;width:1200px;height:900px;visibility:hidden'
   document.body.append(host)
   const media = asset('blockly/sprites.svg').replace('sprites.svg', '')
-  const paper = Blockly.inject(host, {
+  const workspace = Blockly.inject(host, {
     ...options(locale, media, { letters, large: false }),
     ...{ toolbox: undefined, readOnly: true, plugins: {}, grid: undefined, zoom: { startScale: 1 } },
     move: { scrollbars: false, drag: false, wheel: false },
   })
   try {
-    fill(paper)
-    return pictureOf(paper)
+    fill(workspace)
+    return pictureOf(workspace)
   } finally {
     // Blockly measures words on a canvas at the end of the body; it shows nothing.
     document.querySelector('.blocklyComputeCanvas')?.setAttribute('aria-hidden', 'true')
-    paper.dispose()
+    workspace.dispose()
     host.remove()
   }
 }
 
-function pictureOf(paper: Blockly.WorkspaceSvg): BlockPicture {
-  const { left, top, right, bottom } = paper.getBlocksBoundingBox()
+function pictureOf(workspace: Blockly.WorkspaceSvg): BlockPicture {
+  const { left, top, right, bottom } = workspace.getBlocksBoundingBox()
   const edge = 3
   const [width, height] = [right - left + 2 * edge, bottom - top + 2 * edge]
-  const svg = paper.getParentSvg().cloneNode(false) as SVGSVGElement
-  const blocks = paper.getCanvas().cloneNode(true) as SVGGElement
+  const svg = workspace.getParentSvg().cloneNode(false) as SVGSVGElement
+  const blocks = workspace.getCanvas().cloneNode(true) as SVGGElement
   blocks.removeAttribute('transform')
   for (const part of [svg, ...blocks.querySelectorAll('*')])
     for (const name of ['id', 'tabindex', 'role', ...ariaOf(part)]) part.removeAttribute(name)
@@ -102,7 +106,13 @@ function pictureOf(paper: Blockly.WorkspaceSvg): BlockPicture {
   svg.setAttribute('viewBox', `${left - edge} ${top - edge} ${width} ${height}`)
   svg.setAttribute('aria-hidden', 'true')
   for (const name of ['width', 'height', 'style']) svg.removeAttribute(name)
-  return { svg, words: wordsOn(paper.getCanvas()), look: paper.getInjectionDiv().className, width, height }
+  return {
+    svg,
+    words: wordsOn(workspace.getCanvas()),
+    look: workspace.getInjectionDiv().className,
+    width,
+    height,
+  }
 }
 
 /** Blockly draws words in another order than they are read in. Half a line apart is another line. */

@@ -19,8 +19,8 @@ export function phraseOf(block: Blockly.Block): string {
 }
 
 /** Folded blocks say a whole phrase: Blockly asks them whenever it draws them, for as many letters as fit. */
-export function tellFolded(paper: Blockly.WorkspaceSvg): void {
-  for (const block of paper.getAllBlocks(false).filter((one) => one.isCollapsed())) {
+export function tellFolded(workspace: Blockly.WorkspaceSvg): void {
+  for (const block of workspace.getAllBlocks(false).filter((one) => one.isCollapsed())) {
     block.toString = () => phraseOf(block)
     block.render()
   }

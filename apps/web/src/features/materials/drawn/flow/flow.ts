@@ -1,5 +1,5 @@
 import type { Point, Size } from '#drawing/points.ts'
-import { m, say } from '#words/say.ts'
+import { m, message } from '#words/message.ts'
 
 /** A box of a flow diagram: its middle and its size, in px. */
 interface FlowBox extends Point, Size {}
@@ -110,7 +110,7 @@ export function laidWays(flow: Flow): readonly LaidWay[] {
 /** Boxes that say all in one sentence. */
 const short: ReadonlySet<string> = new Set(['place'])
 
-export const wordOf = (id: string): string => say(`materials.flow.${id}`)
+export const wordOf = (id: string): string => message(`materials.flow.${id}`)
 export const noteOf = (id: string): string | null => (short.has(id) ? null : wordOf(`${id}Note`))
 
 /** Where a question leads, for who does not see its arrows. */

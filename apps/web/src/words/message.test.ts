@@ -1,9 +1,9 @@
 import { fill } from '@botgarten/messages'
 import { filesIn, languagesIn, ownTableOf } from '@botgarten/messages/folder'
 import { expect, test, vi } from 'vitest'
-import { m } from '#words/say.ts'
+import { m } from '#words/message.ts'
 import { language } from './language.svelte.ts'
-import { isSaid, say, wordsIn } from './say.ts'
+import { hasMessage, message, wordsIn } from './message.ts'
 
 const filesOfMessages = filesIn().filter((file) => file !== 'cli' && file !== 'blockly')
 
@@ -11,13 +11,11 @@ test('a message says its facts; a key that nobody wrote comes back', () => {
   const facts = { label: 'Abstand', place: 'links' }
   expect(wordsIn('de')('network.name', facts)).toBe('Abstand links')
   const told = vi.spyOn(console, 'error').mockImplementation(() => {})
-  expect(say('nobody.wrote.this')).toBe('nobody.wrote.this')
+  expect(message('nobody.wrote.this')).toBe('nobody.wrote.this')
   expect(told).toHaveBeenCalledOnce()
-  expect([isSaid('world.lost'), isSaid('projects.renamed'), isSaid('nobody.wrote.this')]).toEqual([
-    true,
-    true,
-    false,
-  ])
+  expect([hasMessage('world.lost'), hasMessage('projects.renamed'), hasMessage('nobody.wrote.this')]).toEqual(
+    [true, true, false],
+  )
 })
 
 test('a message of the built product says its words in the language of now', async () => {

@@ -3,32 +3,32 @@ import { stacksOf, type Template } from '@botgarten/blocks'
 import { grouped } from '../../model/list.ts'
 import { stateOfRow, stateOfTemplate, type State } from '../../model/state.ts'
 
-type Paper = Blockly.WorkspaceSvg
+type Workspace = Blockly.WorkspaceSvg
 
 /** The block that a hand or the keyboard was at last. */
-function anchorOn(paper: Paper): Blockly.BlockSvg | null {
-  const node = Blockly.FocusableTreeTraverser.findFocusedNode(paper)
-  return node ? paper.getNavigator().getSourceBlockFromNode(node) : null
+function anchorOn(workspace: Workspace): Blockly.BlockSvg | null {
+  const node = Blockly.FocusableTreeTraverser.findFocusedNode(workspace)
+  return node ? workspace.getNavigator().getSourceBlockFromNode(node) : null
 }
 
-/** Puts a block of the shelf at the one that was chosen last, where it fits; else below all others. Returns it. */
-export function put(paper: Paper, template: Template): Blockly.BlockSvg {
+/** Puts a block of the toolbox at the one that was chosen last, where it fits; else below all others. Returns it. */
+export function put(workspace: Workspace, template: Template): Blockly.BlockSvg {
   return grouped(() => {
-    const anchor = anchorOn(paper)
-    const box = paper.getBlocksBoundingBox()
+    const anchor = anchorOn(workspace)
+    const box = workspace.getBlocksBoundingBox()
     const state = { ...stateOfTemplate(template), x: box.left, y: box.bottom + 24 }
-    const block = append(paper, state)
+    const block = append(workspace, state)
     if (anchor) join(block, anchor)
-    void show(paper, block)
+    void show(workspace, block)
     return block
   })
 }
 
 /** Chosen, and where it can be seen. */
-async function show(paper: Paper, block: Blockly.BlockSvg) {
+async function show(workspace: Workspace, block: Blockly.BlockSvg) {
   await Blockly.renderManagement.finishQueuedRenders()
   Blockly.getFocusManager().focusNode(block)
-  paper.scrollBoundsIntoView(block.getBoundingRectangle(), 24)
+  workspace.scrollBoundsIntoView(block.getBoundingRectangle(), 24)
 }
 
 function join(block: Blockly.BlockSvg, anchor: Blockly.BlockSvg): void {
@@ -57,35 +57,35 @@ const goes = (block: Blockly.Connection | null, there: Blockly.Connection): bool
 const apart = 60
 
 /** Lays an example's blocks below all others; its variables are made where the program makes its own. One step of undo. */
-export function putExample(paper: Paper, example: readonly Template[]): void {
+export function putExample(workspace: Workspace, example: readonly Template[]): void {
   grouped(() => {
     const [row = [], ...functions] = stacksOf(example)
     const [start, ...rest] = row
-    for (const made of start?.statements?.['ST'] ?? []) declare(paper, made)
-    const first = add(paper, rest)
-    for (const made of functions) if (!isThere(paper, made[0]!, 'NAME')) add(paper, made)
-    if (first) void show(paper, first)
+    for (const made of start?.statements?.['ST'] ?? []) declare(workspace, made)
+    const first = add(workspace, rest)
+    for (const made of functions) if (!isThere(workspace, made[0]!, 'NAME')) add(workspace, made)
+    if (first) void show(workspace, first)
   })
 }
 
-function add(paper: Paper, row: readonly Template[]): Blockly.BlockSvg | null {
+function add(workspace: Workspace, row: readonly Template[]): Blockly.BlockSvg | null {
   const state = stateOfRow(row, [], true)
-  const { left, bottom } = paper.getBlocksBoundingBox()
-  return state ? append(paper, { ...state, x: left, y: bottom + apart }) : null
+  const { left, bottom } = workspace.getBlocksBoundingBox()
+  return state ? append(workspace, { ...state, x: left, y: bottom + apart }) : null
 }
 
-const append = (paper: Paper, state: State) =>
-  Blockly.serialization.blocks.append(state, paper, { recordUndo: true }) as Blockly.BlockSvg
+const append = (workspace: Workspace, state: State) =>
+  Blockly.serialization.blocks.append(state, workspace, { recordUndo: true }) as Blockly.BlockSvg
 
 /** Is there a block of this type that goes by the same name already? */
-const isThere = (paper: Paper, { type, fields }: Template, name: string): boolean =>
-  paper.getBlocksByType(type).some((block) => block.getFieldValue(name) === fields?.[name])
+const isThere = (workspace: Workspace, { type, fields }: Template, name: string): boolean =>
+  workspace.getBlocksByType(type).some((block) => block.getFieldValue(name) === fields?.[name])
 
 /** Hangs a variable behind those of the program, unless it has one of this name. */
-function declare(paper: Paper, variable: Template): void {
-  if (isThere(paper, variable, 'VAR')) return
-  const [start] = paper.getBlocksByType('robControls_start')
-  const made = add(paper, [variable])
+function declare(workspace: Workspace, variable: Template): void {
+  if (isThere(workspace, variable, 'VAR')) return
+  const [start] = workspace.getBlocksByType('robControls_start')
+  const made = add(workspace, [variable])
   let last = start?.getInput('ST')?.connection
   for (let block = last?.targetBlock(); block; block = block.getNextBlock()) last = block.nextConnection
   if (last && made?.previousConnection) last.connect(made.previousConnection)

@@ -1,17 +1,17 @@
 import * as Blockly from 'blockly/core'
 import { hiddenType, toolbox, type ToolboxCategory } from '@botgarten/blocks'
-import { stateOfTemplate } from '../model/state.ts'
-import type { Words } from '#words/say.ts'
+import { stateOfTemplate } from '../../model/state.ts'
+import type { Words } from '#words/message.ts'
 
-/** What the shelf holds: a category a row, its blocks with their presets plugged in. Hidden layers come with their level. */
+/** What the toolbox holds: a category a row, its blocks with their presets plugged in. Hidden layers come with their level. */
 export function toolboxInfo(
   words: Words,
-  shelf: readonly ToolboxCategory[] = toolbox,
+  categories: readonly ToolboxCategory[] = toolbox,
   without: string = hiddenType,
 ): Blockly.utils.toolbox.ToolboxInfo {
   return {
     kind: 'categoryToolbox',
-    contents: shelf.map(({ category, blocks }) => ({
+    contents: categories.map(({ category, blocks }) => ({
       kind: 'category',
       name: words(`category.${category}`),
       categorystyle: category,
@@ -23,8 +23,8 @@ export function toolboxInfo(
   }
 }
 
-/** A row of the shelf: a coloured circle above its word; the chosen one in a box of its colour. */
-class ShelfCategory extends Blockly.ToolboxCategory {
+/** A row of the toolbox: a coloured circle above its word; the chosen one in a box of its colour. */
+class ToolboxRow extends Blockly.ToolboxCategory {
   protected override createDom_() {
     const row = super.createDom_()
     row.style.setProperty('--category', this.colour_)
@@ -40,7 +40,7 @@ class ShelfCategory extends Blockly.ToolboxCategory {
 
   protected override createIconDom_() {
     const dot = document.createElement('span')
-    dot.className = 'editor-shelf-dot'
+    dot.className = 'editor-toolbox-dot'
     return dot
   }
 
@@ -53,7 +53,7 @@ class ShelfCategory extends Blockly.ToolboxCategory {
 }
 
 /** Escape closes what is open and is heard by the page where nothing is. */
-class Shelf extends Blockly.Toolbox {
+class Toolbox extends Blockly.Toolbox {
   protected override onKeyDown_(event: KeyboardEvent) {
     if (event.key === 'Escape' && !this.getFlyout()?.isVisible()) return
     super.onKeyDown_(event)
@@ -65,10 +65,10 @@ const smallestShare = 0.8
 /**
  * Where a row's blocks lie. Blockly 13.3 lets each of them own its connections for a screen reader (`aria-owns`), some
  * of which are not in the page, and gives those a role that a list of options may not hold. Nobody can go to a
- * connection of a block on the shelf: they are hidden from readers instead.
+ * connection of a block on the toolbox: they are hidden from readers instead.
  */
-class ShelfFlyout extends Blockly.VerticalFlyout {
-  /** A row whose widest block has no room beside the shelf is shown smaller, as far as it can still be read. */
+class ToolboxFlyout extends Blockly.VerticalFlyout {
+  /** A row whose widest block has no room beside the toolbox is shown smaller, as far as it can still be read. */
   override getFlyoutScale(): number {
     const { scale } = this.targetWorkspace
     const widths = this.getContents().map((item) => item.getElement().getBoundingRectangle().getWidth())
@@ -94,13 +94,13 @@ function hideConnections(canvas: Element) {
   }
 }
 
-export const shelfPlugins = { toolbox: Shelf, flyoutsVerticalToolbox: ShelfFlyout }
+export const toolboxPlugins = { toolbox: Toolbox, flyoutsVerticalToolbox: ToolboxFlyout }
 
-export function registerShelf(): void {
+export function registerToolbox(): void {
   Blockly.registry.register(
     Blockly.registry.Type.TOOLBOX_ITEM,
     Blockly.ToolboxCategory.registrationName,
-    ShelfCategory,
+    ToolboxRow,
     true,
   )
 }

@@ -7,11 +7,11 @@ import { saveRaw } from '#storage/handout.ts'
 import { nameOfCopy, wordsOfRefusal } from '#storage/messages.ts'
 import { freshId, list, load, open, rename, save, type Listed } from '#storage/projects.ts'
 import type { Damaged } from '#storage/records.ts'
-import { m } from '#words/say.ts'
+import { m } from '#words/message.ts'
 import type { Project } from '@botgarten/programs'
 import { shownName } from '#content/names.ts'
 
-/** What is said after a deed, and how it is taken back. */
+/** What is said after a action, and how it is taken back. */
 interface Said {
   readonly text: string
   readonly takeBack?: () => Promise<void>
@@ -27,7 +27,7 @@ interface Told {
 }
 
 /** All projects of this device in a child's hands. */
-export class Shelf {
+export class ProjectList {
   #all = $state.raw<readonly Listed[] | null>(null)
   #damaged = $state.raw<readonly Damaged[]>([])
   #binned = $state(0)
@@ -98,7 +98,7 @@ export class Shelf {
     await this.#did(await rename(id, name), { text: m['projects.renamed']({ name }) })
   }
 
-  /** A project of the shelf with its pictures, under the name it bears there; says so where it cannot be read. */
+  /** A project of the list with its pictures, under the name it bears there; says so where it cannot be read. */
   async whole(one: Listed): Promise<Project | null> {
     const kept = await open(one.id)
     if (!kept) {

@@ -1,12 +1,12 @@
 import type * as Blockly from 'blockly/core'
 import { describe, expect, it } from 'vitest'
-import { wordsIn } from '#words/say.ts'
+import { wordsIn } from '#words/message.ts'
 import { loadExpert } from '../../model/packs.ts'
 import { matching, offersOn } from './offers.ts'
 
-const paper = { getAllBlocks: () => [], getTopBlocks: () => [] } as unknown as Blockly.WorkspaceSvg
+const workspace = { getAllBlocks: () => [], getTopBlocks: () => [] } as unknown as Blockly.WorkspaceSvg
 const labels = (locale: 'en' | 'de', query: string, all = false) =>
-  matching(offersOn(paper, all, wordsIn(locale)), query).map(({ label }) => label)
+  matching(offersOn(workspace, all, wordsIn(locale)), query).map(({ label }) => label)
 
 describe('looking for a block', () => {
   it('finds a block by a word that stands on it, in each language', () => {
@@ -39,7 +39,7 @@ describe('looking for a block', () => {
     await loadExpert()
     expect(labels('en', 'list', true).length).toBeGreaterThan(5)
     for (const locale of ['en', 'de'] as const) {
-      const offers = offersOn(paper, true, wordsIn(locale))
+      const offers = offersOn(workspace, true, wordsIn(locale))
       for (const offer of offers)
         expect(matching(offers, offer.label.replaceAll('…', '')), offer.label).toContain(offer)
     }

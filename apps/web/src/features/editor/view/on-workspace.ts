@@ -2,22 +2,22 @@ import * as Blockly from 'blockly/core'
 import { grouped } from '../model/list.ts'
 import { isStart } from '../model/positions.ts'
 
-type Paper = Blockly.WorkspaceSvg
+type Workspace = Blockly.WorkspaceSvg
 
-/** The type of the block that an element of the pane belongs to, on the paper or on the open shelf. */
-export function typeAt(paper: Paper, element: Element): string | null {
+/** The type of the block that an element of the pane belongs to, on the workspace or on the open toolbox. */
+export function typeAt(workspace: Workspace, element: Element): string | null {
   const id = element.closest('.blocklyDraggable')?.getAttribute('data-id') ?? ''
-  const shelf = paper.getFlyout()?.getWorkspace()
-  const block = paper.getBlockById(id) ?? shelf?.getBlockById(id)
+  const toolbox = workspace.getFlyout()?.getWorkspace()
+  const block = workspace.getBlockById(id) ?? toolbox?.getBlockById(id)
   return block?.type ?? null
 }
 
 /** One step of the blocks back or forth; false where there is none, or a hand holds a block. */
-export function step(paper: Paper, redo: boolean): boolean {
-  const steps = redo ? paper.getRedoStack() : paper.getUndoStack()
-  if (steps.length === 0 || paper.isDragging()) return false
-  paper.hideChaff()
-  paper.undo(redo)
+export function step(workspace: Workspace, redo: boolean): boolean {
+  const steps = redo ? workspace.getRedoStack() : workspace.getUndoStack()
+  if (steps.length === 0 || workspace.isDragging()) return false
+  workspace.hideChaff()
+  workspace.undo(redo)
   return true
 }
 
@@ -29,28 +29,28 @@ export function deleteSelected(): void {
 /** A first block that stands further from the corner than this (workspace units) is brought there. */
 const near = 40
 
-/** How far the paper is moved along one axis so that what stands at `place` is near its corner. */
+/** How far the workspace is moved along one axis so that what stands at `place` is near its corner. */
 const shift = (place: number) => (place < 0 || place > near ? near - place : 0)
 
 /**
- * Puts the paper's corner beside the shelf; where a file has its start block elsewhere, or without one its first stack,
+ * Puts the workspace's corner beside the toolbox; where a file has its start block elsewhere, or without one its first stack,
  * that comes to the corner.
  */
-export function place(paper: Paper): void {
-  const stacks = paper.getTopBlocks(true)
+export function place(workspace: Workspace): void {
+  const stacks = workspace.getTopBlocks(true)
   const first = stacks.find(isStart) ?? stacks[0]
   const { x, y } = first?.getRelativeToSurfaceXY() ?? { x: 0, y: 0 }
-  paper.scroll(shift(x) * paper.scale, shift(y) * paper.scale)
+  workspace.scroll(shift(x) * workspace.scale, shift(y) * workspace.scale)
 }
 
 /** Share of the pane's height that no panel lies over. */
 const clear = 0.55
 
 /** Brings a block into the part of the pane that no panel lies over; with `focus` the keyboard goes there as well. */
-export function reveal(paper: Paper, id: string, focus = false): void {
-  const block = paper.getBlockById(id)
+export function reveal(workspace: Workspace, id: string, focus = false): void {
+  const block = workspace.getBlockById(id)
   if (!block) return
-  const view = paper.getMetricsManager().getViewMetrics(true)
+  const view = workspace.getMetricsManager().getViewMetrics(true)
   const { x, y } = block.getRelativeToSurfaceXY()
   const right = x + Math.min(block.width, view.width / 2)
   const bottom = y + Math.min(block.height, 2 * near)
@@ -59,20 +59,24 @@ export function reveal(paper: Paper, id: string, focus = false): void {
     right <= view.left + view.width &&
     y >= view.top &&
     bottom <= view.top + view.height * clear
-  if (!isSeen) paper.scroll((near - x) * paper.scale, (2 * near - y) * paper.scale)
+  if (!isSeen) workspace.scroll((near - x) * workspace.scale, (2 * near - y) * workspace.scale)
   if (focus) Blockly.getFocusManager().focusNode(block)
 }
 
 /** Several fields of a block, as one step. */
-export function setFields(paper: Paper, id: string, fields: { readonly [name: string]: string }): void {
-  const block = paper.getBlockById(id)
+export function setFields(
+  workspace: Workspace,
+  id: string,
+  fields: { readonly [name: string]: string },
+): void {
+  const block = workspace.getBlockById(id)
   grouped(() => Object.entries(fields).forEach(([name, value]) => block?.setFieldValue(value, name)))
 }
 
-/** Does something to the paper that is no step; what was chosen before is so again. */
-export function unseen(paper: Paper, change: () => void, after: () => void): void {
+/** Does something to the workspace that is no step; what was chosen before is so again. */
+export function unseen(workspace: Workspace, change: () => void, after: () => void): void {
   const selected = Blockly.common.getSelected()?.id
-  paper.hideChaff()
+  workspace.hideChaff()
   Blockly.Events.disable()
   try {
     change()
@@ -80,6 +84,6 @@ export function unseen(paper: Paper, change: () => void, after: () => void): voi
     Blockly.Events.enable()
   }
   after()
-  const block = selected === undefined ? null : paper.getBlockById(selected)
+  const block = selected === undefined ? null : workspace.getBlockById(selected)
   if (block) Blockly.getFocusManager().focusNode(block)
 }

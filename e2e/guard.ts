@@ -3,7 +3,7 @@ import { createServer, request, type IncomingMessage, type ServerResponse } from
 import type { AddressInfo } from 'node:net'
 
 /** Stands before a server: counts what goes through, may answer in its place, and can shut the door. */
-export interface Doorman {
+export interface Guard {
   readonly port: number
   /** Addresses that were asked for, and how many bytes of answers went through. */
   readonly asked: readonly string[]
@@ -16,7 +16,7 @@ export interface Doorman {
   open(): Promise<void>
 }
 
-export async function doormanOf(server: string): Promise<Doorman> {
+export async function guardOf(server: string): Promise<Guard> {
   const changes = new Map<string, (text: string) => string>()
   const asked: string[] = []
   let bytes = 0

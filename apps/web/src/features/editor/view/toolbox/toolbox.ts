@@ -1,18 +1,18 @@
 import type * as Blockly from 'blockly/core'
 import { toolbox } from '@botgarten/blocks'
-import type { Words } from '#words/say.ts'
+import type { Words } from '#words/message.ts'
 import { loadExpert, loadLearning, expertParts } from '../../model/packs.ts'
-import { toolboxInfo } from '../toolbox.ts'
+import { toolboxInfo } from './info.ts'
 
 interface DrawnBlocks {
   /** Gives blocks that have come their words. */
   speak(): void
-  /** Builds all blocks again, and fills the shelf. */
+  /** Builds all blocks again, and fills the toolbox. */
   redraw(): void
 }
 
 /** Which blocks a workspace offers: the plain ones, with hidden layers or without, or all of them. */
-export class Shelf {
+export class Toolbox {
   readonly #workspace: Blockly.WorkspaceSvg
   /** In the language that the pane speaks now. */
   readonly #words: () => Words
@@ -28,7 +28,7 @@ export class Shelf {
     this.#blocks = blocks
   }
 
-  /** Everything, or the plain shelf. The language is brought first where it is not there yet. */
+  /** Everything, or the plain toolbox. The language is brought first where it is not there yet. */
   async showAll(all: boolean): Promise<void> {
     if (all === this.#all) return
     this.#all = all
@@ -36,7 +36,7 @@ export class Shelf {
     this.fill()
   }
 
-  /** Brings the whole language, for the paper too. */
+  /** Brings the whole language, for the workspace too. */
   async learn(): Promise<void> {
     if (this.#knowsAll) return
     await loadExpert()
@@ -60,7 +60,7 @@ export class Shelf {
     const parts = this.#all ? expertParts() : null
     this.#workspace.updateToolbox(
       parts
-        ? parts.expertShelf(words, this.#workspace)
+        ? parts.toolboxOf(words, this.#workspace)
         : toolboxInfo(words, toolbox, this.#layers ? '' : undefined),
     )
   }

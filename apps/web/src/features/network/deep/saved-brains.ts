@@ -3,13 +3,13 @@ import { networks, type NetworkOutline } from '@botgarten/programs'
 import { BrainError, brainFile, fitBrain, parseBrainFile, shelfName } from '@botgarten/programs/brain-file'
 import type { LabSession } from '#lab/session.svelte.ts'
 import { handOut } from '#storage/handout.ts'
-import { say } from '#words/say.ts'
+import { message } from '#words/message.ts'
 
 const brainOf = (session: LabSession, id: string): Brain => session.lab.document.brains[id] ?? emptyBrain
 const robotsOf = (session: LabSession) => session.lab.document.world.robots
 
-/** What lies on a network's shelf: its named weights, those left out that a robot drives with. */
-export function onShelf(session: LabSession, { id }: NetworkOutline): string[] {
+/** What lies on a network's list: its named weights, those left out that a robot drives with. */
+export function savedBrains(session: LabSession, { id }: NetworkOutline): string[] {
   const driven = robotsOf(session).map(({ brain }) => brain)
   return Object.keys(brainOf(session, id).sets).filter((name) => !driven.includes(name))
 }
@@ -19,13 +19,13 @@ const taken = (session: LabSession, id: string) => [
   ...robotsOf(session).map((robot) => robot.id),
 ]
 
-/** Puts the weights on the knobs on the shelf, under a name that is free. */
+/** Puts the weights on the knobs on the list, under a name that is free. */
 export function put(session: LabSession, { id }: NetworkOutline, wanted: string): void {
-  const name = shelfName(wanted, taken(session, id), say('net.brain'))
+  const name = shelfName(wanted, taken(session, id), message('net.brain'))
   session.weights.change(id, (brain) => withWeights(brain, weightsOf(brain, session.robot.brain), name))
 }
 
-/** Puts weights from the shelf on the knobs. */
+/** Puts weights from the list on the knobs. */
 export const take = (session: LabSession, { id }: NetworkOutline, name: string): void =>
   session.weights.change(id, (brain) => withWeights(brain, weightsOf(brain, name), session.robot.brain))
 
@@ -58,10 +58,10 @@ export function save(session: LabSession, net: NetworkOutline, name: string): vo
   handOut(name, text, 'brain.json')
 }
 
-/** Lays a brain from a file on the shelf. Returns its name there. @throws {BrainError} */
+/** Lays a brain from a file on the list. Returns its name there. @throws {BrainError} */
 export function load(session: LabSession, net: NetworkOutline, text: string): string {
   const file = parseBrainFile(text)
-  const name = shelfName(file.name, taken(session, net.id), say('net.brain'))
+  const name = shelfName(file.name, taken(session, net.id), message('net.brain'))
   session.weights.change(net.id, (before) => {
     const { brain, weights } = fitBrain(file, before, net)
     return withWeights(brain, weights, name)

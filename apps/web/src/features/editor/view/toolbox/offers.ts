@@ -10,11 +10,11 @@ import {
   type ToolboxCategory,
 } from '@botgarten/blocks'
 import type * as Blockly from 'blockly/core'
-import type { Words } from '#words/say.ts'
+import type { Words } from '#words/message.ts'
 import { expertParts } from '../../model/packs.ts'
 import { piecesOf } from '../../model/pieces.ts'
 
-/** A block of the shelf as it can be found. */
+/** A block of the toolbox as it can be found. */
 export interface Offer {
   readonly template: Template
   readonly category: Category
@@ -24,10 +24,10 @@ export interface Offer {
   readonly found: readonly string[]
 }
 
-/** All that the shelf offers now, in its order. */
+/** All that the toolbox offers now, in its order. */
 export function offersOn(workspace: Blockly.WorkspaceSvg, all: boolean, words: Words): readonly Offer[] {
-  const shelf: readonly ToolboxCategory[] = (all && expertParts()?.everything(workspace)) || toolbox
-  return shelf.flatMap(({ category, blocks }) =>
+  const categories: readonly ToolboxCategory[] = (all && expertParts()?.everything(workspace)) || toolbox
+  return categories.flatMap(({ category, blocks }) =>
     blocks.flatMap((template) => offerOf(template, category, words)),
   )
 }
@@ -46,7 +46,7 @@ function offerOf(template: Template, category: Category, words: Words): readonly
   return [{ template, category, label, found: found.map(plain) }]
 }
 
-/** What stands on a block that lies on the shelf; a gap is three dots. */
+/** What stands on a block that lies on the toolbox; a gap is three dots. */
 function labelOf(template: Template, words: Words): string {
   const { look } = definitions[template.type as keyof typeof definitions]
   const names = [...look.fields, ...look.inputs].map(({ name }) => name)

@@ -54,7 +54,7 @@ export async function withWords<Part>(
 }
 
 /** Is there a message of this key? */
-export const isSaid = (key: string): boolean => messages[language.locale]?.has(key) ?? false
+export const hasMessage = (key: string): boolean => messages[language.locale]?.has(key) ?? false
 
 /** Words of a language that has been fetched. */
 export const wordsIn =
@@ -67,10 +67,10 @@ export const wordsIn =
   }
 
 /** Says a message in the language of now, also where its key is data (a check's, a finding's). */
-export const say: Words = (key, facts) => wordsIn(language.locale)(key, facts)
+export const message: Words = (key, facts) => wordsIn(language.locale)(key, facts)
 
 /** Every message as a function of its facts; Paraglide has written their types from the words. */
 export const m = new Proxy(
   {},
-  { get: (_messages, key: string) => (facts?: Facts) => say(key, facts) },
+  { get: (_messages, key: string) => (facts?: Facts) => message(key, facts) },
 ) as typeof Messages
