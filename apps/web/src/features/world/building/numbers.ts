@@ -1,7 +1,9 @@
-/** A number as it was typed, with dot or comma, minus of either kind, in tenths; null for no number or one out of bounds. */
-export function parseNumber(text: string, least: number, most: number): number | null {
-  const plain = text.trim().replace(',', '.').replace('−', '-')
-  if (!/^-?\d*\.?\d*$/.test(plain) || !/\d/.test(plain)) return null
-  const number = Math.round(Number(plain) * 10) / 10
-  return number >= least && number <= most ? number : null
+import { parseNumber } from '#drawing/numbers.ts'
+
+/** A number as it was typed, rounded to tenths; null for no number or one out of bounds. */
+export function parseTenths(text: string, least: number, most: number): number | null {
+  const number = parseNumber(text)
+  if (number === null) return null
+  const tenths = Math.round(number * 10) / 10
+  return tenths >= least && tenths <= most ? tenths : null
 }
