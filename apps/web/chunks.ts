@@ -20,6 +20,8 @@ const few = 24_000
 const pagesOf = new Map<string, Set<string>>()
 /** Modules that come with a part that is asked for later. */
 const isInLazyPart = new Set<string>()
+/** Lazy parts of the features that a page's `load` asks for, by the page's module. */
+const askedByLoad = new Map<string, readonly string[]>()
 /** Modules of the first page's chunk. */
 let first: ReadonlySet<string> = new Set()
 
@@ -43,6 +45,18 @@ function followAll(modules: Modules): void {
       // SvelteKit asks for every page so.
       if (!modules.getModuleInfo(lazy)?.importedIds.some((id) => page.test(id)))
         follow(modules, lazy, (id) => !isInLazyPart.has(id) && isInLazyPart.add(id) !== undefined)
+  }
+}
+
+const pageWithLoad = /[\\/]src[\\/]routes.*[\\/]\+page\.ts$/
+const feature = /[\\/]feature\.ts$/
+
+function followLoads(modules: Modules): void {
+  for (const id of modules.getModuleIds()) {
+    if (!pageWithLoad.test(id)) continue
+    const features = modules.getModuleInfo(id)?.importedIds.filter((one) => feature.test(one)) ?? []
+    const parts = features.flatMap((one) => modules.getModuleInfo(one)?.dynamicallyImportedIds ?? [])
+    if (parts.length > 0) askedByLoad.set(id, parts)
   }
 }
 
@@ -74,6 +88,7 @@ export const pagesOfModules: Plugin = {
   buildEnd(error) {
     if (error || this.environment.name !== 'client') return
     followAll(this)
+    followLoads(this)
     first = modulesOfFirst(this)
   },
 }
@@ -81,6 +96,8 @@ export const pagesOfModules: Plugin = {
 interface Built {
   readonly type: string
   readonly fileName: string
+  /** Its modules, by their ids. */
+  readonly modules?: { readonly [id: string]: unknown }
   imports?: string[]
   dynamicImports?: string[]
 }
@@ -108,6 +125,11 @@ export const allOfPagesAtOnce: Plugin = {
         chunk.imports?.forEach(add)
       }
       node.imports?.forEach(add)
+      // Asked for in any case before the screen stands: so it need not wait until the page's scripts run.
+      const asked = Object.keys(node.modules ?? {}).flatMap((id) => askedByLoad.get(id) ?? [])
+      Object.values(built)
+        .filter(({ modules = {} }) => asked.some((id) => id in modules))
+        .forEach(({ fileName }) => add(fileName))
       node.imports = [...all.keys()]
       const later = [node, ...all.values()].flatMap(({ dynamicImports = [] }) => dynamicImports)
       node.dynamicImports = [...new Set(later)]
