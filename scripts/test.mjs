@@ -21,12 +21,15 @@ const checks = [
   [
     { name: 'types', script: 'types' },
     { name: 'format', script: 'formatted', args: ['.'] },
+  ],
+  [
+    { name: 'lint', script: 'lint', args: ['.'] },
+    { name: 'lint by types', script: 'lint:types' },
     { name: 'arrows between rooms', script: 'check:arrows' },
     { name: 'unused code', script: 'check:unused' },
     { name: 'build', script: 'build' },
     { name: 'sizes', script: 'check:sizes' },
   ],
-  [{ name: 'lint', script: 'lint', args: ['.'] }],
 ]
 
 async function takeAll() {

@@ -12,9 +12,11 @@ import { nameOfCopy } from '#storage/messages.ts'
 import { loadPart } from '#parts/feature.ts'
 import { fetchWords } from '#words/message.ts'
 
-const addressOf = (card: string, id: string) => resolve(`/lab/[card]?p=${encodeURIComponent(id)}`, { card })
+const asked = (id: string) => `/lab/[card]?p=${encodeURIComponent(id)}` as const
 const show = (card: string, id: string, state: App.PageState = {}) =>
-  goto(addressOf(card, id), { invalidateAll: true, state })
+  goto(resolve(asked(id), { card }), { invalidateAll: true, state })
+/** Gives what is shown another address; nothing is loaded. */
+const rename = (card: string, id: string) => void replaceState(resolve(asked(id), { card }), {})
 
 /** Opens a project file in place of this project, which stays on the device. */
 export async function openFile(file: File, ui: LabUi): Promise<void> {
@@ -40,7 +42,7 @@ export function keepCopy(session: LabSession, title: string): void {
   const place = placeOf(session.project)
   const id = freshId(place)
   void session.continueAsCopy(id, nameOfCopy(title, []))
-  void replaceState(addressOf(place, id), {})
+  rename(place, id)
 }
 
 /** Another tab has thrown this project away: what stands here goes on as one of its own. */
@@ -48,7 +50,7 @@ export function keepGone(session: LabSession): void {
   const place = placeOf(session.project)
   const id = freshId(place)
   void session.continueAsCopy(id, session.name)
-  void replaceState(addressOf(place, id), {})
+  rename(place, id)
 }
 
 /** Another tab has saved this project: that is shown. What stands here is put aside first. */
@@ -71,5 +73,5 @@ export async function sortingLinks(session: LabSession): Promise<readonly Sortin
 
 /** What could not be read here stays where it is: the new start has an address of its own from now on. */
 export function leaveBroken({ id, project, damaged }: Opened): void {
-  if (damaged) void replaceState(addressOf(placeOf(project), id), {})
+  if (damaged) rename(placeOf(project), id)
 }

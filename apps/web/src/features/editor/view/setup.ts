@@ -48,7 +48,7 @@ function leaveUndoToThePage() {
 /** Blockly asks a field for its name before it is drawn, and is answered with an error each time: thousands in a large file. */
 function nameFieldsWhenDrawn() {
   const { prototype } = Blockly.Field
-  // eslint-disable-next-line @typescript-eslint/unbound-method -- it is called with the field below
+  // oxlint-disable-next-line typescript/unbound-method -- it is called with the field below
   const name = prototype.recomputeAriaContext
   prototype.recomputeAriaContext = function () {
     return this.getSvgRoot() !== null && name.call(this)
