@@ -74,12 +74,14 @@ export function measure(): Size[] {
   ]
   for (const { id, route, budget } of features) {
     const own = route === undefined ? [] : scriptsOf(htmlOf(route), manifest, sizeOf, atOnce(null, []))
-    if (budget.page) pages.push(sized(`page of ${id}`, own, budget.page))
-    if (!budget.part) continue
-    const asking = route !== undefined ? own : id === 'editor' ? labOf(atOnce(card, [])) : lab
-    const there = new Set(asking.map(({ file }) => file))
-    const added = scriptsFrom(lazyOf(id), manifest, sizeOf).filter(({ file }) => !there.has(file))
-    pages.push(sized(`part of ${id}`, added, budget.part))
+    const there = new Set((route === undefined ? lab : own).map(({ file }) => file))
+    const part = scriptsFrom(lazyOf(id), manifest, sizeOf)
+    const added = part.filter(({ file }) => !there.has(file))
+    // A page whose `load` asks for its lazy part fetches it at once: both budgets are the page's then.
+    const isAtOnce = part.length > 0 && added.length === 0
+    const { page = 0, part: more = 0 } = budget
+    if (page) pages.push(sized(`page of ${id}`, own, page + (isAtOnce ? more : 0)))
+    if (more && !isAtOnce) pages.push(sized(`part of ${id}`, added, more))
   }
   return pages
 }

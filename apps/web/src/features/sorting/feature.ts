@@ -9,5 +9,5 @@ export const sorting = {
   words: ['sorting'],
   route: 'sorting',
   load: () => import('./lazy.ts'),
-  budget: { page: 120_000, part: 200_000 },
+  budget: { page: 120_000, part: 70_000 },
 } satisfies Feature
