@@ -1,6 +1,7 @@
 export { sin, cos } from './sin-cos.ts'
 export { atan2 } from './atan2.ts'
 export { acos, asin, atan, tan } from './arc.ts'
-export { exp, ln, log10, pow, tanh } from './exp-ln.ts'
+export { exp, tanh } from './exp.ts'
+export { ln, log10, pow } from './ln-pow.ts'
 export { draw, fastDraw, fastStream, stream, type FastStream, type StreamState } from './random.ts'
 export { addToHash, hex, startHash, type Hash } from './hash.ts'

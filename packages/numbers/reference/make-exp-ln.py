@@ -62,6 +62,16 @@ def rows():
         yield row("acos", acos, x)
         yield row("atan", atan, math.copysign(double(-60, 60), x))
         yield row("tan", tan, random.uniform(-1.5, 1.5))
+    # Where the tables of exp.ts go from one entry to the next, and what a network's neurons see.
+    for j in range(-40, 41):
+        edge = (j + 0.5) * math.log(2) / 32
+        for x in [edge, math.nextafter(edge, 9), math.nextafter(edge, -9), edge + random.uniform(-1e-3, 1e-3)]:
+            yield row("exp", exp, x)
+            yield row("tanh", tanh, x / 2)
+    for _ in range(300):
+        yield row("exp", exp, random.uniform(-5, 5))
+        yield row("tanh", tanh, random.uniform(-3, 3))
+        yield row("tanh", tanh, random.uniform(-22, 22))
 
 
 text = ",\n".join(json.dumps(one) for one in rows())

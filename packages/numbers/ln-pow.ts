@@ -64,22 +64,6 @@ export function log10(x: number): number {
   return divide(lnOf(x), lnOf(10)).high
 }
 
-/** e to the power x, within 1 ulp. */
-export const exp = (x: number): number => (Number.isNaN(x) ? NaN : expOf(single(x)))
-
-/** The hyperbolic tangent (e^2x − 1) / (e^2x + 1), within 1 ulp. */
-export function tanh(x: number): number {
-  const size = Math.abs(x)
-  // Below it x³/3 is less than half of the last place.
-  if (!(size > 1e-8)) return x
-  if (size > 22) return Math.sign(x)
-  const { exponent, more } = partsOfExp(single(2 * size))
-  const two = powerOfTwo(exponent)
-  const grown = { high: more.high * two, low: more.low * two }
-  const quotient = divide(add(grown, sumOf(two, -1)), add(grown, sumOf(two, 1)))
-  return Math.sign(x) * quotient.high
-}
-
 /** x to the power y, within 1 ulp where the result is a normal number; what ECMA-262 and Java say in the corners. */
 export function pow(x: number, y: number): number {
   if (y === 0) return 1
