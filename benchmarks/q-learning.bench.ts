@@ -44,7 +44,7 @@ function traced(world: QWorld): number {
   return speed
 }
 
-const graphOf = ({ stations, start, goal, first, to }: QWorld) =>
+const graphOf = ({ states: stations, start, goal, first, to }: QWorld) =>
   [stations, start, goal, ...first, ...to].join(' ')
 
 function peer(command: string, args: readonly string[], world: QWorld): string {

@@ -27,7 +27,7 @@ const huge = 1e12
 
 /** The task: the map's own start, goal and rewards, unless the call sets others. */
 export function taskOf(file: MapFile, given: Given): Task {
-  const last = file.map.moves.length - 1
+  const last = file.map.actions.length - 1
   const station = (name: 'start' | 'goal') => {
     const preset = file[name]
     if (given[name] === undefined && preset === undefined)
@@ -49,7 +49,7 @@ function closedIn({ map }: MapFile, text: string | undefined): [number, number][
   if (text === undefined || text === '') return []
   return text.split(',').map((name) => {
     const [, from, to] = /^(\d+)-(\d+)$/.exec(name.trim())?.map(Number) ?? []
-    if (from === undefined || to === undefined || !map.moves[from]?.some((road) => road.to === to))
+    if (from === undefined || to === undefined || !map.actions[from]?.some((road) => road.to === to))
       throw new CallError('call.closed', { name })
     return [from, to]
   })

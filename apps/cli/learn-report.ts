@@ -2,7 +2,7 @@ import {
   doubtAt,
   planOf,
   type Decay,
-  type LearnedWay,
+  type LearnedPath,
   type QLearner,
   type Plan,
   type Settings,
@@ -11,7 +11,7 @@ import { message } from './words.ts'
 
 /** Why there is no learned way, and the station that it is about. */
 interface NotLearned {
-  readonly reason: LearnedWay['reason']
+  readonly reason: LearnedPath['reason']
   readonly station: number
 }
 
@@ -52,8 +52,8 @@ const policyOf = ({ policy }: Plan, { world, q }: QLearner): PlanSaid['policy'] 
   )
 
 /** Null: a way is learned or, where moves are by chance, a plan. */
-export function notLearnedIn(way: LearnedWay, plan: PlanIn | null): NotLearned | null {
-  if (way.stations) return null
+export function notLearnedIn(way: LearnedPath, plan: PlanIn | null): NotLearned | null {
+  if (way.states) return null
   if (way.reason !== 'neverReached' && plan) return plan.doubt
   return { reason: way.reason, station: way.walked.at(-1)! }
 }
@@ -98,7 +98,7 @@ export function sentenceOf(report: Report): string {
 const joined = (stations: readonly number[]) => stations.join(' → ')
 
 const doubts = ['alike', 'unpaid', 'untried'] as const
-const isDoubt = (reason: LearnedWay['reason']): reason is (typeof doubts)[number] =>
+const isDoubt = (reason: LearnedPath['reason']): reason is (typeof doubts)[number] =>
   doubts.some((doubt) => doubt === reason)
 
 function doubtSentence(after: string, { reason, station }: NotLearned, way: string | null): string {

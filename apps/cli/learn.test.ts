@@ -125,7 +125,7 @@ describe('botgarten learn q', () => {
       ).json() as { moves: number; q: { [road: string]: number }; learned: boolean }
       expect(moves).toBe(course.made)
       expect(Object.values(q)).toEqual([...course.learner.q])
-      expect(learned).toBe(course.way().stations !== null)
+      expect(learned).toBe(course.way().states !== null)
     }
   })
 

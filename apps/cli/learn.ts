@@ -1,9 +1,9 @@
 import {
-  bestWay,
+  greedyPath,
   courseStream,
   createLearner,
   layOutWorld,
-  learnedWay,
+  learnedPath,
   learnWatching,
   type Settings,
 } from '@botgarten/learning/q-learning'
@@ -40,17 +40,17 @@ function learnWay(args: string[]): string {
   const learner = createLearner(world, settingsOf(values), courseStream(seed))
   const { moves, episodes } = limitsOf(values)
   const firstShortestMove = learnWatching(learner, moves, episodes)
-  const way = bestWay(learner)
+  const way = greedyPath(learner)
   const plan = planIn(learner)
-  const notLearned = notLearnedIn(learnedWay(learner), plan)
+  const notLearned = notLearnedIn(learnedPath(learner), plan)
   const report = {
-    bestWay: way.stations,
+    bestWay: way.states,
     reason: way.reason,
-    walked: way.stations ?? ('walked' in way ? way.walked : []),
+    walked: way.states ?? ('walked' in way ? way.walked : []),
     ...{ learned: notLearned === null, notLearned },
     ...(plan && { plan: plan.said }),
     q: Object.fromEntries(world.names.map((name, move) => [name, learner.q[move]!])),
-    moves: learner.moves,
+    moves: learner.steps,
     episodes: learner.episodes,
     firstShortestMove,
     seed,

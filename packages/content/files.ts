@@ -49,7 +49,7 @@ export function contentIn(root: string): ContentFiles {
     return svg === null ? null : readMap(svg).map
   }
   const stations = once(() =>
-    Object.fromEntries(maps().map((id) => [id, mapFile(id)?.map.moves.length ?? 0])),
+    Object.fromEntries(maps().map((id) => [id, mapFile(id)?.map.actions.length ?? 0])),
   )
   const setFolders = once(() => folder.foldersWith('things/*/things.json'))
   const sets = once(() => setFolders().map((one) => named(one, readThings(folder.json(one, 'things.json')))))

@@ -33,7 +33,7 @@ describe('a road of any path commands is as long, and leads where svgpathtools s
   test.each(roads.map((road, index) => ({ index, ...road })))('$index: $data', ({ data, length, points }) => {
     const [start, end] = [pointOf(points[0]!), pointOf(points.at(-1)!)]
     const { map, roads } = mapIn(svg(circle(0, start) + circle(1, end) + path('0-1', data)))
-    expect(Math.abs(map.moves[0]![0]!.length! - length)).toBeLessThan(1e-3 * length)
+    expect(Math.abs(map.actions[0]![0]!.length! - length)).toBeLessThan(1e-3 * length)
     points.forEach((point, eighth) => {
       expect(gap(pointAt(roads['0-1']!, eighth / 8), pointOf(point))).toBeLessThan(1 + 2e-3 * length)
     })
@@ -135,7 +135,7 @@ describe('a transform', () => {
         const size = 1 + Math.hypot(from.x, from.y) + Math.hypot(to.x, to.y)
         expect(gap(stations[0]!, from) / size).toBeLessThan(1e-9)
         expect(gap(stations[1]!, to) / size).toBeLessThan(1e-9)
-        expect(Math.abs(map.moves[0]![0]!.length! - gap(from, to)) / size).toBeLessThan(1e-5)
+        expect(Math.abs(map.actions[0]![0]!.length! - gap(from, to)) / size).toBeLessThan(1e-5)
       }),
       { seed: 15 },
     )
@@ -153,7 +153,7 @@ describe('a transform', () => {
     const half = `<path id="path-0-1" transform="scale(2 1)" d="M10 50a40 40 0 0 1 80 0"/>`
     const { map } = mapIn(svg(circle(0, { x: 20, y: 50 }) + circle(1, { x: 180, y: 50 }) + half))
     // Half the ellipse with axes 80 and 40: 40 times the complete elliptic integral of the second kind, twice over.
-    expect(map.moves[0]![0]!.length!).toBeCloseTo(193.77, 1)
+    expect(map.actions[0]![0]!.length!).toBeCloseTo(193.77, 1)
   })
 
   test('that cannot be read is named with what it moves, wherever it stands', () => {
@@ -227,14 +227,14 @@ describe('a drawing of another program', () => {
     const map = mapIn(text)
     expect(map.size).toEqual({ width: 800, height: 600 })
     expect(map.stations[1]).toEqual({ x: 110, y: 20 })
-    expect(map.map.moves[0]).toEqual([{ to: 1, length: 100 }])
+    expect(map.map.actions[0]).toEqual([{ to: 1, length: 100 }])
   })
 
   test('as Illustrator saves it: gradients that lead to each other, a road drawn there and there again', () => {
     const defs =
       '<defs><linearGradient id="a"><stop offset="0"/></linearGradient><linearGradient xlink:href="#a"/></defs>'
     const road = '<path id="path-0-1" d="M0,0,100,0m-100,0L100,0" stroke="url(#a)"/>'
-    expect(mapIn(svg(defs + two + road)).map.moves[0]).toEqual([{ to: 1, length: 100 }])
+    expect(mapIn(svg(defs + two + road)).map.actions[0]).toEqual([{ to: 1, length: 100 }])
   })
 
   test('may begin anywhere: the map begins at 0, 0', () => {
@@ -249,7 +249,7 @@ describe('a drawing of another program', () => {
 
   test('may have roads as lines and polylines', () => {
     const line = '<line id="path-0-1" x2="100"/><polyline id="path-1-0" points="100,0 50 30 0,0"/>'
-    const [there, back] = mapIn(svg(two + line)).map.moves.map(([move]) => move!.length!)
+    const [there, back] = mapIn(svg(two + line)).map.actions.map(([move]) => move!.length!)
     expect(there).toBe(100)
     expect(back).toBeCloseTo(2 * Math.hypot(50, 30), 9)
   })
@@ -273,7 +273,7 @@ describe('a drawing of another program', () => {
     const names = ['path-a-b', 'path-7-18-2', 'path-01-2', 'node-start', 'Node-1', 'node_2', 'path_0_1']
     const { map, warnings } = readMap(svg(two + names.map((name) => `<g id="${name}"/>`).join('')))
     expect(warnings).toEqual(names.map((name) => ({ kind: 'strangeId', facts: { name } })))
-    expect(map!.map.moves).toEqual([[], []])
+    expect(map!.map.actions).toEqual([[], []])
     expect(readMap(svg('<g id="nodes"/><g id="pathes"/><g id="path12"/>' + two)).warnings).toEqual([])
     expect(readMap(svg('<g id="node_0"/>'))).toMatchObject({
       problems: [{ kind: 'noStations' }],
@@ -315,7 +315,7 @@ describe('a drawing of another program', () => {
         const road = `<path id="path-0-1" transform="${inner}" d="M${data}"/>`
         const { map, problems } = readMap(svg(`<g transform="${outer}">${two}${road}</g>`))
         expect(map === null).toBe(problems.length > 0)
-        const numbers = map?.map.moves.flat().map(({ length }) => length!) ?? []
+        const numbers = map?.map.actions.flat().map(({ length }) => length!) ?? []
         expect(numbers.every(Number.isFinite)).toBe(true)
       }),
       { seed: 15, numRuns: 2000 },

@@ -3,7 +3,7 @@ import {
   layOutWorld,
   lengthOf,
   shortestLength,
-  shortestWay,
+  shortestPath,
   type QMap,
 } from '@botgarten/learning/q-learning'
 import { inScene, learningIn, type LearningOutline, type Project } from '@botgarten/programs'
@@ -29,28 +29,28 @@ export function courseOf(
     stepCost: (stepCost ?? 0) + (pay.step ?? 0),
     ...(pay.length && { lengthCost: LENGTH_COST }),
   })
-  return new Course(world, settings, seed, { episodes, moves })
+  return new Course(world, settings, seed, { episodes, steps: moves })
 }
 
 /** What is paid on arrival at stations and on roads, on top of what the map pays itself. */
 function withOwnRewards(map: QMap, own: { readonly [place: string]: number }): QMap {
   if (Object.keys(own).length === 0) return map
-  const rewards = map.moves.map((_, station) => (map.rewards?.[station] ?? 0) + (own[station] ?? 0))
-  const moves = map.moves.map((list, from) =>
+  const rewards = map.actions.map((_, station) => (map.rewards?.[station] ?? 0) + (own[station] ?? 0))
+  const moves = map.actions.map((list, from) =>
     list.map((move) => ({ ...move, reward: (move.reward ?? 0) + (own[`${from}-${move.to}`] ?? 0) })),
   )
-  return { ...map, moves, rewards }
+  return { ...map, actions: moves, rewards }
 }
 
 /** Is this a shortest way there is: by sections, or by length where length counts? */
 export function isShortest({ learner: { world } }: Course, stations: readonly number[]): boolean {
   if (world.task.lengthCost) return lengthOf(world, stations) <= (shortestLength(world) ?? 0) + 1e-6
-  return stations.length === shortestWay(world)
+  return stations.length === shortestPath(world)
 }
 
 /** Sections of the shortest way from start to goal; null: closed roads leave none. */
 export function sectionsOf({ learner: { world } }: Course): number | null {
-  const stations = shortestWay(world)
+  const stations = shortestPath(world)
   return stations === null ? null : stations - 1
 }
 
@@ -70,7 +70,7 @@ export function withLearnedWay<Document extends Pick<Project, 'programs' | 'worl
   if (!robot || !outline || !map) return document
   const course = courseOf(outline, map, seed)
   course.advance(outline.moves)
-  const { stations } = course.way()
+  const { states: stations } = course.way()
   if (!stations || stations.length < 2) return document
   return { ...document, world: inScene(document.world, drawWay(map, stations).scene) }
 }

@@ -1,6 +1,6 @@
 import { content } from '@botgarten/content/files'
 import { stream } from '@botgarten/numbers'
-import { bestWay, createLearner, layOutWorld, run } from '@botgarten/learning/q-learning'
+import { greedyPath, createLearner, layOutWorld, run } from '@botgarten/learning/q-learning'
 import fc from 'fast-check'
 import { describe, expect, test } from 'vitest'
 import type { LearningOutline } from '@botgarten/programs'
@@ -16,7 +16,7 @@ function mapOf(id: string): MapFile {
 }
 
 const edgesOf = ({ map }: MapFile) =>
-  map.moves.flatMap((moves, from) => moves.filter(({ to }) => from < to).map(({ to }) => `${from}-${to}`))
+  map.actions.flatMap((moves, from) => moves.filter(({ to }) => from < to).map(({ to }) => `${from}-${to}`))
 
 /** The graphs of spec/q-learning-playground.md, "Maps". */
 const graphs = {
@@ -46,10 +46,10 @@ describe.each(ids)('the map %s', (id) => {
 
   test('has every road in both directions, equally long, and at least 40 cm for the robot', () => {
     const { map, cmPerUnit } = mapOf(id)
-    map.moves.forEach((moves, from) => {
+    map.actions.forEach((moves, from) => {
       for (const { to, length, outcomes } of moves) {
         if (outcomes) continue
-        const back = map.moves[to]!.find((move) => move.to === from)
+        const back = map.actions[to]!.find((move) => move.to === from)
         expect(Math.abs(back!.length! - length!)).toBeLessThan(0.5)
         expect(length! * cmPerUnit).toBeGreaterThanOrEqual(40)
       }
@@ -68,10 +68,10 @@ test('the roundabout pays for walking in circles, and a step cost fixes it', () 
     const settings = { rules: 'standard', algorithm: 'q', alpha: 0.5, gamma: 0.8, nu: 0.1, rho: 0.9 } as const
     const learner = createLearner(world, settings, stream(1, 'learn/roundabout/1'))
     run(learner, 20_000)
-    return bestWay(learner)
+    return greedyPath(learner)
   }
-  expect(way(0)).toMatchObject({ stations: null, reason: 'circle' })
-  expect(way(15)).toMatchObject({ reason: 'found', stations: [0, 1, 2, 3, 4, 7] })
+  expect(way(0)).toMatchObject({ states: null, reason: 'circle' })
+  expect(way(15)).toMatchObject({ reason: 'found', states: [0, 1, 2, 3, 4, 7] })
 })
 
 describe('a broken map', () => {
@@ -180,7 +180,7 @@ describe('own rewards', () => {
   const learned = (pay?: LearningOutline['pay']) => {
     const course = courseOf({ ...city, ...(pay && { pay }) }, mapOf('city'), 1)
     course.advance(city.moves)
-    return { course, way: course.way().stations! }
+    return { course, way: course.way().states! }
   }
 
   test('the City by length has a way of nine stations, by sections one of eight (spec, "Maps")', () => {

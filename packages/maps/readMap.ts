@@ -1,4 +1,4 @@
-import { gridMap, type Move } from '@botgarten/learning/q-learning'
+import { gridMap, type Action } from '@botgarten/learning/q-learning'
 import { elementsOf, type Element } from './elements.ts'
 import { numbersIn } from './path.ts'
 import { distance, type Point } from './point.ts'
@@ -49,7 +49,12 @@ export function readMap(text: string): ReadMap {
   const stations = stationsIn({ elements, ids, roads, size }, problems)
   const laid =
     root.attributes['data-grid'] === undefined
-      ? { map: { moves: movesIn(roads, stations, problems), ...rewardsIn(ids, stations.length, problems) } }
+      ? {
+          map: {
+            actions: actionsIn(roads, stations, problems),
+            ...rewardsIn(ids, stations.length, problems),
+          },
+        }
       : gridIn(root, stations.length, problems)
   if (problems.length > 0 || laid === null) return broken(problems, warnings)
   const lines = roads.flatMap(({ from, to, read }) =>
@@ -184,12 +189,12 @@ function insideOf(elements: readonly Element[], element: Element): readonly Elem
   return elements.slice(first, end < 0 ? elements.length : end)
 }
 
-function movesIn(
+function actionsIn(
   roads: readonly Between[],
   stations: readonly Place[],
   problems: MapProblem[],
-): readonly (readonly Move[])[] {
-  const moves: Move[][] = stations.map(() => [])
+): readonly (readonly Action[])[] {
+  const actions: Action[][] = stations.map(() => [])
   for (const { name, from, to, read, attributes } of roads) {
     const nowhere = [from, to].find((station) => station >= stations.length)
     if (nowhere !== undefined) problems.push(problem('pathToNowhere', { name, station: nowhere }))
@@ -202,10 +207,10 @@ function movesIn(
       })
       if (late !== undefined) problems.push(problem('pathEnd', { name, station: late }))
       const reward = numberIn(attributes['data-reward'], `${name} data-reward`, problems)
-      moves[from]!.push({ to, length: read.length, ...keep('reward', reward) })
+      actions[from]!.push({ to, length: read.length, ...keep('reward', reward) })
     }
   }
-  return moves.map((list) => list.toSorted((a, b) => a.to - b.to))
+  return actions.map((list) => list.toSorted((a, b) => a.to - b.to))
 }
 
 function rewardsIn(ids: ReadonlyMap<string, Element>, count: number, problems: MapProblem[]) {
@@ -225,8 +230,8 @@ function gridIn({ attributes }: Element, stations: number, problems: MapProblem[
   const cliffReward = numberIn(attributes['data-cliff-reward'], 'data-cliff-reward', problems)
   try {
     const grid = gridMap(rows, { ...keep('surefooted', surefooted), ...keep('cliffReward', cliffReward) })
-    if (grid.map.moves.length === stations) return grid
-    problems.push(problem('stationMissing', { name: `node-${stations}`, count: grid.map.moves.length }))
+    if (grid.map.actions.length === stations) return grid
+    problems.push(problem('stationMissing', { name: `node-${stations}`, count: grid.map.actions.length }))
   } catch (error) {
     problems.push(problem('grid', { why: (error as RangeError).message }))
   }

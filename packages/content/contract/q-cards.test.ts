@@ -12,7 +12,7 @@ function between(card: string): readonly number[] {
   const outline = Object.values(programs).flatMap((program) => learningIn(program) ?? [])[0]!
   const course = courseOf(outline, content.mapFile(outline.map)!, 1)
   course.advance(outline.moves)
-  return course.way().stations!.slice(1, -1)
+  return course.way().states!.slice(1, -1)
 }
 
 /** What a child reads before it guesses: its card in the lab, and on paper. Headings and what is drawn are left out. */

@@ -63,7 +63,7 @@ function cardThere(id: string): NameableCard {
 }
 
 function mapThere(id: string) {
-  const { moves } = content.mapFile(id)!.map
+  const { actions: moves } = content.mapFile(id)!.map
   const roads = moves.flatMap((list, from) => list.map(({ to }) => `${from}-${to}`))
   return { stations: moves.length, roads: new Set(roads) }
 }

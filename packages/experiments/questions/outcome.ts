@@ -82,7 +82,7 @@ function wayOf(document: Document, map: MapFile): string {
   if (!outline) throw new TypeError('This program learns no way.')
   const course = courseOf(outline, map, 1)
   course.advance(outline.moves)
-  return course.way().stations?.join('-') ?? 'none'
+  return course.way().states?.join('-') ?? 'none'
 }
 
 function groupOf({ flags, thing }: AskedOfGroups, things: ReadonlyMap<string, readonly number[]>): string {

@@ -1,11 +1,11 @@
 import {
-  bestWay,
+  greedyPath,
   createLearner,
   layOutWorld,
-  learnedWay,
+  learnedPath,
   learnWatching,
   planOf,
-  shortestWay,
+  shortestPath,
   type QLearner,
   type Plan,
   type Settings,
@@ -52,14 +52,14 @@ export interface Row extends Setting {
 export function rowOf(job: Job, setting: Setting): Row {
   const world = layOutWorld(job.task)
   const settings = learnerSettings(setting, job)
-  const shortest = shortestWay(world)
+  const shortest = shortestPath(world)
   const firsts: number[] = []
   const plans: Plan[] = []
   let [shortestAtEnd, anyAtEnd, learnedAtEnd] = [0, 0, 0]
   for (let run = 1; run <= job.runs; run++) {
     const learner = createLearner(world, settings, stream(job.seed, `learn/${nameOf(setting)}/${run}`))
     firsts.push(learnWatching(learner, job.moves, job.episodes) ?? Infinity)
-    const way = bestWay(learner).stations
+    const way = greedyPath(learner).states
     if (way !== null) anyAtEnd++
     if (way !== null && way.length === shortest) shortestAtEnd++
     const { isLearned, plan } = judge(learner)
@@ -81,9 +81,9 @@ export function rowOf(job: Job, setting: Setting): Row {
 }
 
 function judge(learner: QLearner) {
-  const way = learnedWay(learner)
+  const way = learnedPath(learner)
   const plan = learner.world.isSlippery ? planOf(learner) : null
-  const isLearned = way.stations !== null || (plan?.doubt === null && learner.goals > 0)
+  const isLearned = way.states !== null || (plan?.doubt === null && learner.goals > 0)
   return { isLearned, plan }
 }
 

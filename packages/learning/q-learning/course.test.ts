@@ -12,12 +12,12 @@ const roads = [
   [3, 5],
   [0, 3, 4],
 ]
-const map = { moves: roads.map((list) => list.map((to) => ({ to }))) }
+const map = { actions: roads.map((list) => list.map((to) => ({ to }))) }
 const world = layOutWorld({ map, start: 3, goal: 1, closed: [[3, 2], [2, 3]] }) // prettier-ignore
 const settings: Settings = { rules: 'standard', algorithm: 'q', alpha: 0.5, gamma: 0.8, nu: 0.1, rho: 0.5 }
 
-const course = (seed = 1, episodes = 1e6, moves = 1e6) =>
-  new Course(world, settings, seed, { episodes, moves })
+const course = (seed = 1, episodes = 1e6, steps = 1e6) =>
+  new Course(world, settings, seed, { episodes, steps })
 const alone = (seed = 1) => createLearner(world, settings, stream(seed, 'learn/playground'))
 
 describe('a course', () => {
@@ -83,14 +83,14 @@ describe('a course', () => {
     expect([few.over, few.episodes.length]).toEqual(['episodes', 20])
     const short = course(1, 1000, 10)
     expect(short.advance(100)).toBe(10)
-    expect([short.over, short.next()]).toEqual(['moves', null])
+    expect([short.over, short.next()]).toEqual(['steps', null])
   })
 
   test('writes down each episode: moves, reward, and whether the goal was reached', () => {
     const one = course(2, 50)
     one.advance(100_000)
     expect(one.episodes).toHaveLength(50)
-    expect(one.episodes.reduce((sum, { moves }) => sum + moves, 0)).toBe(one.made)
+    expect(one.episodes.reduce((sum, { steps }) => sum + steps, 0)).toBe(one.made)
     for (const { atGoal, reward } of one.episodes) expect(reward).toBe(atGoal ? 50 : 0)
     expect(one.episodes.at(-1)!.best).toBe(3)
   })
@@ -101,7 +101,7 @@ describe('a course', () => {
     const found = one.foundIn()!
     expect(one.episodes[found - 2]?.best ?? null).not.toBe(3)
     for (const { best } of one.episodes.slice(found - 1)) expect(best).toBe(3)
-    expect(one.foundAt()).toBe(one.episodes.slice(0, found).reduce((sum, { moves }) => sum + moves, 0))
+    expect(one.foundAt()).toBe(one.episodes.slice(0, found).reduce((sum, { steps }) => sum + steps, 0))
     one.goTo(1)
     expect(one.foundIn()).toBeNull()
   })
@@ -112,7 +112,7 @@ describe('a course', () => {
         const one = course(seed, 30)
         const found = new Map<number, string>()
         while (one.next()) {
-          const way = one.way().stations?.join('-')
+          const way = one.way().states?.join('-')
           const episode = one.foundIn()
           if (episode === null) continue
           expect(found.get(episode) ?? way).toBe(way)

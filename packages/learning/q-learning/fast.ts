@@ -1,33 +1,33 @@
 import { longestEpisode, type QLearner } from './learner.ts'
 
-/** Can `fast` carry this learner on? Everything else takes the moves of move.ts. */
+/** Can `fast` carry this learner on? Everything else takes the steps of update.ts. */
 export const isPlain = ({ world, settings }: QLearner): boolean =>
   !world.isSlippery && settings.algorithm === 'q' && settings.alphaDecay?.kind !== 'visits'
 
 /**
- * The moves of move.ts for sure roads and Q-learning, in one loop over local variables: four times as fast, equal to the
+ * The steps of update.ts for sure roads and Q-learning, in one loop over local variables: four times as fast, equal to the
  * last bit. `learner.last` stays as it is.
  */
-export function fast(learner: QLearner, lastMove: number, lastEpisode: number): void {
-  const { world, settings, q, tries, stream, alphaFactor, rhoFactor } = learner
+export function fast(learner: QLearner, lastStep: number, lastEpisode: number): void {
+  const { world, settings, q, tries, stream, alphaFactor, epsilonFactor } = learner
   const { first, to: targets, reward, terminal, open, start, goal } = world
   const { gamma, nu } = settings
   const isStudy = settings.rules === 'study'
-  const starts = isStudy ? world.stations : open.length
+  const starts = isStudy ? world.states : open.length
   const longest = isStudy ? Infinity : longestEpisode(world)
-  let { station, moves, episodes, episodeMoves, goals, alpha, rho } = learner
+  let { state, steps, episodes, episodeSteps, goals, alpha, epsilon } = learner
   const words = Int32Array.from(stream)
 
-  while (moves < lastMove && episodes < lastEpisode) {
-    const explores = draw(words) < rho
+  while (steps < lastStep && episodes < lastEpisode) {
+    const explores = draw(words) < epsilon
     if (draw(words) < nu && starts > 0) {
       const index = Math.floor(draw(words) * starts)
-      station = isStudy ? index : open[index]!
-    } else if (station < 0) station = isStudy ? Math.floor(draw(words) * starts) : start
-    moves++
-    episodeMoves++
-    const from = first[station]!
-    const end = first[station + 1]!
+      state = isStudy ? index : open[index]!
+    } else if (state < 0) state = isStudy ? Math.floor(draw(words) * starts) : start
+    steps++
+    episodeSteps++
+    const from = first[state]!
+    const end = first[state + 1]!
     let ends = true
     if (from !== end) {
       let taken = from
@@ -48,10 +48,10 @@ export function fast(learner: QLearner, lastMove: number, lastEpisode: number): 
           while (q[taken] !== best || skip-- > 0) taken++
         }
       }
-      station = targets[taken]!
-      const next = first[station]!
-      const nextEnd = first[station + 1]!
-      ends = next === nextEnd || (!isStudy && terminal[station] === 1)
+      state = targets[taken]!
+      const next = first[state]!
+      const nextEnd = first[state + 1]!
+      ends = next === nextEnd || (!isStudy && terminal[state] === 1)
       let bestNext = 0
       if (!ends) {
         bestNext = q[next]!
@@ -59,18 +59,18 @@ export function fast(learner: QLearner, lastMove: number, lastEpisode: number): 
       }
       tries[taken] = tries[taken]! + 1
       q[taken] = (1 - alpha) * q[taken]! + alpha * (reward[taken]! + gamma * bestNext)
-      if (station === goal) goals++
+      if (state === goal) goals++
     }
-    if (ends || episodeMoves >= longest) station = -1
+    if (ends || episodeSteps >= longest) state = -1
     else if (!isStudy) continue
     episodes++
-    episodeMoves = 0
+    episodeSteps = 0
     alpha *= alphaFactor
-    rho *= rhoFactor
+    epsilon *= epsilonFactor
   }
   stream.set(words)
   learner.chosen = -1
-  Object.assign(learner, { station, moves, episodes, episodeMoves, goals, alpha, rho })
+  Object.assign(learner, { state, steps, episodes, episodeSteps, goals, alpha, epsilon })
 }
 
 /** `fastDraw` over signed words: unsigned ones leave the processor's whole numbers. */

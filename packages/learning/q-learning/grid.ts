@@ -1,8 +1,8 @@
-import type { Move, Outcome, QMap } from './types.ts'
+import type { Action, Outcome, QMap } from './types.ts'
 
 /** Rewards and odds of a grid that its letters do not say. */
 export interface GridOptions {
-  /** Probability that a move goes where it is meant; the rest goes to its two sides in equal parts. Without: 1. */
+  /** Probability that an action leads where it is meant; the rest goes to its two sides in equal parts. Without: 1. */
   readonly surefooted?: number
   /** Paid for falling off the cliff, which leads back to the start. */
   readonly cliffReward?: number
@@ -44,7 +44,7 @@ export function gridMap(
   }
   const arrive = (to: number, probability: number): Outcome =>
     cells[to] === 'C' ? { probability, to: start, reward: cliffReward } : { probability, to }
-  const move = (from: number, turn: number): Move => {
+  const action = (from: number, turn: number): Action => {
     const sides = (1 - surefooted) / 2
     const odds = [
       arrive(target(from, turn - 1), sides),
@@ -57,8 +57,8 @@ export function gridMap(
   const isBody = (letter: string) => letter === 'W' || letter === 'H' || letter === 'G'
   return {
     map: {
-      moves: cells.map((letter, from) =>
-        isBody(letter) ? [] : directions.map((_, turn) => move(from, turn)),
+      actions: cells.map((letter, from) =>
+        isBody(letter) ? [] : directions.map((_, turn) => action(from, turn)),
       ),
       terminals: cells.flatMap((letter, index) => (letter === 'H' ? [index] : [])),
     },

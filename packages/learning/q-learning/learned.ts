@@ -1,11 +1,11 @@
-import { bestMove, bestWay, type BestWay } from './best-way.ts'
+import { greedyAction, greedyPath, type GreedyPath } from './greedy-path.ts'
 import type { QLearner } from './learner.ts'
 
-/** Why the values of a station do not tell yet which of its roads is the best one. */
+/** Why the values of a state do not tell yet which of its actions is the best one. */
 export type Doubt =
-  /** None of its roads was tried. */
+  /** None of its actions was tried. */
   | 'unknown'
-  /** A road that was never tried is worth as much as the best one. */
+  /** A action that was never tried is worth as much as the best one. */
   | 'untried'
   /** All of them are worth 0. */
   | 'alike'
@@ -13,46 +13,47 @@ export type Doubt =
   | 'unpaid'
 
 /**
- * The best way where it has been learned; without one, the first reason on the way. A doubt is about the last station
- * that was walked to. `chance`: from there the best move leads here or there, so that there is no sure way (see plan.ts).
+ * The best way where it has been learned; without one, the first reason on the way. A doubt is about the last state
+ * that was walked to. `chance`: from there the best action leads here or there, so that there is no sure way (see plan.ts).
  */
-export type LearnedWay =
-  BestWay | { readonly stations: null; readonly reason: Doubt | 'chance'; readonly walked: readonly number[] }
+export type LearnedPath =
+  | GreedyPath
+  | { readonly states: null; readonly reason: Doubt | 'chance'; readonly walked: readonly number[] }
 
 /**
- * Do the values of a station tell which of its roads to take? They do where the best road was tried, is not worth
- * exactly 0, and no road that was never tried is worth as much. One road alone needs no values.
+ * Do the values of a state tell which of its actions to take? They do where the best action was tried, is not worth
+ * exactly 0, and no action that was never tried is worth as much. One action alone needs no values.
  */
-export function doubtAt({ world: { first }, q, tries }: QLearner, station: number): Doubt | null {
-  const [from, end] = [first[station]!, first[station + 1]!]
+export function doubtAt({ world: { first }, q, tries }: QLearner, state: number): Doubt | null {
+  const [from, end] = [first[state]!, first[state + 1]!]
   if (end - from < 2) return null
   const values = q.subarray(from, end)
   const best = values.reduce((most, value) => Math.max(most, value), -Infinity)
   const counts = tries.subarray(from, end)
   if (counts.every((count) => count === 0)) return 'unknown'
   if (best === 0 && values.every((value) => value === 0)) return 'alike'
-  if (counts.some((count, road) => count === 0 && values[road] === best)) return 'untried'
+  if (counts.some((count, action) => count === 0 && values[action] === best)) return 'untried'
   return best === 0 ? 'unpaid' : null
 }
 
 /**
- * The best way, if it counts as learned. `bestWay` takes the first of equal roads, so that it may show a way where
- * nothing but their numbers has decided: after one try all roads of the start are still worth 0.
+ * The best way, if it counts as learned. `greedyPath` takes the first of equal actions, so that it may show a way where
+ * nothing but their numbers has decided: after one try all actions of the start are still worth 0.
  */
-export function learnedWay(learner: QLearner): LearnedWay {
-  const way = bestWay(learner)
+export function learnedPath(learner: QLearner): LearnedPath {
+  const way = greedyPath(learner)
   if (way.reason === 'neverReached' || way.reason === 'startIsGoal') return way
-  const walked = way.stations ?? way.walked
-  for (const [index, station] of walked.entries()) {
-    if (station === learner.world.goal) break
-    const reason = doubtAt(learner, station) ?? (isByChance(learner, station) ? 'chance' : null)
-    if (reason) return { stations: null, reason, walked: walked.slice(0, index + 1) }
+  const walked = way.states ?? way.walked
+  for (const [index, state] of walked.entries()) {
+    if (state === learner.world.goal) break
+    const reason = doubtAt(learner, state) ?? (isByChance(learner, state) ? 'chance' : null)
+    if (reason) return { states: null, reason, walked: walked.slice(0, index + 1) }
   }
   return way
 }
 
-function isByChance(learner: QLearner, station: number): boolean {
+function isByChance(learner: QLearner, state: number): boolean {
   const { outcome } = learner.world
-  const move = bestMove(learner, station)
-  return move >= 0 && outcome[move + 1]! - outcome[move]! > 1
+  const action = greedyAction(learner, state)
+  return action >= 0 && outcome[action + 1]! - outcome[action]! > 1
 }

@@ -11,7 +11,7 @@ const roads = fc.array(
   { maxLength: 20 },
 )
 
-/** Every way of at most six stations, one after the other. */
+/** Every way of at most six states, one after the other. */
 function shortestOfAll(moves: readonly (readonly { readonly to: number; readonly length: number }[])[]) {
   let least = Infinity
   const walk = (at: number, walked: number, seen: readonly number[]): void => {
@@ -31,7 +31,7 @@ test('the shortest length is the least of all ways', () => {
         const own = list.filter((road) => road.from === from && road.to !== from)
         return own.filter(({ to }, index) => own.findIndex((road) => road.to === to) === index)
       })
-      const world = layOutWorld({ map: { moves }, start: 0, goal: 5 })
+      const world = layOutWorld({ map: { actions: moves }, start: 0, goal: 5 })
       expect(shortestLength(world)).toBe(shortestOfAll(moves))
     }),
     { seed: 1, numRuns: 300 },
@@ -40,9 +40,9 @@ test('the shortest length is the least of all ways', () => {
 
 test('a way is as long as its roads, and a closed road is none', () => {
   const moves = [[{ to: 1, length: 3 }], [{ to: 2, length: 4 }], []]
-  const world = layOutWorld({ map: { moves }, start: 0, goal: 2 })
+  const world = layOutWorld({ map: { actions: moves }, start: 0, goal: 2 })
   expect(lengthOf(world, [0, 1, 2])).toBe(7)
-  const closed = layOutWorld({ map: { moves }, start: 0, goal: 2, closed: [[1, 2]] })
+  const closed = layOutWorld({ map: { actions: moves }, start: 0, goal: 2, closed: [[1, 2]] })
   expect(() => lengthOf(closed, [0, 1, 2])).toThrow('No open road leads from 1 to 2.')
   expect(shortestLength(closed)).toBeNull()
 })

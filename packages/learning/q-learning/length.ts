@@ -1,34 +1,34 @@
 import type { QWorld } from './world.ts'
 
-/** Length of the road that a move takes, in the map's own unit. */
-function lengthOfMove({ task, from, meant }: QWorld, move: number): number {
-  return task.map.moves[from[move]!]!.find(({ to }) => to === meant[move])?.length ?? 0
+/** Length of the action that a action takes, in the map's own unit. */
+function lengthOfAction({ task, from, meant }: QWorld, action: number): number {
+  return task.map.actions[from[action]!]!.find(({ to }) => to === meant[action])?.length ?? 0
 }
 
 /** Length of a way, in the map's own unit. @throws RangeError where a road of it is not there or closed */
-export function lengthOf(world: QWorld, stations: readonly number[]): number {
-  return stations.slice(1).reduce((sum, to, index) => {
-    const from = stations[index]!
-    for (let move = world.first[from]!; move < world.first[from + 1]!; move++)
-      if (world.meant[move] === to) return sum + lengthOfMove(world, move)
+export function lengthOf(world: QWorld, states: readonly number[]): number {
+  return states.slice(1).reduce((sum, to, index) => {
+    const from = states[index]!
+    for (let action = world.first[from]!; action < world.first[from + 1]!; action++)
+      if (world.meant[action] === to) return sum + lengthOfAction(world, action)
     throw new RangeError(`No open road leads from ${from} to ${to}.`)
   }, 0)
 }
 
 /** Length of the shortest way from start to goal, slippery moves as they are meant; null: there is none. Dijkstra 1959. */
 export function shortestLength(world: QWorld): number | null {
-  const { start, goal, first, meant, stations } = world
-  const lengths = new Float64Array(stations).fill(Infinity)
+  const { start, goal, first, meant, states } = world
+  const lengths = new Float64Array(states).fill(Infinity)
   lengths[start] = 0
-  const open = new Set(Array.from({ length: stations }, (_, station) => station))
+  const open = new Set(Array.from({ length: states }, (_, state) => state))
   while (open.size > 0) {
-    const next = [...open].reduce((best, station) => (lengths[station]! < lengths[best]! ? station : best))
+    const next = [...open].reduce((best, state) => (lengths[state]! < lengths[best]! ? state : best))
     if (lengths[next] === Infinity) return null
     if (next === goal) return lengths[goal]!
     open.delete(next)
-    for (let move = first[next]!; move < first[next + 1]!; move++) {
-      const length = lengths[next]! + lengthOfMove(world, move)
-      if (length < lengths[meant[move]!]!) lengths[meant[move]!] = length
+    for (let action = first[next]!; action < first[next + 1]!; action++) {
+      const length = lengths[next]! + lengthOfAction(world, action)
+      if (length < lengths[meant[action]!]!) lengths[meant[action]!] = length
     }
   }
   return null

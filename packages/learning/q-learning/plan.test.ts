@@ -6,7 +6,7 @@ import {
   expectedReturn,
   gridMap,
   layOutWorld,
-  learnedWay,
+  learnedPath,
   planOf,
   run,
   type Settings,
@@ -34,9 +34,9 @@ describe.each(['lake4', 'lake8', 'cliff'] as const)("on Gymnasium's %s", (name) 
   const { gamma, q } = worlds[name]
 
   test.each(policies[name])('a policy expects what linear algebra says: $return', (theirs) => {
-    const moves = theirs.policy.map((action, station) => {
-      const first = world.first[station]!
-      return world.first[station + 1] === first ? -1 : first + order[action]!
+    const moves = theirs.policy.map((action, state) => {
+      const first = world.first[state]!
+      return world.first[state + 1] === first ? -1 : first + order[action]!
     })
     expect(Math.abs(expectedReturn(world, moves, gamma)! - theirs.return)).toBeLessThan(1e-9)
   })
@@ -64,7 +64,7 @@ describe('on the slippery lake', () => {
     // Of Gymnasium's best policy: 32 of 41.
     expect(Math.abs(reaches - policies.lake4[0]!.reaches)).toBeLessThan(0.06)
     expect(policy[15]).toBe(-1)
-    expect(learnedWay(one)).toEqual({ stations: null, reason: 'chance', walked: [0] })
+    expect(learnedPath(one)).toEqual({ states: null, reason: 'chance', walked: [0] })
   })
 
   test('where nothing is learned yet the plan is in doubt from the start on', () => {
@@ -73,7 +73,7 @@ describe('on the slippery lake', () => {
 
   test('what never ends and costs has no return', () => {
     const circle = layOutWorld({
-      map: { moves: [[{ to: 1 }], [{ to: 0 }], []] },
+      map: { actions: [[{ to: 1 }], [{ to: 0 }], []] },
       start: 0,
       goal: 2,
       stepCost: 1,

@@ -2,7 +2,7 @@ import { fastDraw, fastStream, stream } from '@botgarten/numbers'
 import fc from 'fast-check'
 import { describe, expect, test } from 'vitest'
 import {
-  bestWay,
+  greedyPath,
   createLearner,
   gridMap,
   layOutWorld,
@@ -11,7 +11,7 @@ import {
   restoreLearner,
   run,
   saveLearner,
-  shortestWay,
+  shortestPath,
   step,
   type QState,
   type Settings,
@@ -37,24 +37,24 @@ const anySettings: fc.Arbitrary<Settings> = fc.record({
 
 /** Any map that is one: no roads, roads to themselves, slippery ones, rewards of any size. */
 const anyTask: fc.Arbitrary<Task> = fc.integer({ min: 1, max: 12 }).chain((count) => {
-  const station = fc.nat(count - 1)
+  const state = fc.nat(count - 1)
   const reward = fc.oneof(fc.constant(0), fc.double({ min: -1e12, max: 1e12, noNaN: true }))
-  const slippery = fc.tuple(station, station, reward).map(([a, b, paid]) => [
+  const slippery = fc.tuple(state, state, reward).map(([a, b, paid]) => [
     { probability: 0.25, to: a },
     { probability: 0.75, to: b, reward: paid },
   ])
   const road = fc.record(
-    { to: station, reward, length: fc.nat(1000), outcomes: slippery },
+    { to: state, reward, length: fc.nat(1000), outcomes: slippery },
     { requiredKeys: ['to'] },
   )
   const roads = fc.array(road, { maxLength: 4 })
   return fc.record({
     map: fc.record({
-      moves: fc.array(roads, { minLength: count, maxLength: count }),
-      terminals: fc.array(station, { maxLength: 2 }),
+      actions: fc.array(roads, { minLength: count, maxLength: count }),
+      terminals: fc.array(state, { maxLength: 2 }),
     }),
-    ...{ start: station, goal: station },
-    closed: fc.array(fc.tuple(station, station), { maxLength: 3 }),
+    ...{ start: state, goal: state },
+    closed: fc.array(fc.tuple(state, state), { maxLength: 3 }),
     ...{ goalReward: reward, stepCost: reward, lengthCost: fc.double({ min: 0, max: 10, noNaN: true }) },
   })
 })
@@ -72,10 +72,10 @@ describe('on any map with any settings', () => {
             expect(world.first[trace.from]).toBe(world.first[trace.from + 1])
             continue
           }
-          expect(world.from[trace.move]).toBe(trace.from)
+          expect(world.from[trace.action]).toBe(trace.from)
           const target = trace.reward + settings.gamma * trace.bestNext
           expect(trace.after).toBe((1 - trace.alpha) * trace.before + trace.alpha * target)
-          expect(learner.q[trace.move]).toBe(trace.after)
+          expect(learner.q[trace.action]).toBe(trace.after)
         }
       }),
     )
@@ -83,9 +83,9 @@ describe('on any map with any settings', () => {
 
   test('a state that was saved as text goes on bit for bit the same (running.md 2)', () => {
     fc.assert(
-      fc.property(anyTask, anySettings, fc.nat(80), (task, settings, moves) => {
+      fc.property(anyTask, anySettings, fc.nat(80), (task, settings, steps) => {
         const learner = learnerOf(task, settings)
-        run(learner, moves)
+        run(learner, steps)
         const copy = learnerOf(task, settings)
         restoreLearner(copy, JSON.parse(JSON.stringify(saveLearner(learner))) as QState)
         const after = (one: typeof learner) => Array.from({ length: 40 }, () => step(one))
@@ -95,13 +95,13 @@ describe('on any map with any settings', () => {
     )
   })
 
-  test('many moves at once are the same as single ones', () => {
+  test('many steps at once are the same as single ones', () => {
     fc.assert(
-      fc.property(anyTask, anySettings, fc.nat(200), (task, settings, moves) => {
+      fc.property(anyTask, anySettings, fc.nat(200), (task, settings, steps) => {
         const stepped = learnerOf(task, settings)
         const ran = learnerOf(task, settings)
-        for (let move = 0; move < moves; move++) step(stepped)
-        run(ran, moves)
+        for (let t = 0; t < steps; t++) step(stepped)
+        run(ran, steps)
         expect(saveLearner(ran)).toEqual(saveLearner(stepped))
       }),
     )
@@ -112,12 +112,12 @@ describe('on any map with any settings', () => {
       fc.property(anyTask, anySettings, (task, settings) => {
         const learner = learnerOf(task, settings)
         run(learner, 300)
-        const way = bestWay(learner)
-        const walked = way.stations ?? way.walked
+        const way = greedyPath(learner)
+        const walked = way.states ?? way.walked
         const best = policy(learner)
-        for (const [index, station] of walked.slice(0, -1).entries())
-          expect(learner.world.meant[best[station]!]).toBe(walked[index + 1])
-        if (way.stations) expect(walked.at(-1)).toBe(task.goal)
+        for (const [index, state] of walked.slice(0, -1).entries())
+          expect(learner.world.meant[best[state]!]).toBe(walked[index + 1])
+        if (way.states) expect(walked.at(-1)).toBe(task.goal)
         else if (learner.goals === 0) expect(way.reason).toBe('neverReached')
         else if (way.reason === 'circle')
           expect(walked.indexOf(walked.at(-1)!)).toBeLessThan(walked.length - 1)
@@ -128,23 +128,23 @@ describe('on any map with any settings', () => {
 })
 
 describe('odd maps', () => {
-  const line = (stations: number): Task => ({
+  const line = (states: number): Task => ({
     map: {
-      moves: Array.from({ length: stations }, (_, from) => (from + 1 < stations ? [{ to: from + 1 }] : [])),
+      actions: Array.from({ length: states }, (_, from) => (from + 1 < states ? [{ to: from + 1 }] : [])),
     },
-    ...{ start: 0, goal: stations - 1 },
+    ...{ start: 0, goal: states - 1 },
   })
 
   test('one station: it is there already', () => {
     const learner = learnerOf(line(1))
     run(learner, 10)
-    expect(bestWay(learner)).toEqual({ stations: [0], reason: 'startIsGoal' })
+    expect(greedyPath(learner)).toEqual({ states: [0], reason: 'startIsGoal' })
   })
 
   test('500 stations in a row are learned', () => {
     const learner = learnerOf(line(500), { nu: 0.5 })
     run(learner, 600_000)
-    expect(bestWay(learner).stations).toHaveLength(500)
+    expect(greedyPath(learner).states).toHaveLength(500)
   })
 
   test('all roads closed: it says that it never got to the goal', () => {
@@ -156,15 +156,15 @@ describe('odd maps', () => {
       ],
     })
     run(learner, 50)
-    expect(bestWay(learner)).toEqual({ stations: null, reason: 'neverReached', walked: [0] })
-    expect(step(learner)).toMatchObject({ decision: null, move: -1, ends: 'deadEnd', to: 0 })
+    expect(greedyPath(learner)).toEqual({ states: null, reason: 'neverReached', walked: [0] })
+    expect(step(learner)).toMatchObject({ decision: null, action: -1, ends: 'deadEnd', to: 0 })
   })
 
   test('a reward that lies on the way round invites to walk in circles', () => {
-    const map = { moves: [[{ to: 1 }, { to: 2 }], [{ to: 0 }], []], rewards: { 1: 60 } }
+    const map = { actions: [[{ to: 1 }, { to: 2 }], [{ to: 0 }], []], rewards: { 1: 60 } }
     const learner = learnerOf({ map, start: 0, goal: 2 }, { gamma: 0.9 })
     run(learner, 5000)
-    expect(bestWay(learner)).toEqual({ stations: null, reason: 'circle', walked: [0, 1, 0] })
+    expect(greedyPath(learner)).toEqual({ states: null, reason: 'circle', walked: [0, 1, 0] })
   })
 
   test.each([
@@ -172,21 +172,21 @@ describe('odd maps', () => {
     [{ goal: -1 }, 'The goal is station -1; there are 0 to 2.'],
     [{ stepCost: NaN }, 'stepCost is NaN, not a number that counts.'],
     [{ goalReward: Infinity }, 'goalReward is Infinity, not a number that counts.'],
-    [{ map: { moves: [] } }, 'A map has 1 to 10000 stations, not 0.'],
-    [{ map: { moves: [[{ to: 7 }]] }, goal: 0 }, 'The end of Road 0-7 is station 7; there are 0 to 0.'],
+    [{ map: { actions: [] } }, 'A map has 1 to 10000 stations, not 0.'],
+    [{ map: { actions: [[{ to: 7 }]] }, goal: 0 }, 'The end of Road 0-7 is station 7; there are 0 to 0.'],
     [
-      { map: { moves: [[{ to: 0, reward: NaN }]] }, goal: 0 },
+      { map: { actions: [[{ to: 0, reward: NaN }]] }, goal: 0 },
       'The reward of Road 0-0 is NaN, not a number that counts.',
     ],
-    [{ map: { moves: [[{ to: 0, length: -1 }]] }, goal: 0 }, 'Road 0-0 has the length -1.'],
+    [{ map: { actions: [[{ to: 0, length: -1 }]] }, goal: 0 }, 'Road 0-0 has the length -1.'],
     [
-      { map: { moves: [[{ to: 0 }]], rewards: { 0: NaN } }, goal: 0 },
+      { map: { actions: [[{ to: 0 }]], rewards: { 0: NaN } }, goal: 0 },
       'The reward of station 0 is NaN, not a number that counts.',
     ],
     [
       {
         map: {
-          moves: [
+          actions: [
             [
               {
                 to: 0,
@@ -203,7 +203,7 @@ describe('odd maps', () => {
       'The probabilities of Road 0-0 add up to 1, not to 1.',
     ],
     [
-      { map: { moves: [[{ to: 0, outcomes: [{ probability: 0.5, to: 0 }] }]] }, goal: 0 },
+      { map: { actions: [[{ to: 0, outcomes: [{ probability: 0.5, to: 0 }] }]] }, goal: 0 },
       'The probabilities of Road 0-0 add up to 0.5, not to 1.',
     ],
   ])('%j is refused with a word', (odd, words) => {
@@ -225,16 +225,16 @@ describe('odd maps', () => {
 
   test('a shortest way is counted in stations, along the roads of each station alone', () => {
     const roads = [[{ to: 1 }], [{ to: 2 }], [{ to: 3 }], []]
-    const task = { map: { moves: roads }, start: 0, goal: 3 }
-    expect(shortestWay(layOutWorld(task))).toBe(4)
+    const task = { map: { actions: roads }, start: 0, goal: 3 }
+    expect(shortestPath(layOutWorld(task))).toBe(4)
     const shorter = [[{ to: 1 }, { to: 2 }], ...roads.slice(1)]
-    expect(shortestWay(layOutWorld({ ...task, map: { moves: shorter } }))).toBe(3)
-    expect(shortestWay(layOutWorld({ ...task, start: 3, goal: 0 }))).toBeNull()
+    expect(shortestPath(layOutWorld({ ...task, map: { actions: shorter } }))).toBe(3)
+    expect(shortestPath(layOutWorld({ ...task, start: 3, goal: 0 }))).toBeNull()
   })
 
   test('a learner that has not moved has nothing to show of its last move', () => {
     const { last } = learnerOf(line(3))
-    expect(last).toMatchObject({ from: 0, to: 0, move: -1, teleported: false, explores: false, ends: null })
+    expect(last).toMatchObject({ from: 0, to: 0, action: -1, teleported: false, explores: false, ends: null })
     expect(last).toMatchObject({ reward: 0, before: 0, bestNext: 0, after: 0, alpha: 0 })
   })
 
@@ -247,7 +247,7 @@ describe('odd maps', () => {
 
   test('a grid is walked to the left, down, to the right and up, in this order', () => {
     const { map } = gridMap(['FFF', 'FSF', 'FFG'])
-    expect(map.moves[4]!.map(({ name }) => name)).toEqual(['left', 'down', 'right', 'up'])
+    expect(map.actions[4]!.map(({ name }) => name)).toEqual(['left', 'down', 'right', 'up'])
   })
 
   test('a state of another map is refused', () => {
@@ -267,15 +267,15 @@ describe('a grid', () => {
 
   test('has walls that nobody passes', () => {
     const { map } = gridMap(['SWG', 'FFF'])
-    expect(map.moves[0]!.map(({ to }) => to)).toEqual([0, 3, 0, 0])
+    expect(map.actions[0]!.map(({ to }) => to)).toEqual([0, 3, 0, 0])
   })
 })
 
 describe('what falls', () => {
-  const line: Task = { map: { moves: [[{ to: 1 }], [{ to: 2 }], []] }, start: 0, goal: 2 }
-  const alphas = (settings: Partial<Settings>, moves: number) => {
+  const line: Task = { map: { actions: [[{ to: 1 }], [{ to: 2 }], []] }, start: 0, goal: 2 }
+  const alphas = (settings: Partial<Settings>, steps: number) => {
     const learner = learnerOf(line, { nu: 0, ...settings })
-    return Array.from({ length: moves }, () => step(learner).alpha)
+    return Array.from({ length: steps }, () => step(learner).alpha)
   }
 
   test('with visits α is α · 10 / (9 + n) at the n-th update of a value', () => {
@@ -291,7 +291,7 @@ describe('what falls', () => {
     expect(rates).toEqual([0.8, 0.8, 0.4, 0.4, 0.2, 0.2])
     const learner = learnerOf(line, { nu: 0, rho: 0.8, rhoDecay: { kind: 'episodes', factor: 0.5 } })
     run(learner, 6)
-    expect(learner.rho).toBe(0.1)
+    expect(learner.epsilon).toBe(0.1)
   })
 })
 
@@ -325,9 +325,9 @@ test('the first move with a shortest way is the one that looking after every mov
       const looked = learnerOf(task, settings)
       const first = learnWatching(watched, 300)
       let wanted: number | null = null
-      while (looked.moves < 300) {
+      while (looked.steps < 300) {
         step(looked)
-        if (bestWay(looked).stations?.length === shortestWay(looked.world)) wanted ??= looked.moves
+        if (greedyPath(looked).states?.length === shortestPath(looked.world)) wanted ??= looked.steps
       }
       expect(task.start === task.goal || first === wanted).toBe(true)
       expect(saveLearner(watched)).toEqual(saveLearner(looked))

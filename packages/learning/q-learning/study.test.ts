@@ -1,7 +1,7 @@
 import { stream } from '@botgarten/numbers'
 import { isLong } from '@botgarten/numbers/testing'
 import { describe, expect, test } from 'vitest'
-import { bestWay, createLearner, layOutWorld, run, step, type QMap, type Settings } from './index.ts'
+import { greedyPath, createLearner, layOutWorld, run, step, type QMap, type Settings } from './index.ts'
 import graphs from './reference/graphs.json' with { type: 'json' }
 import study from './reference/study.json' with { type: 'json' }
 
@@ -9,9 +9,9 @@ type Name = keyof typeof graphs
 
 /** Of a drawing's roads, both directions. */
 function task(name: Name) {
-  const { stations, edges, start, goal, closed } = graphs[name]
+  const { stations: states, edges, start, goal, closed } = graphs[name]
   const map: QMap = {
-    moves: Array.from({ length: stations }, (_, from) =>
+    actions: Array.from({ length: states }, (_, from) =>
       edges.filter((edge) => edge.includes(from)).map(([a, b]) => ({ to: a === from ? b! : a! })),
     ),
   }
@@ -43,8 +43,8 @@ describe('the study rules', () => {
         stream(index, `learn/${row.setting.join()}/${index}`),
       )
       study.after.forEach((moves, column) => {
-        run(learner, moves - learner.moves)
-        if (bestWay(learner).stations?.length === graphs[name].shortest) hits[column]! += 1
+        run(learner, moves - learner.steps)
+        if (greedyPath(learner).states?.length === graphs[name].shortest) hits[column]! += 1
       })
     }
     hits.forEach((ours, column) => {

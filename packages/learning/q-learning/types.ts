@@ -1,30 +1,30 @@
-/** What a move may lead to; slippery moves have several. `reward` comes on top of what the task pays. */
+/** What an action may lead to; slippery ones have several. `reward` comes on top of what the task pays. */
 export interface Outcome {
-  /** 0..1; those of a move add up to 1. */
+  /** 0..1; those of an action add up to 1. */
   readonly probability: number
   readonly to: number
   readonly reward?: number
 }
 
-/** A road from one station to another: an action of the station it leaves. */
-export interface Move {
+/** An action of the state it leaves: on a map, a road to another station. */
+export interface Action {
   readonly to: number
-  /** Tells moves apart that lead to the same station: `left`. */
+  /** Tells actions apart that lead to the same state: `left`. */
   readonly name?: string
   /** In the map's own unit, ≥ 0. */
   readonly length?: number
-  /** Paid for every move on this road. */
+  /** Paid each time it is taken. */
   readonly reward?: number
   /** Where it really leads. Without: to `to`, for sure. */
   readonly outcomes?: readonly Outcome[]
 }
 
-/** Stations 0..n−1 and the moves that leave each: a Markov decision process with deterministic or slippery moves. */
+/** States 0..n−1 (stations of a map) and the actions of each: a Markov decision process, deterministic or slippery. */
 export interface QMap {
-  readonly moves: readonly (readonly Move[])[]
-  /** Paid on arrival, by station. */
-  readonly rewards?: { readonly [station: number]: number }
-  /** Stations where an attempt ends beside the goal: holes. */
+  readonly actions: readonly (readonly Action[])[]
+  /** Paid on arrival, by state. */
+  readonly rewards?: { readonly [state: number]: number }
+  /** States where an attempt ends beside the goal: holes. */
   readonly terminals?: readonly number[]
 }
 
@@ -35,11 +35,11 @@ export interface Task {
   readonly goal: number
   /** Roads that are closed, each in one direction. */
   readonly closed?: readonly (readonly [from: number, to: number])[]
-  /** For the move into the goal; without: 50. */
+  /** For the step into the goal; without: 50. */
   readonly goalReward?: number
-  /** Charged for every move. */
+  /** Charged for every step. */
   readonly stepCost?: number
-  /** Charged for every move, times the road's length. */
+  /** Charged for every step, times the length of its action. */
   readonly lengthCost?: number
 }
 
@@ -63,9 +63,9 @@ export interface Settings {
   readonly alpha: number
   /** Discount factor γ, 0..1. */
   readonly gamma: number
-  /** Probability ν to start a move somewhere else, 0..1. */
+  /** Probability ν to start a step somewhere else, 0..1. */
   readonly nu: number
-  /** Probability ρ to explore, 0..1. */
+  /** Probability ε to explore, 0..1; files and options call it ρ, as the thesis does. */
   readonly rho: number
   readonly alphaDecay?: Decay
   readonly rhoDecay?: Decay
@@ -73,32 +73,32 @@ export interface Settings {
 
 /** The learner's whole state as plain data: what it goes on from, bit for bit. */
 export interface QState {
-  /** By move, in the order of the map's stations and their open moves. */
+  /** By action, in the order of the states and their open actions. */
   readonly q: readonly number[]
   /** How often each value was updated. */
   readonly tries: readonly number[]
-  /** Where the next move starts; null: a new episode begins. */
-  readonly station: number | null
-  /** SARSA: index of the move that was chosen on arrival. */
+  /** Where the next step starts; null: a new episode begins. */
+  readonly state: number | null
+  /** SARSA: index of the action that was chosen on arrival. */
   readonly chosen: number | null
   /** Whether that was by exploring. */
   readonly chosenExplores: boolean
-  readonly moves: number
+  readonly steps: number
   readonly episodes: number
-  /** Moves of the present episode. */
-  readonly episodeMoves: number
+  /** Steps of the present episode. */
+  readonly episodeSteps: number
   /** How often the goal was reached. */
   readonly goals: number
-  /** α and ρ as they are now. */
+  /** α and ε as they are now. */
   readonly alpha: number
-  readonly rho: number
+  readonly epsilon: number
   readonly stream: readonly number[]
 }
 
-/** Why an episode ended with a move. */
+/** Why an episode ended with a step. */
 export type Ending = 'goal' | 'terminal' | 'deadEnd' | 'limit'
 
-/** One move, opened. */
+/** One step with all its numbers. */
 export interface QTrace {
   /** Counted from 1. */
   readonly t: number
@@ -106,17 +106,17 @@ export interface QTrace {
   readonly episode: number
   readonly from: number
   readonly teleported: boolean
-  readonly draws: { readonly rho: number; readonly nu: number }
-  /** Null: no road leaves `from`. Nothing is learned. */
+  readonly draws: { readonly epsilon: number; readonly nu: number }
+  /** Null: no action leaves `from`. Nothing is learned. */
   readonly decision: 'explore' | 'exploit' | null
-  /** Index of the move among all; −1 without a decision. */
-  readonly move: number
+  /** Index of the action among all; −1 without a decision. */
+  readonly action: number
   /** Where it led, and where it was meant to lead. */
   readonly to: number
   readonly meant: number
   readonly reward: number
   readonly before: number
-  /** max Q(s′, ·); SARSA: Q(s′, a′); 0 behind a terminal station. */
+  /** max Q(s′, ·); SARSA: Q(s′, a′); 0 behind a terminal state. */
   readonly bestNext: number
   readonly after: number
   /** Learning rate of this update. */

@@ -3,7 +3,7 @@ import { isLong, sample } from '@botgarten/numbers/testing'
 import fc from 'fast-check'
 import { describe, expect, test } from 'vitest'
 import {
-  bestWay,
+  greedyPath,
   createLearner,
   gridMap,
   layOutWorld,
@@ -39,7 +39,7 @@ describe('Q with α = 10/(9 + n) and full exploration', () => {
       const learner = learn(task, exact, 60_000)
       expect(farthest(learner.q, optimal(learner.world, exact.gamma))).toBeLessThan(1e-9)
       const shortest = breadthFirst(layOutWorld(task))
-      expect(bestWay(learner).stations?.length ?? null).toBe(shortest)
+      expect(greedyPath(learner).states?.length ?? null).toBe(shortest)
     }
   })
 
@@ -48,7 +48,7 @@ describe('Q with α = 10/(9 + n) and full exploration', () => {
     const task = { map, start, goal, goalReward: 0, stepCost: 1 }
     const learner = learn(task, exact, 2_000_000)
     expect(farthest(learner.q, optimal(learner.world, exact.gamma))).toBeLessThan(1e-9)
-    expect(bestWay(learner).stations).toEqual([36, ...Array.from({ length: 12 }, (_, x) => 24 + x), 47])
+    expect(greedyPath(learner).states).toEqual([36, ...Array.from({ length: 12 }, (_, x) => 24 + x), 47])
   })
 })
 
@@ -73,9 +73,9 @@ describe.each([
 
   test('leads from every station by every move to the same ones, as likely and for the same reward', () => {
     let compared = 0
-    for (const [station, actions] of rows) {
-      const first = world.first[Number(station)]!
-      if (world.first[Number(station) + 1] === first) continue
+    for (const [state, actions] of rows) {
+      const first = world.first[Number(state)]!
+      if (world.first[Number(state) + 1] === first) continue
       for (const [action, outcomes] of Object.entries(actions)) {
         const ours = oddsOf(outcomesAt(first + order[Number(action)]!))
         const theirs = oddsOf(outcomes)
@@ -88,10 +88,10 @@ describe.each([
   })
 
   test('is worth the same', () => {
-    const theirs = rows.flatMap(([station]) =>
-      world.first[Number(station)] === world.first[Number(station) + 1]
+    const theirs = rows.flatMap(([state]) =>
+      world.first[Number(state)] === world.first[Number(state) + 1]
         ? []
-        : order.map((action) => q[Number(station)]![action]!),
+        : order.map((action) => q[Number(state)]![action]!),
     )
     expect(farthest(valueIteration(world, gamma), theirs)).toBeLessThan(1e-9)
   })

@@ -1,22 +1,22 @@
-import type { Move, Task } from './types.ts'
+import type { Action, Task } from './types.ts'
 
-/** More stations than any map has, and than a screen could show. */
+/** More states than any map has, and than a screen could show. */
 const MOST_STATIONS = 10_000
 
 /**
- * A task laid out for the learner. Moves of station s are `first[s]` to `first[s + 1] − 1`, by rising target; outcomes
- * of move m are `outcome[m]` to `outcome[m + 1] − 1`.
+ * A task laid out for the learner. Moves of state s are `first[s]` to `first[s + 1] − 1`, by rising target; outcomes
+ * of action m are `outcome[m]` to `outcome[m + 1] − 1`.
  */
 export interface QWorld {
   readonly task: Task
-  readonly stations: number
+  readonly states: number
   readonly start: number
   readonly goal: number
   readonly first: Int32Array
-  /** Names of the moves: `3-5`. */
+  /** Names of the actions: `3-5`. */
   readonly names: readonly string[]
   readonly from: Int32Array
-  /** Where each move is meant to lead. */
+  /** Where each action is meant to lead. */
   readonly meant: Int32Array
   readonly outcome: Int32Array
   readonly to: Int32Array
@@ -26,7 +26,7 @@ export interface QWorld {
   readonly isSlippery: boolean
   /** 1 where an episode of the standard rules ends. */
   readonly terminal: Uint8Array
-  /** Stations that are not the goal and have a way out. */
+  /** States that are not the goal and have a way out. */
   readonly open: Int32Array
 }
 
@@ -34,41 +34,41 @@ export interface QWorld {
 export function layOutWorld(task: Task): QWorld {
   refuseNonsense(task)
   const { map, start, goal } = task
-  const stations = map.moves.length
-  const open = map.moves.map((moves, from) => openMoves(task, moves, from))
-  const all = open.flatMap((moves, from) => moves.map((move) => ({ from, move, outcomes: outcomesOf(move) })))
-  const outcomes = all.flatMap(({ move, outcomes: list }) => list.map((one) => ({ ...one, move })))
-  const terminal = new Uint8Array(stations)
-  for (const station of [goal, ...(map.terminals ?? [])]) terminal[station] = 1
+  const states = map.actions.length
+  const open = map.actions.map((actions, from) => openActions(task, actions, from))
+  const all = open.flatMap((actions, from) =>
+    actions.map((action) => ({ from, action, outcomes: outcomesOf(action) })),
+  )
+  const outcomes = all.flatMap(({ action, outcomes: list }) => list.map((one) => ({ ...one, action })))
+  const terminal = new Uint8Array(states)
+  for (const state of [goal, ...(map.terminals ?? [])]) terminal[state] = 1
   return {
-    ...{ task, stations, start, goal, terminal },
+    ...{ task, states, start, goal, terminal },
     first: sumsOf(open.map(({ length }) => length)),
-    names: all.map(({ from, move }) => `${from}-${move.name ?? move.to}`),
+    names: all.map(({ from, action }) => `${from}-${action.name ?? action.to}`),
     from: Int32Array.from(all, ({ from }) => from),
-    meant: Int32Array.from(all, ({ move }) => move.to),
+    meant: Int32Array.from(all, ({ action }) => action.to),
     outcome: sumsOf(all.map(({ outcomes: { length } }) => length)),
     to: Int32Array.from(outcomes, ({ to }) => to),
-    reward: Float64Array.from(outcomes, ({ move, to, reward = 0 }) => reward + payFor(task, move, to)),
+    reward: Float64Array.from(outcomes, ({ action, to, reward = 0 }) => reward + payFor(task, action, to)),
     upTo: Float64Array.from(all.flatMap(({ outcomes: list }) => upTo(list))),
     isSlippery: all.some(({ outcomes: { length } }) => length > 1),
-    open: Int32Array.from(
-      open.flatMap(({ length }, station) => (length > 0 && station !== goal ? [station] : [])),
-    ),
+    open: Int32Array.from(open.flatMap(({ length }, state) => (length > 0 && state !== goal ? [state] : []))),
   }
 }
 
-function openMoves({ closed = [] }: Task, moves: readonly Move[], from: number): readonly Move[] {
-  return moves
+function openActions({ closed = [] }: Task, actions: readonly Action[], from: number): readonly Action[] {
+  return actions
     .filter(({ to }) => !closed.some((road) => road[0] === from && road[1] === to))
     .toSorted((a, b) => (a.name || b.name ? 0 : a.to - b.to))
 }
 
-const outcomesOf = (move: Move) => move.outcomes ?? [{ probability: 1, to: move.to, reward: 0 }]
+const outcomesOf = (action: Action) => action.outcomes ?? [{ probability: 1, to: action.to, reward: 0 }]
 
-function payFor(task: Task, move: Move, to: number): number {
+function payFor(task: Task, action: Action, to: number): number {
   const { map, goal, goalReward = 50, stepCost = 0, lengthCost = 0 } = task
   const arriving = (to === goal ? goalReward : 0) + (map.rewards?.[to] ?? 0)
-  return arriving + (move.reward ?? 0) - stepCost - lengthCost * (move.length ?? 0)
+  return arriving + (action.reward ?? 0) - stepCost - lengthCost * (action.length ?? 0)
 }
 
 function sumsOf(lengths: readonly number[]): Int32Array {
@@ -87,7 +87,7 @@ function upTo(outcomes: readonly { readonly probability: number }[]): number[] {
 
 function refuseNonsense(task: Task): void {
   const { map, start, goal } = task
-  const count = map.moves.length
+  const count = map.actions.length
   if (count < 1 || count > MOST_STATIONS)
     throw new RangeError(`A map has 1 to ${MOST_STATIONS} stations, not ${count}.`)
   const station = (number: number, what: string) => {
@@ -102,16 +102,16 @@ function refuseNonsense(task: Task): void {
     finite(reward, `The reward of station ${number}`)
   }
   for (const key of ['goalReward', 'stepCost', 'lengthCost'] as const) finite(task[key] ?? 0, key)
-  map.moves.forEach((moves, from) => {
-    for (const move of moves) {
-      const name = `Road ${from}-${move.to}`
-      for (const { to, reward = 0 } of [move, ...(move.outcomes ?? [])]) {
+  map.actions.forEach((actions, from) => {
+    for (const action of actions) {
+      const name = `Road ${from}-${action.to}`
+      for (const { to, reward = 0 } of [action, ...(action.outcomes ?? [])]) {
         station(to, `The end of ${name}`)
         finite(reward, `The reward of ${name}`)
       }
-      if (!((move.length ?? 0) >= 0)) throw new RangeError(`${name} has the length ${move.length}.`)
-      finite(move.length ?? 0, `The length of ${name}`)
-      if (move.outcomes) refuseOdds(move.outcomes, name)
+      if (!((action.length ?? 0) >= 0)) throw new RangeError(`${name} has the length ${action.length}.`)
+      finite(action.length ?? 0, `The length of ${name}`)
+      if (action.outcomes) refuseOdds(action.outcomes, name)
     }
   })
 }

@@ -6,9 +6,9 @@ import type { Task } from '../types.ts'
 export function valueIteration(world: QWorld, gamma: number): number[] {
   const { first, outcome, to, reward, upTo, terminal, from } = world
   const q = Array.from(from, () => 0)
-  const worth = (station: number) => {
-    const own = q.slice(first[station], first[station + 1])
-    return terminal[station] === 1 || own.length === 0 ? 0 : Math.max(...own)
+  const worth = (state: number) => {
+    const own = q.slice(first[state], first[state + 1])
+    return terminal[state] === 1 || own.length === 0 ? 0 : Math.max(...own)
   }
   for (let change = 1; change > 1e-14;) {
     change = 0
@@ -25,33 +25,33 @@ export function valueIteration(world: QWorld, gamma: number): number[] {
   return q
 }
 
-/** Stations of a shortest way from start to goal; null: there is none. */
+/** States of a shortest way from start to goal; null: there is none. */
 export function breadthFirst({ start, goal, first, meant }: QWorld): number | null {
   let reached = new Set([start])
   const seen = new Set(reached)
-  for (let stations = 1; reached.size > 0; stations++) {
-    if (reached.has(goal)) return stations
-    const next = [...reached].flatMap((station) => [...meant.slice(first[station], first[station + 1])])
-    reached = new Set(next.filter((station) => !seen.has(station)))
-    for (const station of reached) seen.add(station)
+  for (let states = 1; reached.size > 0; states++) {
+    if (reached.has(goal)) return states
+    const next = [...reached].flatMap((state) => [...meant.slice(first[state], first[state + 1])])
+    reached = new Set(next.filter((state) => !seen.has(state)))
+    for (const state of reached) seen.add(state)
   }
   return null
 }
 
-/** Graphs of 2 to 10 stations on which every station has a road to some other; start and goal differ. */
+/** Graphs of 2 to 10 states on which every state has a road to some other; start and goal differ. */
 export const randomTask: fc.Arbitrary<Task> = fc
   .integer({ min: 2, max: 10 })
-  .chain((stations) => {
-    const station = fc.integer({ min: 0, max: stations - 1 })
-    const roads = fc.uniqueArray(station, { minLength: 1, maxLength: 4 })
+  .chain((states) => {
+    const state = fc.integer({ min: 0, max: states - 1 })
+    const roads = fc.uniqueArray(state, { minLength: 1, maxLength: 4 })
     return fc.record({
-      moves: fc.array(roads, { minLength: stations, maxLength: stations }),
-      start: station,
-      goal: station,
+      actions: fc.array(roads, { minLength: states, maxLength: states }),
+      start: state,
+      goal: state,
     })
   })
   .filter(({ start, goal }) => start !== goal)
-  .map(({ moves, start, goal }) => ({
+  .map(({ actions, start, goal }) => ({
     ...{ start, goal },
-    map: { moves: moves.map((list, from) => list.filter((to) => to !== from).map((to) => ({ to }))) },
+    map: { actions: actions.map((list, from) => list.filter((to) => to !== from).map((to) => ({ to }))) },
   }))

@@ -15,7 +15,7 @@ export interface Road {
 const STEP = 8
 
 export function roadsOf({ map, roads }: MapFile): readonly Road[] {
-  return map.moves.flatMap((moves, a) =>
+  return map.actions.flatMap((moves, a) =>
     moves.flatMap(({ to: b }) => {
       const segments = a < b ? segmentsOf(roads[`${a}-${b}`] ?? '') : null
       if (!segments) return []

@@ -36,5 +36,5 @@ export async function drawMap(id: string, learned?: LearningOutline): Promise<Dr
 function learn(stage: Stage, outline: LearningOutline): readonly number[] | null {
   const course = courseOn(stage, outline, 1)
   course?.advance(outline.moves)
-  return course?.way().stations ?? null
+  return course?.way().states ?? null
 }

@@ -255,7 +255,7 @@ export class Learning {
   /** The way becomes the floor of the robot's world, and the robot drives it. */
   async #draw(): Promise<void> {
     const [course, stage, outline] = [this.#course!, this.#stage!, this.outline]
-    const { stations } = course.way()
+    const { states: stations } = course.way()
     if (!stations || stations.length < 2 || outline?.blocks.draw === undefined) return
     // Meanwhile a hand may have begun again.
     const stands = () =>
@@ -268,7 +268,7 @@ export class Learning {
   #learnFirst(): boolean {
     const { outline } = this
     if (!outline || outline.blocks.experience === undefined || !this.#course) return false
-    const { stations } = this.#course.way()
+    const { states: stations } = this.#course.way()
     const learned = (this.#state === 'over' || this.#state === 'stopped') && stations !== null
     if (!learned) {
       this.play()

@@ -42,7 +42,7 @@ export class Records {
 export function rowOf(outline: LearningOutline, course: Course, seed: number, guess: string): LearnedRun {
   const { map, start, goal, closed, settings, pay, episodes: limitEpisodes, moves: limitMoves } = outline
   const { alpha, gamma, nu, rho, rules } = settings
-  const { stations } = course.way()
+  const { states: stations } = course.way()
   return {
     ...{ map, start, goal, alpha, gamma, nu, rho, rules, limitEpisodes, limitMoves, seed, guess },
     ...(pay && { pay: payText(pay) }),

@@ -1,11 +1,11 @@
 import {
-  bestWay,
+  greedyPath,
   planOf,
   policy,
   starsOf,
   visited,
   type Course,
-  type LearnedWay,
+  type LearnedPath,
   type Plan,
   type QTrace,
   type QWorld,
@@ -24,7 +24,7 @@ export interface Shown {
   readonly visited: readonly boolean[]
   /** By station the best move; −1: none. */
   readonly policy: readonly number[]
-  readonly way: LearnedWay
+  readonly way: LearnedPath
   /** By the study's rules: the way that the first of equal roads gives where none is learned yet. */
   readonly firstOfEqual: readonly number[] | null
   /** Where moves are by chance: what Bo would do, and what that may expect. */
@@ -53,7 +53,7 @@ export function shownOf(course: Course): Shown {
     visited: visited(learner),
     policy: policy(learner),
     way,
-    firstOfEqual: settings.rules === 'study' && !way.stations ? bestWay(learner).stations : null,
+    firstOfEqual: settings.rules === 'study' && !way.states ? greedyPath(learner).states : null,
     plan: world.isSlippery ? planOf(learner) : null,
     found: course.foundIn(),
     foundAt: course.foundAt(),

@@ -7,11 +7,11 @@ import { reasonOf } from './messages.ts'
 const preset: Settings = { rules: 'standard', algorithm: 'q', alpha: 0.5, gamma: 0.8, nu: 0, rho: 0.5 }
 const roads = [[1, 5], [0, 2], [1, 3], [2, 4, 5], [3, 5], [0, 3, 4]] // prettier-ignore
 const railway: Task = {
-  ...{ map: { moves: roads.map((list) => list.map((to) => ({ to }))) }, start: 3, goal: 1 },
+  ...{ map: { actions: roads.map((list) => list.map((to) => ({ to }))) }, start: 3, goal: 1 },
 }
 
 function courseOf(task: Task, episodes: number, settings: Partial<Settings> = {}) {
-  const course = new Course(layOutWorld(task), { ...preset, ...settings }, 1, { episodes, moves: 1e6 })
+  const course = new Course(layOutWorld(task), { ...preset, ...settings }, 1, { episodes, steps: 1e6 })
   course.advance(1e6)
   return course
 }
@@ -27,7 +27,7 @@ describe('why there is no way yet is said', () => {
   test('after many tries: nothing, and the try in which it was found is named', () => {
     const course = courseOf(railway, 100)
     expect(reason(course)).toBe('')
-    expect(shownOf(course).way.stations).toEqual([3, 2, 1])
+    expect(shownOf(course).way.states).toEqual([3, 2, 1])
     expect(shownOf(course).found).toBeGreaterThan(1)
   })
 
@@ -45,7 +45,7 @@ describe('why there is no way yet is said', () => {
   })
 
   test('of a circle that pays', () => {
-    const map = { moves: [[{ to: 1 }, { to: 2 }], [{ to: 0 }], []], rewards: { 1: 60 } }
+    const map = { actions: [[{ to: 1 }, { to: 2 }], [{ to: 0 }], []], rewards: { 1: 60 } }
     const course = courseOf({ map, start: 0, goal: 2 }, 300, { gamma: 0.9, rho: 0.9 })
     expect(reason(course)).toBe(m['q.circle']({ station: 0, circle: '0 → 1 → 0' }))
   })
@@ -62,7 +62,7 @@ test('on the slippery lake what Bo would do is judged by what it is worth: no ci
   }
   const course = courseOf({ map, start, goal, goalReward: 1 }, 100_000, settings)
   const { plan, way } = shownOf(course)
-  expect(way).toMatchObject({ stations: null, reason: 'chance' })
+  expect(way).toMatchObject({ states: null, reason: 'chance' })
   // Gymnasium's FrozenLake-v1 with γ = 0.95: value iteration gives 0.1805, and 32 of 41 rides get to the goal.
   expect(plan!.best).toBeCloseTo(0.180471578397, 9)
   expect(reason(course, 6)).toBe(m['q.chance']({ value: '0.18', best: '0.18', rides: '78' }))

@@ -22,7 +22,7 @@ const walk = (stations: readonly number[]) => stations.join(' → ')
 
 /** Why there is no best way yet: what has not been learned; where moves are by chance, what the plan is worth. */
 export function reasonOf({ shown, shortest }: Pick<Learning, 'shown' | 'shortest'>): string {
-  if (!shown || shown.way.stations) return ''
+  if (!shown || shown.way.states) return ''
   const { way, plan, firstOfEqual } = shown
   if (shortest === null) return m['q.noWay']()
   if (shown.t === 0) return m['q.nothingYet']()
@@ -67,7 +67,7 @@ export function endOf(learning: Learning): string {
       : shown.over === 'episodes'
         ? m['q.byEpisodes']({ count: outline.episodes })
         : m['q.byTime']({ count: outline.moves })
-  const { stations } = shown.way
+  const { states: stations } = shown.way
   if (!stations && shown.plan?.doubt === null) return by
   if (!stations) return `${by} ${m['q.notYet']()}`
   return learning.isShortest(stations) ? `${by} ${m['q.isShortest']()}` : `${by} ${m['q.isLonger']()}`
@@ -91,7 +91,7 @@ export function liveSentence(learning: Learning): string {
   const ended = state === 'over' || state === 'stopped'
   if (!ended || shown?.t !== shown?.made)
     return state === 'playing' && speed > 1 ? '' : moveSentence(learning)
-  const stations = shown?.way.stations
+  const stations = shown?.way.states
   const best = stations ? `${m['q.bestWay']()} ${stations.join(', ')}` : ''
   return `${endOf(learning)} ${reasonOf(learning)} ${best}`.trim()
 }

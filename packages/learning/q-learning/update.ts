@@ -3,26 +3,26 @@ import { longestEpisode, type QLearner } from './learner.ts'
 import type { Ending } from './types.ts'
 
 /**
- * One move; what happened stands in `learner.last`. Nothing is allocated. Draws in the order of running.md 13: ρ, ν,
- * both always; the station if it is drawn; the action if it explores, or one of several best by the standard rules; the
- * outcome of a slippery move; for SARSA the ρ of the next action and that action.
+ * One move; what happened stands in `learner.last`. Nothing is allocated. Draws in the order of running.md 13: ε, ν,
+ * both always; the state if it is drawn; the action if it explores, or one of several best by the standard rules; the
+ * outcome of a slippery action; for SARSA the ε of the next action and that action.
  */
-export function move(learner: QLearner): void {
+export function update(learner: QLearner): void {
   const { world, settings, q, stream, last } = learner
-  const rho = (last.draws[0] = fastDraw(stream))
+  const epsilon = (last.draws[0] = fastDraw(stream))
   const nu = (last.draws[1] = fastDraw(stream))
   const isStudy = settings.rules === 'study'
   last.teleported = findStart(learner, nu, isStudy)
-  const from = (last.from = last.to = learner.station)
+  const from = (last.from = last.to = learner.state)
   const first = world.first[from]!
   const count = world.first[from + 1]! - first
-  learner.moves++
-  learner.episodeMoves++
+  learner.steps++
+  learner.episodeSteps++
   if (count === 0) return stayStuck(learner)
 
   const reuses = learner.chosen >= 0
-  last.explores = reuses ? learner.chosenExplores : rho < learner.rho
-  const taken = (last.move = reuses ? learner.chosen : choose(learner, from, last.explores))
+  last.explores = reuses ? learner.chosenExplores : epsilon < learner.epsilon
+  const taken = (last.action = reuses ? learner.chosen : choose(learner, from, last.explores))
   learner.chosen = -1
   const end = world.isSlippery ? outcomeOf(learner, taken) : taken
   const to = (last.to = world.to[end]!)
@@ -37,31 +37,31 @@ export function move(learner: QLearner): void {
   last.after = (1 - last.alpha) * last.before + last.alpha * (last.reward + settings.gamma * last.bestNext)
   q[taken] = last.after
 
-  learner.station = to
+  learner.state = to
   if (to === world.goal) learner.goals++
   if (last.ends !== null) endEpisode(learner, -1)
   else if (isStudy) endEpisode(learner, to)
 }
 
-/** Settles where this move starts. Returns whether it was put somewhere by teleporting. */
+/** Settles where this step starts. Returns whether it was put somewhere by teleporting. */
 function findStart(learner: QLearner, nu: number, isStudy: boolean): boolean {
   const { world, stream } = learner
-  const targets = isStudy ? world.stations : world.open.length
+  const targets = isStudy ? world.states : world.open.length
   const teleports = nu < learner.settings.nu && targets > 0
-  if (!teleports && learner.station >= 0) return false
+  if (!teleports && learner.state >= 0) return false
   learner.chosen = -1
-  if (!teleports && !isStudy) learner.station = world.start
+  if (!teleports && !isStudy) learner.state = world.start
   else {
     const index = Math.floor(fastDraw(stream) * targets)
-    learner.station = isStudy ? index : world.open[index]!
+    learner.state = isStudy ? index : world.open[index]!
   }
   return teleports
 }
 
-/** A move of this station: any of them, or one of the best. */
-function choose({ world, settings, q, stream }: QLearner, station: number, explores: boolean): number {
-  const first = world.first[station]!
-  const end = world.first[station + 1]!
+/** An action of this state: any of them, or one of the best. */
+function choose({ world, settings, q, stream }: QLearner, state: number, explores: boolean): number {
+  const first = world.first[state]!
+  const end = world.first[state + 1]!
   if (explores) return first + Math.floor(fastDraw(stream) * (end - first))
   let best = first
   let ties = 1
@@ -84,17 +84,17 @@ function outcomeOf({ world, stream }: QLearner, taken: number): number {
   return end
 }
 
-function bestValue({ world: { first }, q }: QLearner, station: number): number {
-  const end = first[station + 1]!
-  let best = q[first[station]!]!
-  for (let other = first[station]! + 1; other < end; other++) if (q[other]! > best) best = q[other]!
+function bestValue({ world: { first }, q }: QLearner, state: number): number {
+  const end = first[state + 1]!
+  let best = q[first[state]!]!
+  for (let other = first[state]! + 1; other < end; other++) if (q[other]! > best) best = q[other]!
   return best
 }
 
 /** SARSA settles here what it will do next. */
-function valueOfNext(learner: QLearner, station: number): number {
-  learner.chosenExplores = fastDraw(learner.stream) < learner.rho
-  learner.chosen = choose(learner, station, learner.chosenExplores)
+function valueOfNext(learner: QLearner, state: number): number {
+  learner.chosenExplores = fastDraw(learner.stream) < learner.epsilon
+  learner.chosen = choose(learner, state, learner.chosenExplores)
   return learner.q[learner.chosen]!
 }
 
@@ -103,23 +103,23 @@ function endingAt(learner: QLearner, to: number, isStudy: boolean): Ending | nul
   const { world } = learner
   if (!isStudy && world.terminal[to] === 1) return to === world.goal ? 'goal' : 'terminal'
   if (world.first[to] === world.first[to + 1]) return 'deadEnd'
-  return !isStudy && learner.episodeMoves >= longestEpisode(world) ? 'limit' : null
+  return !isStudy && learner.episodeSteps >= longestEpisode(world) ? 'limit' : null
 }
 
 function stayStuck(learner: QLearner): void {
   const { last } = learner
-  last.move = -1
+  last.action = -1
   last.explores = false
   last.reward = last.before = last.bestNext = last.after = last.alpha = 0
   last.ends = 'deadEnd'
   endEpisode(learner, -1)
 }
 
-function endEpisode(learner: QLearner, station: number): void {
-  learner.station = station
-  if (station < 0) learner.chosen = -1
+function endEpisode(learner: QLearner, state: number): void {
+  learner.state = state
+  if (state < 0) learner.chosen = -1
   learner.episodes++
-  learner.episodeMoves = 0
+  learner.episodeSteps = 0
   learner.alpha *= learner.alphaFactor
-  learner.rho *= learner.rhoFactor
+  learner.epsilon *= learner.epsilonFactor
 }
