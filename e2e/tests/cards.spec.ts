@@ -48,13 +48,16 @@ for (const language of languagesOf(import.meta.filename)) {
         expect(found).toEqual(Object.fromEntries(cards.map((card) => [card, []])))
       })
 
-    test('brains to repair lie together at home; if-then has two panes until Bo 2 is chosen', async ({
+    test('brains to repair bear a wrench at home; if-then has two panes until Bo 2 is chosen', async ({
       child,
       page,
     }) => {
       await child.opensHome()
-      const repair = page.getByRole('list', { name: child.word('home.repair') }).getByRole('link')
-      await expect(repair).toHaveText(['9', '10', '11'])
+      const wrench = page.getByRole('img', { name: child.word('home.repair') })
+      const repair = page.getByRole('listitem').filter({ has: wrench }).getByRole('link')
+      await expect(repair).toHaveText(
+        ['crossed-wires', 'lost-links', 'all-the-same'].map((id) => child.card(id)),
+      )
       await page.getByRole('link', { name: child.card('if-then'), exact: true }).click()
       await child.seesLab()
       const network = page.getByRole('heading', { name: child.word('lab.network'), exact: true })

@@ -32,6 +32,8 @@ export interface Cards {
   readonly cards: readonly CardHead[]
   /** Null where no card has this id. */
   readonly card: (id: string) => LoadedCard | null
+  /** The sentence that says what a card is about, by its id. */
+  readonly goals: () => { readonly [card: string]: Translated<string> | undefined }
   /** What a lab without a card begins with. */
   readonly freeLab: () => { readonly world: WorldFile; readonly start: CardProgram }
 }

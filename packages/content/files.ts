@@ -96,7 +96,12 @@ export function contentIn(root: string): ContentFiles {
       globSync('{cards,free-lab,maps,materials,things,worlds}/**/*.*', { cwd: root }).map((file) =>
         folder.path(file),
       ),
-    ...{ freeLab: cards.freeLab, newBlocks: cards.newBlocks, wrongAnswers: cards.wrongAnswers },
+    ...{
+      freeLab: cards.freeLab,
+      goals: cards.goals,
+      newBlocks: cards.newBlocks,
+      wrongAnswers: cards.wrongAnswers,
+    },
     ...{ itemTexts: items.itemTexts, itemFolder: items.folderOf, picturesOf: items.picturesOf },
     pictureOf: (set, thing) =>
       folder.path(

@@ -47,9 +47,12 @@ const modules: Parts = {
         cards: ${data(content.cards)},
         pictureOfCard: (id) => own(pictures, id),
         card: async (id) => (await own(loaders, id)?.())?.default ?? null,
+        goals: async () => (await import('${prefix}goals')).default,
         freeLab: async () => (await import('${prefix}free-lab')).default,
       }`
   },
+
+  goals: (content) => `export default ${data(content.goals())}`,
 
   card: (content, id) => `export default ${data(content.card(id))}`,
 

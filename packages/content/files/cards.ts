@@ -60,6 +60,13 @@ export function cardsIn(content: Folder) {
   return {
     ...{ worlds, world, card, program, folderOf },
     heads: once(() => [...folders().values()].map(headIn)),
+    goals: () =>
+      Object.fromEntries(
+        [...folders()].map(([id, folder]) => [
+          id,
+          content.translated(folder, (text) => readCardText(text).goal.sentence),
+        ]),
+      ),
     freeLab: () => {
       const { world } = content.json('free-lab/lab.json') as { readonly world: string }
       return { world: worldNamed(world), start: content.json('free-lab/start.json') as CardProgram }

@@ -11,6 +11,9 @@ export const allCards = catalogue.cards
 /** A card with its world, start program and words; null where no card has this id. */
 export const loadCard = catalogue.card
 
+/** The sentence that says what a card is about, by its id and language. */
+export const loadGoals = catalogue.goals
+
 /** Picture on the front of a card, null for what is no card. */
 export const pictureOf = catalogue.pictureOfCard
 

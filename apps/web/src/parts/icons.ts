@@ -91,7 +91,9 @@ const icons = {
   },
   undo: { line: 'M8.5 5L4 9.5 8.5 14M4.5 9.5H14a5.5 5.5 0 0 1 0 11h-3' },
   whole: { line: 'M4 9V4h5M15 4h5v5M20 15v5h-5M9 20H4v-5M9 9h6v6H9z' },
-  wrench: { line: 'M14.5 6.5a4 4 0 0 1 5-2l-2.5 2.5 1 1 2.5-2.5a4 4 0 0 1-5.3 5L8 18a2 2 0 0 1-2.5-2.5z' },
+  wrench: {
+    line: 'M17.8 3.4a5 5 0 0 0-6.3 6.5l-7 6.9a1.9 1.9 0 0 0 2.7 2.7l6.9-7a5 5 0 0 0 6.5-6.3l-3 3-2.4-.4-.4-2.4z',
+  },
 } as const satisfies Record<string, { line?: string; solid?: string; heavy?: string }>
 
 export type IconName = keyof typeof icons

@@ -86,7 +86,7 @@ describe.each(allCards.map(({ id }) => id))('the card %s', (id) => {
     }
     const kept = [{ id, project: session.project, changed: 0, revision: 1 }]
     const { bed } = allCards.find((one) => one.id === id)!
-    const onHome = bedOf(bed, kept).find(({ href }) => href.endsWith(`/lab/${id}`))
+    const onHome = bedOf(bed, kept, {}).find(({ href }) => href.endsWith(`/lab/${id}`))
     expect(onHome?.level).toEqual({ passed: places.length, of: places.length })
   })
 })

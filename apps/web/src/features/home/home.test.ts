@@ -1,13 +1,27 @@
-import { expect, test } from 'vitest'
-import { runsOf, type BedCard } from './home.ts'
+import { describe, expect, test } from 'vitest'
+import { isDone, nextOf, type BedCard } from './home.ts'
 
-test('cards of a group lie together, in the order of the bed', () => {
-  const card = (number: string, group: BedCard['group'] = null) =>
-    ({ href: `/lab/${number}`, number, label: number, level: { passed: 0, of: 3 }, group }) satisfies BedCard
-  const runs = runsOf([card('8'), card('9', 'repair'), card('10', 'repair'), card('12'), card('13')])
-  expect(runs.map(({ group, cards }) => [group, cards.map(({ number }) => number)])).toEqual([
-    [null, ['8']],
-    ['repair', ['9', '10']],
-    [null, ['12', '13']],
-  ])
+const card = (label: string, passed: number, of: number): BedCard => ({
+  ...{ href: `/lab/${label}`, number: '', label, goal: '', picture: null, group: null },
+  level: { passed, of },
+})
+
+describe('the card to play next', () => {
+  test('is the first that is not done', () => {
+    const cards = [card('chameleon', 3, 3), card('incognito', 1, 3), card('caution', 0, 3)]
+    expect(nextOf(cards)?.label).toBe('incognito')
+  })
+
+  test('is a playground without goals only until another card has been begun', () => {
+    expect(nextOf([card('vessels', 0, 0), card('tidy up', 0, 2)])?.label).toBe('vessels')
+    expect(nextOf([card('vessels', 0, 0), card('tidy up', 1, 2)])?.label).toBe('tidy up')
+  })
+
+  test('is none where all are done', () => {
+    expect(nextOf([card('vessels', 0, 0), card('tidy up', 2, 2)])).toBeNull()
+  })
+
+  test('a playground without goals is never done', () => {
+    expect([card('vessels', 0, 0), card('tidy up', 2, 2)].map(isDone)).toEqual([false, true])
+  })
 })

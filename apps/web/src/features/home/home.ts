@@ -1,8 +1,10 @@
 import type { Snippet } from 'svelte'
+import type { Translated } from '@botgarten/content/catalogue'
 import type { Group, Playground } from '@botgarten/content'
 import { resolve } from '$app/paths'
 import { allCards, pictureOf, placeOf } from '#content/cards.ts'
 import { shownName, titleOf, addressOf } from '#content/names.ts'
+import { language } from '#words/language.svelte.ts'
 import type { Listed } from '#storage/projects.ts'
 
 /** A project that lies on this device. */
@@ -24,13 +26,20 @@ export interface Level {
 /** A card of a bed. */
 export interface BedCard {
   readonly href: string
-  /** As printed on the card. */
+  /** As printed on the card; empty in a bed whose few cards need none. */
   readonly number: string
   readonly label: string
+  /** What it is about, in a sentence; empty where nothing says it. */
+  readonly goal: string
+  /** Address of the picture on its front, or null. */
+  readonly picture: string | null
   readonly level: Level
-  /** Cards that lie together under a word of their own. */
+  /** Cards of one kind bear its mark. */
   readonly group: Group | null
 }
+
+/** What each card is about, by its id. */
+export type Goals = { readonly [card: string]: Translated<string> | undefined }
 
 export interface HomeProps {
   /** What there is to say about this version. */
@@ -45,15 +54,13 @@ export interface HomeProps {
   onopenfile: (file: File) => void
 }
 
-/** Cards in a row that lie together, in their order. */
-export function runsOf(cards: readonly BedCard[]): { group: Group | null; cards: BedCard[] }[] {
-  const runs: { group: Group | null; cards: BedCard[] }[] = []
-  for (const card of cards) {
-    const last = runs.at(-1)
-    if (last?.group === card.group) last.cards.push(card)
-    else runs.push({ group: card.group, cards: [card] })
-  }
-  return runs
+/** Were the goals reached from every start place? A playground without goals is never done. */
+export const isDone = ({ level }: BedCard): boolean => level.of > 0 && level.passed >= level.of
+
+/** The card to play next: the first that is not done. One without goals is next until another has been begun. */
+export function nextOf(cards: readonly BedCard[]): BedCard | null {
+  const begun = cards.some(({ level }) => level.passed > 0)
+  return cards.find((card) => (card.level.of > 0 ? !isDone(card) : !begun)) ?? null
 }
 
 /** What lies on this device, as tiles that lead back to it. */
@@ -74,14 +81,16 @@ function levelOf(card: string, kept: readonly Listed[]): Level {
   return { passed: new Set(solved).size, of }
 }
 
-/** The cards of one bed, and how far each has been solved on this device. */
-export const bedOf = (bed: Playground, kept: readonly Listed[]): BedCard[] =>
+/** The cards of one bed, what they are about, and how far each has been solved on this device. */
+export const bedOf = (bed: Playground, kept: readonly Listed[], goals: Goals): BedCard[] =>
   allCards
     .filter((card) => card.bed === bed)
     .map(({ id, code, group }) => ({
       href: resolve('/lab/[card]', { card: id }),
-      number: /\d+$/.exec(code)?.[0] ?? '',
+      number: bed === 'network' ? code.replace(/^\D+/, '') : '',
       label: titleOf(id),
+      goal: goals[id]?.[language.locale] ?? goals[id]?.['en'] ?? '',
+      picture: pictureOf(id),
       group: group ?? null,
       level: levelOf(id, kept),
     }))
