@@ -8,6 +8,7 @@ import {
   type RobotKey,
   type Simulation,
 } from '@botgarten/simulation'
+import { missing } from './checks/checks.ts'
 import { carryOver } from './carry.ts'
 import { emptyWorld, sameBlocks, withPoses } from './documents.ts'
 import { brainsFor } from './robots/brains.ts'
@@ -297,6 +298,7 @@ class OneLab implements Lab {
   state = () => this.#run.moment()
   view = (robot?: string) =>
     viewOf(this.#run, this.#run.inPast ? 'paused' : this.#phase, this.#robotAt(robot), this.#other !== null)
+  missing = () => missing(this.#run.checks, this.#run.watches, this.#run.seconds, this.#run.simulation)
   document = () => this.#document
   floor = () => this.#floor
   hash = () => hex(this.#run.hash)

@@ -24,6 +24,29 @@ export interface CheckResult {
   readonly at: number | null
 }
 
+/** What a check that is still open lacks, measured; the screen has a sentence for each `kind` and `what`. */
+export interface Missing extends Lack {
+  /** Id and kind of the check. */
+  readonly check: string
+  readonly kind: string
+}
+
+export interface Lack {
+  /** One of the kind's `lacks`. */
+  readonly what: string
+  /** By name. cm: `away` · seconds: `seconds`, `needed` · percent: `speed`, `least`, `most` · `colour`: `#RRGGBB` · `thing`: id of an obstacle. */
+  readonly facts: { readonly [name: string]: number | string }
+  /** From the robot to where it should have been, in cm on the floor. */
+  readonly gap?: { readonly from: Place; readonly to: Place }
+  /** Nothing that comes later can mend it. */
+  readonly broken?: boolean
+}
+
+interface Place {
+  readonly x: number
+  readonly y: number
+}
+
 export type Phase = 'ready' | 'running' | 'paused' | 'ended'
 
 /** Inputs of a tick (running.md 2): together with the start state and the seed they are the whole run. */
@@ -197,6 +220,8 @@ export interface Lab {
   state(): Moment
   /** `robot`: whose networks; the first where none is named. */
   view(robot?: string): View
+  /** What the checks that are open lack, as the run stands; first what was broken. */
+  missing(): readonly Missing[]
   /** The document with the weights and start poses of the present. */
   document(): Document
   /** The floor as sensors see it at present. */

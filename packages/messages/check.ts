@@ -79,7 +79,7 @@ export const wrongForms = (language: string, key: string, message: Message): rea
     ...unknown.map((one) => `${key} in ${language}: "${one}" is not understood`),
     ...undeclared.map((name) => `${key} in ${language}: {${name}} is not declared`),
     ...selectors
-      .filter((one) => !locals.includes(one))
+      .filter((one) => !locals.includes(one) && !declarations.includes(`input ${one}`))
       .map((one) => `${key} in ${language}: ${one} is not declared`),
     ...asked.filter((one) => !fits(one)).map((one) => `${key} in ${language}: no form for ${one.join(', ')}`),
   ]

@@ -1,5 +1,5 @@
 import type { Simulation } from '@botgarten/simulation'
-import type { Check, CheckResult } from '../types.ts'
+import type { Check, CheckResult, Missing } from '../types.ts'
 import type { AnyKind } from './kind.ts'
 import { kinds } from './kinds.ts'
 import type { Moment } from './moment.ts'
@@ -22,16 +22,30 @@ function kindOf(check: Check): AnyKind {
   return kind
 }
 
+type Seen = Pick<Simulation, 'world' | 'state' | 'read'>
+
+const momentOf = (
+  checks: readonly Check[],
+  watches: readonly Watch[],
+  seconds: number,
+  { world, state, read }: Seen,
+  nextTurn: Moment['nextTurn'],
+): Moment => {
+  const passed = (id: string) => watches[checks.findIndex((check) => check.id === id)]?.passed ?? false
+  return { seconds, world, simulation: state, read, nextTurn, passed }
+}
+
+const noTurn: Moment['nextTurn'] = () => null
+
 /** Every check looks at one tick. */
 export function observe(
   checks: readonly Check[],
   watches: Watch[],
   seconds: number,
-  { world, state, read }: Pick<Simulation, 'world' | 'state' | 'read'>,
-  nextTurn: Moment['nextTurn'] = () => null,
+  seen: Seen,
+  nextTurn: Moment['nextTurn'] = noTurn,
 ): void {
-  const passed = (id: string) => watches[checks.findIndex((check) => check.id === id)]?.passed ?? false
-  const moment: Moment = { seconds, world, simulation: state, read, nextTurn, passed }
+  const moment = momentOf(checks, watches, seconds, seen, nextTurn)
   checks.forEach((check, index) => {
     const kept = watches[index]!
     const passes = kindOf(check).observe(check, moment, kept.memory as never)
@@ -43,3 +57,20 @@ export function observe(
 
 export const results = (checks: readonly Check[], watches: readonly Watch[]): CheckResult[] =>
   checks.map(({ id }, index) => ({ id, passed: watches[index]!.passed, at: watches[index]!.at }))
+
+/** What the open checks lack after `seconds`, in their order; first what was broken, for nothing after it counts. */
+export function missing(
+  checks: readonly Check[],
+  watches: readonly Watch[],
+  seconds: number,
+  seen: Seen,
+): readonly Missing[] {
+  const moment = momentOf(checks, watches, seconds, seen, noTurn)
+  const open = checks.flatMap((check, index): readonly Missing[] => {
+    const { passed, memory } = watches[index]!
+    if (passed) return []
+    const lack = kindOf(check).missing(check, memory as never, moment)
+    return [{ check: check.id, kind: check.kind, ...lack }]
+  })
+  return [...open.filter(({ broken }) => broken), ...open.filter(({ broken }) => !broken)]
+}

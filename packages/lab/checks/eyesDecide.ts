@@ -1,5 +1,5 @@
 import { TICKS_PER_SECOND } from '@botgarten/simulation'
-import { numberOf, type Kind } from './kind.ts'
+import { numberOf, tooShort, type Kind } from './kind.ts'
 
 /**
  * The eyes decide which way the robot turns: had each seen what the other one saw, its program would have turned it the other
@@ -7,6 +7,7 @@ import { numberOf, type Kind } from './kind.ts'
  */
 export const eyesDecide: Kind<{ ticks: number; done: boolean }> = {
   needs: ['percent'],
+  lacks: ['alike', 'short'],
   begin: () => ({ ticks: 0, done: false }),
   observe(check, moment, memory) {
     if (memory.done) return true
@@ -18,4 +19,5 @@ export const eyesDecide: Kind<{ ticks: number; done: boolean }> = {
     memory.done = memory.ticks > 0 && memory.ticks >= check.seconds * TICKS_PER_SECOND
     return memory.done
   },
+  missing: (check, { ticks }) => (ticks > 0 ? tooShort(check, ticks) : { what: 'alike', facts: {} }),
 }

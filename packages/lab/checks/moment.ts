@@ -3,7 +3,6 @@ import {
   FRONT,
   type Cm,
   type Colour,
-  type ObstacleState,
   type Percent,
   type ReadMode,
   type RobotState,
@@ -59,26 +58,38 @@ export function readingOf(moment: Moment, kind: SensorKind, mode: ReadMode): num
 export const colourUnder = (moment: Moment): Colour | null =>
   readingOf(moment, 'colour', 'colour') as Colour | null
 
-/** From the robot's front edge to the outline of an obstacle, 0 inside it; null if there is no such obstacle. */
-export function gapIn(moment: Moment, obstacleId: string): Cm | null {
-  const index = moment.world.obstacles.findIndex(({ id }) => id === obstacleId)
-  const state = moment.simulation.obstacles[index]
-  if (!state) return null
+/** The middle of the robot's front edge, in cm. */
+export function frontOf(moment: Moment): { readonly x: Cm; readonly y: Cm } {
   const robot = robotIn(moment)
-  const x = robot.x + FRONT * cos(robot.heading)
-  const y = robot.y + FRONT * sin(robot.heading)
-  return distanceTo(moment.world.obstacles[index]!.shape, state, x, y)
+  return { x: robot.x + FRONT * cos(robot.heading), y: robot.y + FRONT * sin(robot.heading) }
 }
 
-function distanceTo(shape: Shape, at: ObstacleState, x: Cm, y: Cm): Cm {
-  const c = cos(at.heading)
-  const s = sin(at.heading)
-  const dx = x - at.x
-  const dy = y - at.y
-  const ahead = Math.abs(c * dx + s * dy)
-  const aside = Math.abs(c * dy - s * dx)
-  if (shape.kind === 'circle') return Math.max(0, Math.sqrt(dx * dx + dy * dy) - shape.radius)
-  const over = Math.max(0, ahead - shape.width / 2)
-  const beside = Math.max(0, aside - shape.height / 2)
-  return Math.sqrt(over * over + beside * beside)
+/** From the robot's front edge to the outline of an obstacle, 0 inside it; null if there is no such obstacle. */
+export function gapIn(moment: Moment, obstacleId: string): Cm | null {
+  const to = gapTo(moment, obstacleId)
+  const { x, y } = frontOf(moment)
+  return to && Math.sqrt((to.x - x) * (to.x - x) + (to.y - y) * (to.y - y))
+}
+
+/** The point of an obstacle that is nearest to the robot's front edge; null if there is no such obstacle. */
+export function gapTo(moment: Moment, obstacleId: string): { readonly x: Cm; readonly y: Cm } | null {
+  const index = moment.world.obstacles.findIndex(({ id }) => id === obstacleId)
+  const at = moment.simulation.obstacles[index]
+  if (!at) return null
+  const from = frontOf(moment)
+  const [c, s] = [cos(at.heading), sin(at.heading)]
+  const [dx, dy] = [from.x - at.x, from.y - at.y]
+  const [ahead, aside] = nearestOf(moment.world.obstacles[index]!.shape, c * dx + s * dy, c * dy - s * dx)
+  return { x: at.x + c * ahead - s * aside, y: at.y + s * ahead + c * aside }
+}
+
+/** The point of a shape about its middle that is nearest to `ahead`, `aside`: that point itself where it lies inside. */
+function nearestOf(shape: Shape, ahead: Cm, aside: Cm): readonly [ahead: Cm, aside: Cm] {
+  if (shape.kind === 'circle') {
+    const away = Math.sqrt(ahead * ahead + aside * aside)
+    const share = away > shape.radius ? shape.radius / away : 1
+    return [ahead * share, aside * share]
+  }
+  const within = (at: Cm, half: Cm) => Math.min(half, Math.max(-half, at))
+  return [within(ahead, shape.width / 2), within(aside, shape.height / 2)]
 }

@@ -18,6 +18,7 @@ const MOSTLY = 0.75
  */
 export const showsGroups: Kind<Memory> = {
   needs: ['kinds', 'letters'],
+  lacks: ['some'],
   begin: () => ({ seen: {}, done: false }),
   observe(check, moment, memory) {
     const kind = kindUnder(moment)
@@ -28,6 +29,11 @@ export const showsGroups: Kind<Memory> = {
     texts[text] = (texts[text] ?? 0) + 1
     memory.done ||= tellsApart(memory, Number(nameOf(check, 'kinds')), check.seconds * 60)
     return memory.done
+  },
+  missing(check, { seen }) {
+    const shown = Object.values(seen).flatMap((texts) => mostSeen(texts, check.seconds * 60) ?? [])
+    const told = shown.filter((text) => shown.indexOf(text) === shown.lastIndexOf(text)).length
+    return { what: 'some', facts: { told, kinds: numberOf(check, 'kinds') } }
   },
 }
 

@@ -1,3 +1,4 @@
+import type { Lack } from '../types.ts'
 import { numberOf, type Kind } from './kind.ts'
 import { readingOf, robotIn } from './moment.ts'
 
@@ -7,6 +8,7 @@ import { readingOf, robotIn } from './moment.ts'
  */
 export const sings: Kind<{ near: number | null; far: number | null; done: boolean }> = {
   needs: ['near', 'far', 'hertz'],
+  lacks: ['silent', 'near', 'far', 'alike'],
   begin: () => ({ near: null, far: null, done: false }),
   observe(check, moment, memory) {
     const away = readingOf(moment, 'ultrasonic', 'distance')
@@ -17,5 +19,11 @@ export const sings: Kind<{ near: number | null; far: number | null; done: boolea
     const { near, far } = memory
     memory.done ||= near !== null && far !== null && Math.abs(near - far) >= numberOf(check, 'hertz')
     return memory.done
+  },
+  missing(check, { near, far }): Lack {
+    if (near === null && far === null) return { what: 'silent', facts: {} }
+    if (near === null) return { what: 'near', facts: { most: numberOf(check, 'near') } }
+    if (far === null) return { what: 'far', facts: { least: numberOf(check, 'far') } }
+    return { what: 'alike', facts: { hertz: Math.abs(near - far), needed: numberOf(check, 'hertz') } }
   },
 }

@@ -38,6 +38,7 @@ const scene: Scene = {
   sensing: null,
   ghosts: [],
   chosen: null,
+  gap: null,
   lights: () => false,
   strong: false,
 }

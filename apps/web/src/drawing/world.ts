@@ -4,6 +4,7 @@ import { drawBo, partsOf } from './bo.ts'
 import { onFloor } from './camera.ts'
 import { greyOf } from './colours.ts'
 import type { Command } from './commands.ts'
+import { drawGap, type Gap } from './gap.ts'
 import type { Hit } from './grab.ts'
 import type { Point, Size } from './points.ts'
 import { drawSenses } from './senses.ts'
@@ -49,6 +50,8 @@ export interface Scene {
   readonly sensing: string | null
   readonly ghosts: readonly Ghost[]
   readonly chosen: Chosen | null
+  /** From Bo to where it should have been. */
+  readonly gap: Gap | null
   /** Does this part of this robot light up with its block and its node? */
   readonly lights: (robot: string, part: string) => boolean
   /** Stronger lines and cones, for the wall. */
@@ -61,7 +64,7 @@ const tomato = '#C9401F'
 
 /** Everything in its order, from the floor up. */
 export function drawWorld(scene: Scene): readonly Command[] {
-  const { trails, things, ghosts, view, chosen } = scene
+  const { trails, things, ghosts, view, chosen, gap } = scene
   return [
     ...trails,
     ...things.map(({ pose, thing }) => standing(thing, pose, scene)),
@@ -69,6 +72,7 @@ export function drawWorld(scene: Scene): readonly Command[] {
     ...view.robots.map((robot, index) => standingBo(robot, index, scene)),
     ...(chosen ? ring(chosen) : []),
     ...senses(scene),
+    ...(gap ? drawGap(gap, scene.scale) : []),
     ...(chosen ? turnHandle(chosen) : []),
   ]
 }

@@ -144,6 +144,7 @@ export class RunningLab {
     this.#wake()
   }
   setStops = (blocks: readonly string[]) => this.#lab.setStops(blocks)
+  missing = () => this.#lab.missing()
   variables = (robot: string) => this.#lab.variables(robot)
   senses = (robot: string) => this.#lab.senses(robot)
   place = (...what: Parameters<Lab['place']>) => this.#then(() => this.#lab.place(...what))

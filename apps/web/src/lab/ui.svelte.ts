@@ -1,12 +1,13 @@
 import { untrack } from 'svelte'
 import type { Facts, Finding } from '@botgarten/blocks'
-import type { StepKind } from '@botgarten/lab'
+import type { Missing, StepKind } from '@botgarten/lab'
 import { told } from './told.ts'
 import { saveRaw } from '#storage/handout.ts'
 import { readSetting, writeSetting } from '#storage/settings.ts'
 import { isTyping, undoKey } from './keys.ts'
 import type { PaneName, PaneSizes } from './panes.ts'
 import type { LabSession } from './session.svelte.ts'
+import { LastRun } from './last-run.svelte.ts'
 import { Loudspeaker } from './sound.svelte.ts'
 
 /** What is said at the foot of the world, as `session.<notice>`. */
@@ -35,6 +36,7 @@ export class LabUi {
   #success = $state<'counts' | 'uncounted' | null>(null)
   /** Has this run succeeded before? */
   #succeeded = false
+  readonly #last: LastRun
   #settings = $state.raw(readSetting<Settings>('settings', { rays: true, trail: true }))
   #sizes = $state.raw(readSetting<PaneSizes>('sizes', {}))
   /** Which pane is on the screen where there is room for one, and which one fills it. */
@@ -47,6 +49,7 @@ export class LabUi {
 
   constructor(session: LabSession) {
     this.#session = session
+    this.#last = new LastRun(session)
     const { error } = session.opened
     if (error === 'floorMissing') this.notice = error
     const { damaged } = session.opened
@@ -62,6 +65,17 @@ export class LabUi {
   }
   get success() {
     return this.#success
+  }
+  /** What the last run has missed; null while one is on, and after an edit. */
+  get missed(): Missing | null {
+    return this.#last.missed
+  }
+  /** Has something been changed and tried since the card was opened? */
+  get tried() {
+    return this.#last.tried
+  }
+  closeMissed(): void {
+    this.#last.close()
   }
   get settings() {
     return this.#settings
@@ -88,6 +102,10 @@ export class LabUi {
       $effect(() => {
         const failure = problem
         untrack(() => this.#failed(failure))
+      })
+      $effect(() => {
+        const now = phase
+        untrack(() => this.#last.turns(now))
       })
       $effect(() => {
         if (succeeded) untrack(() => this.#succeed())

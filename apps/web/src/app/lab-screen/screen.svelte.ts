@@ -66,6 +66,11 @@ export class LabScreenState {
     return this.session.opened.card
   }
 
+  /** What the card's goal stands at: a flag, or nothing that has a name. */
+  get goalPlace() {
+    return this.card?.card.needs.includes('flag') ? 'flag' : ''
+  }
+
   /** Name of the card or the project. What nobody has named is called like its card, in the language of now. */
   readonly title = $derived.by(() => {
     const { name } = this.session

@@ -2,6 +2,7 @@ import type { RobotView, View } from '@botgarten/lab'
 import type { Obstacle, Pose, RobotConfig, World } from '@botgarten/simulation'
 import { partAt, partsOf } from '#drawing/bo.ts'
 import { onFloor } from '#drawing/camera.ts'
+import type { Gap } from '#drawing/gap.ts'
 import { boRadius, grabbedAt, hitOf, roundHit, type Grabbed } from '#drawing/grab.ts'
 import { turned, type Point } from '#drawing/points.ts'
 import { readingsOf } from '#drawing/senses.ts'
@@ -29,7 +30,15 @@ export interface Shown {
   readonly robot: string
   readonly showRays: boolean
   readonly showTrail: boolean
+  readonly gap: GapOnFloor | null
   readonly inside: Slots['inside'] | null
+}
+
+/** From one place to another, in cm, with what is written at it. */
+export interface GapOnFloor {
+  readonly from: Point
+  readonly to: Point
+  readonly label: string
 }
 
 const configsOf = ({ robots }: World): ReadonlyMap<string, RobotConfig> =>
@@ -124,6 +133,13 @@ export class WorldScene {
     })
   })
 
+  readonly #gap: Gap | null = $derived.by(() => {
+    const { gap } = this.#shown()
+    if (!gap) return null
+    const labelWidth = letters.widthOf(gap.label, 18, 'title')
+    return { from: this.#at(gap.from), to: this.#at(gap.to), label: gap.label, labelWidth }
+  })
+
   /** What is written at robots that do not stand there now, a line for each; text, so that it is
    *  written into the page only when it changes. */
   readonly ghostNames = $derived.by(() => this.#ghosts.map(({ label }) => label).join('\n'))
@@ -141,6 +157,7 @@ export class WorldScene {
       trails: showTrail ? this.#trails.dots(view.robots, world.size, scale, bodies) : [],
       sensing: showRays ? robot : null,
       ghosts: this.#ghosts,
+      gap: this.#gap,
       chosen: this.#chosen,
       lights: (id, part) => this.#highlight?.lightsPart(id, part) ?? false,
       strong: comfort.has('projector'),
