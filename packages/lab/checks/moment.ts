@@ -90,6 +90,6 @@ function nearestOf(shape: Shape, ahead: Cm, aside: Cm): readonly [ahead: Cm, asi
     const share = away > shape.radius ? shape.radius / away : 1
     return [ahead * share, aside * share]
   }
-  const within = (at: Cm, half: Cm) => Math.min(half, Math.max(-half, at))
+  const within = (at: Cm, half: Cm) => Math.min(half, Math.max(0 - half, at))
   return [within(ahead, shape.width / 2), within(aside, shape.height / 2)]
 }
