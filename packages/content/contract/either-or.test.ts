@@ -1,10 +1,7 @@
-import { activations, forward, knowCurves, layOut, type Brain } from '@botgarten/learning/neural-network'
-import { curves } from '@botgarten/learning/neural-network/curves'
+import { activations, forward, layOut, type Brain } from '@botgarten/learning/neural-network'
 import { COLOURS, createSimulation } from '@botgarten/simulation'
 import { describe, expect, it } from 'vitest'
 import { content } from '../files.ts'
-
-knowCurves(curves)
 
 const brainOf = (file: string) => content.program('either-or', file)!.brains['net'] as Brain
 

@@ -1,6 +1,5 @@
 export { activations } from './types.ts'
 export type * from './types.ts'
-export { knowCurves, type Curves } from './activations.ts'
 export { biasOf, biasRow, forward, layOut, trace, weightOf, type Net } from './network.ts'
 export {
   copyWeights,

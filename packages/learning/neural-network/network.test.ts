@@ -1,7 +1,6 @@
 import { readFileSync } from 'node:fs'
 import fc from 'fast-check'
 import { describe, expect, it } from 'vitest'
-import { curves } from './curves.ts'
 import {
   activations,
   biasRow,
@@ -10,7 +9,6 @@ import {
   follow,
   forward,
   hiddenId,
-  knowCurves,
   layOut,
   pruneWeights,
   trace,
@@ -20,8 +18,6 @@ import {
   type Activation,
   type Brain,
 } from './index.ts'
-
-knowCurves(curves)
 
 it('a net has as many inputs as the first layer has neurons', () => {
   const neuron = (id: string) => ({ id, bias: 0, activation: 'identity' as const })

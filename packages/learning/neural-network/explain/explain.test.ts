@@ -1,16 +1,7 @@
 import { readFileSync } from 'node:fs'
 import fc from 'fast-check'
 import { expect, test } from 'vitest'
-import { curves } from '../curves.ts'
-import {
-  activations,
-  knowCurves,
-  trace,
-  weightOf,
-  withWeight,
-  type Activation,
-  type Brain,
-} from '../index.ts'
+import { activations, trace, weightOf, withWeight, type Activation, type Brain } from '../index.ts'
 import {
   aboveOf,
   fasterOf,
@@ -21,8 +12,6 @@ import {
   type Change,
   type Decision,
 } from './index.ts'
-
-knowCurves(curves)
 
 interface Case {
   layers: { activation: Activation; weights: number[][]; biases: number[] }[]
