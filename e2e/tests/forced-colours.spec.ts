@@ -25,7 +25,8 @@ const highlight = (thing: Locator) =>
 
 async function showsChoice(chosen: Locator, other: Locator) {
   const colour = await highlight(chosen)
-  expect((await painted(chosen)).backgroundColor).toBe(colour)
+  // What a press opens may still be on its way.
+  await expect.poll(async () => (await painted(chosen)).backgroundColor).toBe(colour)
   expect((await painted(other)).backgroundColor).not.toBe(colour)
 }
 
