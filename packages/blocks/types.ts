@@ -1,3 +1,4 @@
+import type { Python } from './python.ts'
 import type {
   Colour,
   Degrees,
@@ -468,6 +469,8 @@ export interface Definition {
   readonly loops?: true
   /** Does it sense, drive, show, sound or run a net? (running.md 3) */
   readonly acts: boolean
+  /** What it is in Python, for both robots' libraries. */
+  readonly python: Python
   /** A whole small program around the block that runs, for help and for the contract tests. */
   readonly example: readonly Template[]
 }

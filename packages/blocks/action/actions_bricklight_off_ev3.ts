@@ -26,6 +26,7 @@ export const actions_bricklight_off_ev3: Definition = {
     robot.led(null)
     return done
   },
+  python: (py) => py.line(py.robot.lamp(null, 'ON')),
   example: [
     start,
     { type: 'actions_bricklight_on_ev3', fields: { COLOUR: 'RED', MODE: 'ON' } },

@@ -37,5 +37,6 @@ export const actions_bricklight_on_ev3: Definition = {
   acts: true,
   run: (block, _frame, { robot }) =>
     lampOn(robot, field(block, 'COLOUR', 'GREEN'), field(block, 'MODE', 'ON')),
+  python: (py) => py.line(py.robot.lamp(py.field('COLOUR', 'GREEN'), py.field('MODE', 'ON'))),
   example: [start, { type, fields: { COLOUR: 'GREEN', MODE: 'ON' } }],
 }

@@ -79,5 +79,6 @@ export const mbedActions_play_note: Definition = {
     if (frame.counter === undefined && milliseconds > 0) context.robot.tone(frequency, milliseconds / 1000)
     return waiting(frame, context, milliseconds)
   },
+  python: (py) => py.line(py.robot.tone(py.field('FREQUENCE', '261.626'), py.field('DURATION', '2000'))),
   example: [start, { type, fields: { DURATION: '250', FREQUENCE: '261.626' } }],
 }

@@ -44,6 +44,7 @@ export const robActions_assert: Definition = {
     })
     return done
   },
+  python: (py) => py.line(py.call('check', py.quote(py.field('TEXT')), py.value('OUT'))),
   example: [
     start,
     {

@@ -17,5 +17,6 @@ export const robActions_brickLight_off: Definition = {
     robot.led(null)
     return done
   },
+  python: (py) => py.line(py.robot.lamp(null, 'ON')),
   example: [start, { type }],
 }

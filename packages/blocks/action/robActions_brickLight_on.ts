@@ -33,5 +33,6 @@ export const robActions_brickLight_on: Definition = {
   acts: true,
   run: (block, _frame, { robot }) =>
     lampOn(robot, field(block, 'SWITCH_COLOR', 'GREEN'), field(block, 'SWITCH_BLINK', 'ON')),
+  python: (py) => py.line(py.robot.lamp(py.field('SWITCH_COLOR', 'GREEN'), py.field('SWITCH_BLINK', 'ON'))),
   example: [start, { type, fields: { SWITCH_COLOR: 'GREEN', SWITCH_BLINK: 'ON' } }],
 }

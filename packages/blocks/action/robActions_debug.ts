@@ -26,5 +26,6 @@ export const robActions_debug: Definition = {
     memory.debug(block.id, textOf(frame.got[0]))
     return done
   }),
+  python: (py) => py.line(`print(${py.text('OUT')})`),
   example: [start, { type, values: { OUT: number(1) } }, show(number(1))],
 }

@@ -15,5 +15,6 @@ export const robActions_display_clear: Definition = {
     robot.clearDisplay()
     return done
   },
+  python: (py) => py.line(py.robot.clear()),
   example: [start, show(text('Bo')), { type }],
 }

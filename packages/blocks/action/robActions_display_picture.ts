@@ -1,3 +1,4 @@
+import { missing } from '../parts/python.ts'
 import { number, start } from '../parts/examples.ts'
 import { field } from '../parts/fields.ts'
 import { rows, value, words } from '../parts/looks.ts'
@@ -26,5 +27,6 @@ export const robActions_display_picture: Definition = {
     robot.picture(field(block, 'PICTURE', 'EYESOPEN'))
     return done
   }),
+  python: missing('picture'),
   example: [start, { type, fields: { PICTURE: 'EYESOPEN' }, values: { X: number(0), Y: number(0) } }],
 }

@@ -1,3 +1,4 @@
+import { missing } from '../parts/python.ts'
 import { start } from '../parts/examples.ts'
 import { field } from '../parts/fields.ts'
 import { rows, words } from '../parts/looks.ts'
@@ -24,5 +25,6 @@ export const robActions_display_picture_new: Definition = {
     robot.picture(field(block, 'PICTURE', 'EYESOPEN'))
     return done
   },
+  python: missing('picture'),
   example: [start, { type, fields: { PICTURE: 'EYESOPEN' } }],
 }

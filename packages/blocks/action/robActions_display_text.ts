@@ -31,5 +31,6 @@ export const robActions_display_text: Definition = {
     robot.display(row, column, textOf(frame.got[0]))
     return done
   }),
+  python: (py) => py.line(py.robot.show(py.text('OUT'), py.value('COL'), py.value('ROW'))),
   example: [start, show(text('Bo'))],
 }

@@ -1,3 +1,4 @@
+import { along } from '../parts/python.ts'
 import { speedsOf } from '../parts/driving.ts'
 import { direction } from '../parts/driving.ts'
 import { number, start } from '../parts/examples.ts'
@@ -26,6 +27,7 @@ export const robActions_motorDiff_curve: Definition = {
     robot.move({ left, right })
     return done
   }),
+  python: (py) => py.line(py.robot.drive(along(py, 'POWER_LEFT'), along(py, 'POWER_RIGHT'))),
   example: [
     start,
     { type, fields: { DIRECTION: 'FOREWARD' }, values: { POWER_LEFT: number(10), POWER_RIGHT: number(30) } },

@@ -1,3 +1,4 @@
+import { along } from '../parts/python.ts'
 import { speedsOf } from '../parts/driving.ts'
 import { direction } from '../parts/driving.ts'
 import { number, start } from '../parts/examples.ts'
@@ -36,6 +37,8 @@ export const robActions_motorDiff_curve_for: Definition = {
     const degrees = wheelDegrees(distance, context.robot.wheelDiameter) * share(left, right)
     return moving(frame, context, 0 + left * sign + 0, 0 + right * sign + 0, degrees)
   }),
+  python: (py) =>
+    py.line(py.robot.curve(along(py, 'POWER_LEFT'), along(py, 'POWER_RIGHT'), py.value('DISTANCE'))),
   example: [
     start,
     {

@@ -1,3 +1,4 @@
+import { along } from '../parts/python.ts'
 import { direction, speedOf } from '../parts/driving.ts'
 import { number, start } from '../parts/examples.ts'
 import { rows, value, words } from '../parts/looks.ts'
@@ -24,6 +25,7 @@ export const robActions_motorDiff_on: Definition = {
     robot.move({ left: speed, right: speed })
     return done
   }),
+  python: (py) => py.line(py.robot.forward(along(py, 'POWER'))),
   example: [
     start,
     { type, fields: { DIRECTION: 'FOREWARD' }, values: { POWER: number(30) } },

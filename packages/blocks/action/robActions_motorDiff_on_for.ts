@@ -1,3 +1,4 @@
+import { along } from '../parts/python.ts'
 import { direction, speedOf } from '../parts/driving.ts'
 import { number, start } from '../parts/examples.ts'
 import { rows, value, words } from '../parts/looks.ts'
@@ -25,6 +26,7 @@ export const robActions_motorDiff_on_for: Definition = {
     const speed = distance < 0 ? 0 - speedOf(frame, block) : speedOf(frame, block)
     return moving(frame, context, speed, speed, wheelDegrees(distance, context.robot.wheelDiameter))
   }),
+  python: (py) => py.line(py.robot.straight(along(py, 'POWER'), py.value('DISTANCE'))),
   example: [
     start,
     { type, fields: { DIRECTION: 'FOREWARD' }, values: { POWER: number(30), DISTANCE: number(20) } },

@@ -15,6 +15,7 @@ export const robActions_motorDiff_stop: Definition = {
     robot.stop()
     return done
   },
+  python: (py) => py.line(py.robot.stop()),
   example: [
     start,
     {

@@ -1,3 +1,4 @@
+import { along } from '../parts/python.ts'
 import { side, speedOf } from '../parts/driving.ts'
 import { number, start } from '../parts/examples.ts'
 import { rows, value, words } from '../parts/looks.ts'
@@ -24,6 +25,7 @@ export const robActions_motorDiff_turn: Definition = {
     robot.move({ left: speed, right: 0 - speed })
     return done
   }),
+  python: (py) => py.line(py.robot.spin(along(py, 'POWER'))),
   example: [
     start,
     { type, fields: { DIRECTION: 'RIGHT' }, values: { POWER: number(30) } },

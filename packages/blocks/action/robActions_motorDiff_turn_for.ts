@@ -1,3 +1,4 @@
+import { along } from '../parts/python.ts'
 import { side, speedOf } from '../parts/driving.ts'
 import { number, start } from '../parts/examples.ts'
 import { rows, value, words } from '../parts/looks.ts'
@@ -28,6 +29,7 @@ export const robActions_motorDiff_turn_for: Definition = {
     const turning = (Math.abs(degrees) * trackWidth) / wheelDiameter
     return moving(frame, context, speed, 0 - speed, turning)
   }),
+  python: (py) => py.line(py.robot.turn(along(py, 'POWER'), py.value('DEGREE'))),
   example: [
     start,
     { type, fields: { DIRECTION: 'RIGHT' }, values: { POWER: number(30), DEGREE: number(20) } },

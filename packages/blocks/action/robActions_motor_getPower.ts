@@ -1,3 +1,4 @@
+import { motorIn } from '../parts/python.ts'
 import { show, start } from '../parts/examples.ts'
 import { motorPortIn } from '../parts/fields.ts'
 import { motorPort, rows, words } from '../parts/looks.ts'
@@ -24,5 +25,6 @@ export const robActions_motor_getPower: Definition = {
     const port = motorPortIn(block, 'MOTORPORT')
     return port === undefined ? fail('unknownChoice') : give(robot.power(port))
   },
+  python: (py) => py.robot.power(motorIn(py)),
   example: [start, show({ type, fields: { MOTORPORT: 'B' } })],
 }

@@ -1,3 +1,5 @@
+import { motorIn, timesNumber } from '../parts/python.ts'
+import { type PythonAt } from '../python.ts'
 import { number, start } from '../parts/examples.ts'
 import { field, motorPortIn } from '../parts/fields.ts'
 import { choice, motorPort, rows, value, worded, words } from '../parts/looks.ts'
@@ -7,6 +9,12 @@ import { afterAsking } from '../parts/steps.ts'
 import type { Definition } from '../types.ts'
 
 const type = 'robActions_motor_on_for'
+
+/** VALUE in degrees: turns are 360 each. */
+const degreesOf = (py: PythonAt) =>
+  py.field('MOTORROTATION', 'ROTATIONS') === 'DEGREE'
+    ? py.value('VALUE')
+    : timesNumber(py.expression('VALUE'), 360)
 
 /** VALUE turns (MOTORROTATION ROTATIONS) or degrees (DEGREE); the motor stops by itself and the next block comes then. */
 export const robActions_motor_on_for: Definition = {
@@ -36,6 +44,7 @@ export const robActions_motor_on_for: Definition = {
     }
     return robot.turned(port) ? done : wait
   }),
+  python: (py) => py.line(py.robot.motorFor(motorIn(py), py.value('POWER'), degreesOf(py))),
   example: [
     start,
     {

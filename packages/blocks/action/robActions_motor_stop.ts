@@ -1,3 +1,4 @@
+import { motorIn } from '../parts/python.ts'
 import { start } from '../parts/examples.ts'
 import { motorPortIn } from '../parts/fields.ts'
 import { choice, motorPort, rows, worded, words } from '../parts/looks.ts'
@@ -25,5 +26,6 @@ export const robActions_motor_stop: Definition = {
     robot.motor(port, 0)
     return done
   },
+  python: (py) => py.line(py.robot.motorStop(motorIn(py), py.field('MODE', 'FLOAT') === 'FLOAT')),
   example: [start, { type, fields: { MOTORPORT: 'B', MODE: 'FLOAT' } }],
 }

@@ -62,5 +62,9 @@ export const robActions_play_file: Definition = {
     frame.stage++
     return frame.stage < tune.length ? this.run(block, frame, context) : done
   },
+  python: (py) => {
+    for (const [hertz, ms] of tunes[Number(py.field('FILE', '0'))] ?? py.gap('problem.unknownChoice'))
+      py.line(py.robot.tone(String(hertz), String(ms)))
+  },
   example: [start, { type, fields: { FILE: '0' } }],
 }

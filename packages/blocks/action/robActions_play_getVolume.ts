@@ -13,5 +13,6 @@ export const robActions_play_getVolume: Definition = {
   words: words(type),
   acts: true,
   run: (_block, _frame, { robot }) => give(robot.volume()),
+  python: (py) => py.robot.volume(),
   example: [start, show({ type })],
 }

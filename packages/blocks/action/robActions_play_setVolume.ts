@@ -24,5 +24,6 @@ export const robActions_play_setVolume: Definition = {
     robot.setVolume(cut(numberAt(frame, 0), 0, 100))
     return done
   }),
+  python: (py) => py.line(py.robot.setVolume(py.value('VOLUME'))),
   example: [start, { type, values: { VOLUME: number(50) } }],
 }

@@ -26,5 +26,6 @@ export const robActions_play_tone: Definition = {
     if (frame.counter === undefined && milliseconds > 0) context.robot.tone(frequency, milliseconds / 1000)
     return waiting(frame, context, milliseconds)
   }),
+  python: (py) => py.line(py.robot.tone(py.value('FREQUENCE'), py.value('DURATION'))),
   example: [start, { type, values: { FREQUENCE: number(300), DURATION: number(100) } }],
 }

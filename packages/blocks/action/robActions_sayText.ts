@@ -1,3 +1,4 @@
+import { act } from '../parts/python.ts'
 import { start, text } from '../parts/examples.ts'
 import { anyInput } from '../parts/kinds.ts'
 import { rows, words } from '../parts/looks.ts'
@@ -22,5 +23,6 @@ export const robActions_sayText: Definition = {
   words: words(type),
   acts: true,
   run: afterAsking([ask('OUT')], (frame, context) => speech(frame, context, 30, 50)),
+  python: (py) => act(py, py.robot.say(py.text('OUT')), 'speech'),
   example: [start, { type, values: { OUT: text('Bo') } }],
 }

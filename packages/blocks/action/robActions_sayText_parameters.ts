@@ -1,3 +1,4 @@
+import { act } from '../parts/python.ts'
 import { number, start, text } from '../parts/examples.ts'
 import { anyInput } from '../parts/kinds.ts'
 import { rows, value, words } from '../parts/looks.ts'
@@ -25,5 +26,7 @@ export const robActions_sayText_parameters: Definition = {
   run: afterAsking([ask('OUT'), ask('VOICESPEED'), ask('VOICEPITCH')], (frame, context) =>
     speech(frame, context, cut(numberAt(frame, 1), 0, 100), cut(numberAt(frame, 2), 0, 100)),
   ),
+  python: (py) =>
+    act(py, py.robot.say(py.text('OUT'), py.value('VOICESPEED'), py.value('VOICEPITCH')), 'speech'),
   example: [start, { type, values: { OUT: text('Bo'), VOICESPEED: number(30), VOICEPITCH: number(50) } }],
 }

@@ -1,3 +1,4 @@
+import { missing } from '../parts/python.ts'
 import { start } from '../parts/examples.ts'
 import { field } from '../parts/fields.ts'
 import { choice, rows, worded, words } from '../parts/looks.ts'
@@ -39,5 +40,6 @@ export const robActions_setLanguage: Definition = {
     robot.language(field(block, 'LANGUAGE', 'GERMAN'))
     return done
   },
+  python: missing('language'),
   example: [start, { type, fields: { LANGUAGE: 'GERMAN' } }],
 }

@@ -1,3 +1,4 @@
+import { rangeTimes } from '../parts/python.ts'
 import { number, show, start } from '../parts/examples.ts'
 import { field } from '../parts/fields.ts'
 import { rows, statements, words } from '../parts/looks.ts'
@@ -38,5 +39,6 @@ export const controls_repeat: Definition = {
     frame.counter = begun + 1
     return body
   },
+  python: (py) => py.loop(`for _ in range(${rangeTimes(py, py.field('TIMES', '10'))}):`, 'DO'),
   example: [start, { type, fields: { TIMES: '3' }, statements: { DO: [show(number(1))] } }],
 }

@@ -1,3 +1,4 @@
+import { rangeTimes } from '../parts/python.ts'
 import { number, show, start } from '../parts/examples.ts'
 import { rows, statements, value, words } from '../parts/looks.ts'
 import { again, ask, execute, done } from '../parts/next.ts'
@@ -38,6 +39,7 @@ export const controls_repeat_ext: Definition = {
     frame.counter = begun + 1
     return body
   },
+  python: (py) => py.loop(`for _ in range(${rangeTimes(py, py.value('TIMES'))}):`, 'DO'),
   example: [
     start,
     { type, values: { TIMES: number(3) }, statements: { DO: [show(number(1))] } },

@@ -1,3 +1,4 @@
+import { asked } from '../parts/python.ts'
 import { number, show, start } from '../parts/examples.ts'
 import { field } from '../parts/fields.ts'
 import { choice, rows, statements, value, worded, words } from '../parts/looks.ts'
@@ -38,6 +39,10 @@ export const controls_whileUntil: Definition = {
     if ((frame.got[0] === true) === (field(block, 'MODE', 'UNTIL') === 'UNTIL')) return done
     frame.stage = 2
     return body
+  },
+  python: (py) => {
+    const condition = py.expression('BOOL')
+    py.loop(`while ${py.field('MODE', 'UNTIL') === 'UNTIL' ? asked(condition) : condition.code}:`, 'DO')
   },
   example: [
     start,

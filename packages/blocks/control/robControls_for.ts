@@ -1,3 +1,5 @@
+import { isWhole } from '../parts/python.ts'
+import { binds } from '../python.ts'
 import { number, show, start } from '../parts/examples.ts'
 import { field } from '../parts/fields.ts'
 import { rows, statements, value, words } from '../parts/looks.ts'
@@ -25,6 +27,10 @@ function countOn(frame: Frame, memory: Context['memory'], name: string, step: nu
   frame.got.length = 0
   return goTo(frame, 2, to)
 }
+
+/** As short as Python takes it. */
+const rangeOf = (from: string, to: string, by: string) =>
+  by !== '1' ? `${from}, ${to}, ${by}` : from === '0' ? to : `${from}, ${to}`
 
 /** VAR counts from FROM on while it is below TO, BY at a time. TO and BY are asked again for every pass. */
 export const robControls_for: Definition = {
@@ -60,6 +66,14 @@ export const robControls_for: Definition = {
       default:
         return countOn(frame, memory, name, last)
     }
+  },
+  python: (py) => {
+    const name = py.variable(py.field('VAR', 'i'))
+    const [from, to, by] = [py.value('FROM'), py.value('TO'), py.value('BY')] as const
+    if (py.counts(py.field('VAR', 'i')) && [from, to, by].every(isWhole) && Number(by) > 0)
+      return py.loop(`for ${name} in range(${rangeOf(from, to, by)}):`, 'DO')
+    py.line(`${name} = ${from}`)
+    py.loop(`while ${name} < ${py.value('TO', binds.sum)}:`, 'DO', [`${name} += ${by}`])
   },
   example: [
     start,

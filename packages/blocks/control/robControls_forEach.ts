@@ -48,6 +48,7 @@ export const robControls_forEach: Definition = {
     memory.make(field(block, 'VAR', 'item'), entries[at] ?? null)
     return body
   },
+  python: (py) => py.loop(`for ${py.variable(py.field('VAR', 'item'))} in ${py.value('LIST')}:`, 'DO'),
   example: [
     start,
     {

@@ -1,5 +1,5 @@
 import { number, show, start } from '../parts/examples.ts'
-import { decide } from '../parts/decisions.ts'
+import { decide, decision } from '../parts/decisions.ts'
 import { rows, statements, value, words } from '../parts/looks.ts'
 import { done } from '../parts/next.ts'
 import type { Definition } from '../types.ts'
@@ -20,6 +20,7 @@ export const robControls_if: Definition = {
   words: words(type),
   acts: false,
   run: decide(done),
+  python: decision(false),
   example: [
     start,
     {

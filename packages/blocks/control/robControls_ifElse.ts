@@ -1,5 +1,5 @@
 import { number, show, start } from '../parts/examples.ts'
-import { decide } from '../parts/decisions.ts'
+import { decide, decision } from '../parts/decisions.ts'
 import { rows, statements, value, words } from '../parts/looks.ts'
 import { execute } from '../parts/next.ts'
 import type { Definition } from '../types.ts'
@@ -21,6 +21,7 @@ export const robControls_ifElse: Definition = {
   words: words(type),
   acts: false,
   run: decide(execute('ELSE')),
+  python: decision(true),
   example: [
     start,
     {

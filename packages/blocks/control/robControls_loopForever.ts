@@ -24,5 +24,6 @@ export const robControls_loopForever: Definition = {
     frame.stage = 1 - frame.stage
     return frame.stage === 1 ? body : again
   },
+  python: (py) => py.loop('while True:', 'DO'),
   example: [start, forever(show(number(1)))],
 }

@@ -1,3 +1,4 @@
+import { part } from '../parts/python.ts'
 import { number, show, start } from '../parts/examples.ts'
 import { hidden, rows, words } from '../parts/looks.ts'
 import { execute, done } from '../parts/next.ts'
@@ -24,5 +25,6 @@ export const robControls_start: Definition = {
   acts: false,
   /** Variables of the program stand in ST (mutation `declare` true); their own type is in the expert pack. */
   run: (_block, frame) => (frame.stage++ === 0 ? variables : done),
+  python: part,
   example: [start, show(number(1))],
 }

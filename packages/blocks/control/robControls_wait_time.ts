@@ -20,5 +20,6 @@ export const robControls_wait_time: Definition = {
   words: words(type),
   acts: false,
   run: afterAsking([ask('WAIT')], (frame, context) => waiting(frame, context, numberAt(frame, 0))),
+  python: (py) => py.line(py.robot.wait(py.value('WAIT'))),
   example: [start, { type, values: { WAIT: number(500) } }, show(number(1))],
 }

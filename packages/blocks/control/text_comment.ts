@@ -19,5 +19,6 @@ export const text_comment: Definition = {
   words: words(type),
   acts: false,
   run: () => done,
+  python: (py) => py.comment(py.field('TEXT')),
   example: [start, { type, fields: { TEXT: 'Bo' } }, show(number(1))],
 }

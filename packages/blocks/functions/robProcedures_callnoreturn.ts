@@ -1,6 +1,6 @@
 import { sayIt, saying } from '../parts/function-examples.ts'
 import { start } from '../parts/examples.ts'
-import { askArgs } from '../parts/functions.ts'
+import { askArgs, calls } from '../parts/functions.ts'
 import { rows, words } from '../parts/looks.ts'
 import type { Definition } from '../types.ts'
 
@@ -22,5 +22,6 @@ export const robProcedures_callnoreturn: Definition = {
   words: words(type),
   acts: false,
   run: askArgs,
+  python: (py) => py.line(calls(py).code),
   example: [start, sayIt, saying],
 }

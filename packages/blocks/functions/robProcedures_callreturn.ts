@@ -1,6 +1,6 @@
 import { doubled, showTwice } from '../parts/function-examples.ts'
 import { start } from '../parts/examples.ts'
-import { askArgs } from '../parts/functions.ts'
+import { askArgs, calls } from '../parts/functions.ts'
 import { typedBy } from '../parts/kinds.ts'
 import { rows, words } from '../parts/looks.ts'
 import type { Definition } from '../types.ts'
@@ -25,5 +25,6 @@ export const robProcedures_callreturn: Definition = {
   words: words(type),
   acts: false,
   run: askArgs,
+  python: calls,
   example: [start, showTwice, doubled],
 }

@@ -1,3 +1,4 @@
+import { part } from '../parts/python.ts'
 import { sayIt, saying } from '../parts/function-examples.ts'
 import { start } from '../parts/examples.ts'
 import { rows, statements, words } from '../parts/looks.ts'
@@ -26,5 +27,6 @@ export const robProcedures_defnoreturn: Definition = {
   words: words(type),
   acts: false,
   run: (_block, frame) => (frame.stage++ === 0 ? body : done),
+  python: part,
   example: [start, sayIt, saying],
 }

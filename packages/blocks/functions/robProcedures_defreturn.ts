@@ -1,3 +1,4 @@
+import { part } from '../parts/python.ts'
 import { doubled, showTwice } from '../parts/function-examples.ts'
 import { start } from '../parts/examples.ts'
 import { kindField, typedBy } from '../parts/kinds.ts'
@@ -35,5 +36,6 @@ export const robProcedures_defreturn: Definition = {
     if (stage === 0) return body
     return stage === 1 ? result : give(frame.got[0] ?? null)
   },
+  python: part,
   example: [start, showTwice, doubled],
 }

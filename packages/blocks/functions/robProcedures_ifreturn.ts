@@ -34,5 +34,9 @@ export const robProcedures_ifreturn: Definition = {
     if (stage === 1 && block.mutation?.attrs.value === '1') return result
     return { next: 'return', value: frame.got[1] ?? null }
   },
+  python: (py) => {
+    py.line(`if ${py.value('CONDITION')}:`)
+    py.inner(() => py.line(py.block.mutation?.attrs.value === '1' ? `return ${py.value('VALUE')}` : 'return'))
+  },
   example: [start, sayIt, saying],
 }

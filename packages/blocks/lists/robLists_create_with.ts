@@ -1,3 +1,5 @@
+import { filledNames } from '../parts/python.ts'
+import { whole } from '../python.ts'
 import { someList } from '../parts/lists.ts'
 import { show, start } from '../parts/examples.ts'
 import { plainKindField, typedBy } from '../parts/kinds.ts'
@@ -33,5 +35,11 @@ export const robLists_create_with: Definition = {
     }
     return give([...frame.got])
   },
+  python: (py) =>
+    whole(
+      `[${filledNames(py.block)
+        .map((name) => py.value(name))
+        .join(', ')}]`,
+    ),
   example: [start, show({ type: 'robLists_length', values: { VALUE: someList } })],
 }

@@ -1,3 +1,5 @@
+import { indexIn } from '../parts/python.ts'
+import { binds, whole } from '../python.ts'
 import { someList } from '../parts/lists.ts'
 import { number, show, start } from '../parts/examples.ts'
 import { field } from '../parts/fields.ts'
@@ -51,6 +53,14 @@ export const robLists_getIndex: Definition = {
     const entry = entries[place] ?? null
     if (field(block, 'MODE', 'GET') !== 'GET') entries.splice(place, 1)
     return give(entry)
+  },
+  python: (py) => {
+    const list = py.value('VALUE', binds.whole)
+    const place = indexIn(py, 'WHERE', 'AT')
+    const mode = py.field('MODE', 'GET')
+    if (mode === 'GET') return whole(`${list}[${place}]`)
+    const taken = `${list}.pop(${place === '-1' ? '' : place})`
+    return mode === 'REMOVE' ? py.line(taken) : whole(taken)
   },
   example: [
     start,

@@ -1,3 +1,5 @@
+import { indexIn } from '../parts/python.ts'
+import { whole } from '../python.ts'
 import { someList } from '../parts/lists.ts'
 import { number, show, start } from '../parts/examples.ts'
 import { field } from '../parts/fields.ts'
@@ -52,6 +54,8 @@ export const robLists_getSublist: Definition = {
     if (from === null || to === null) return fail(entries.length === 0 ? 'emptyList' : 'noSuchEntry')
     return { next: 'done', value: entries.slice(from, to + 1), cost: costOf(entries.length) }
   },
+  python: (py) =>
+    whole(py.call('part_of', py.value('LIST'), indexIn(py, 'WHERE1', 'AT1'), indexIn(py, 'WHERE2', 'AT2'))),
   example: [
     start,
     show({

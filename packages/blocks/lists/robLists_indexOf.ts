@@ -1,3 +1,4 @@
+import { whole } from '../python.ts'
 import { same } from '../parts/same.ts'
 import { someList } from '../parts/lists.ts'
 import { number, show, start } from '../parts/examples.ts'
@@ -32,5 +33,9 @@ export const robLists_indexOf: Definition = {
     const place = field(block, 'END', 'FIRST') === 'LAST' ? list.findLastIndex(isIt) : list.findIndex(isIt)
     return { next: 'done', value: place, cost: costOf(list.length) }
   }),
+  python: (py) => {
+    const last = py.field('END', 'FIRST') === 'LAST'
+    return whole(py.call(last ? 'last_place' : 'first_place', py.value('VALUE'), py.value('FIND')))
+  },
   example: [start, show({ type, fields: { END: 'FIRST' }, values: { VALUE: someList, FIND: number(2) } })],
 }

@@ -1,3 +1,4 @@
+import { compared } from '../parts/python.ts'
 import { someList } from '../parts/lists.ts'
 import { lampIf, start } from '../parts/examples.ts'
 import { listInput } from '../parts/kinds.ts'
@@ -23,5 +24,6 @@ export const robLists_isEmpty: Definition = {
   words: words(type),
   acts: false,
   run: afterAsking([ask('VALUE')], (frame) => give(listAt(frame, 0).length === 0)),
+  python: (py) => compared(`len(${py.value('VALUE')})`, '==', '0'),
   example: [start, lampIf({ type, values: { VALUE: someList } })],
 }

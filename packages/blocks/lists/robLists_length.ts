@@ -1,3 +1,4 @@
+import { of } from '../parts/python.ts'
 import { someList } from '../parts/lists.ts'
 import { show, start } from '../parts/examples.ts'
 import { listInput } from '../parts/kinds.ts'
@@ -23,5 +24,6 @@ export const robLists_length: Definition = {
   words: words(type),
   acts: false,
   run: afterAsking([ask('VALUE')], (frame) => give(listAt(frame, 0).length)),
+  python: of('len', 'VALUE'),
   example: [start, show({ type, values: { VALUE: someList } })],
 }

@@ -1,3 +1,5 @@
+import { rangeTimes } from '../parts/python.ts'
+import { binds } from '../python.ts'
 import { number, show, start } from '../parts/examples.ts'
 import { plainKindField, typedBy } from '../parts/kinds.ts'
 import { costOf, mostEntries } from '../parts/lists.ts'
@@ -34,6 +36,10 @@ export const robLists_repeat: Definition = {
       cost: costOf(count),
     }
   }),
+  python: (py) => {
+    const count = rangeTimes(py, py.value('NUM', binds.sign))
+    return { code: `[${py.value('ITEM')}] * ${count}`, binds: binds.product }
+  },
   example: [
     start,
     show({

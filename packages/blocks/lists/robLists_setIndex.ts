@@ -1,3 +1,5 @@
+import { indexIn } from '../parts/python.ts'
+import { binds } from '../python.ts'
 import { someList } from '../parts/lists.ts'
 import { number, show } from '../parts/examples.ts'
 import { field } from '../parts/fields.ts'
@@ -60,6 +62,16 @@ export const robLists_setIndex: Definition = {
     return place === null
       ? fail('noSuchEntry')
       : put(entries, field(block, 'MODE', 'SET'), where, place, entry)
+  },
+  python: (py) => {
+    const list = py.value('LIST', binds.whole)
+    const place = indexIn(py, 'WHERE', 'AT')
+    const entry = py.value('TO')
+    if (py.field('MODE', 'SET') === 'SET') py.line(`${list}[${place}] = ${entry}`)
+    else
+      py.line(
+        py.field('WHERE') === 'LAST' ? `${list}.append(${entry})` : `${list}.insert(${place}, ${entry})`,
+      )
   },
   example: [
     declared('xs', 'Array_Number', someList),

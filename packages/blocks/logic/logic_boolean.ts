@@ -1,3 +1,4 @@
+import { whole } from '../python.ts'
 import { truth } from '../parts/truths.ts'
 import { lampIf, start } from '../parts/examples.ts'
 import { field } from '../parts/fields.ts'
@@ -22,5 +23,6 @@ export const logic_boolean: Definition = {
   words: words(type),
   acts: false,
   run: (block) => give(field(block, 'BOOL', 'TRUE') === 'TRUE'),
+  python: (py) => whole(py.field('BOOL', 'TRUE') === 'TRUE' ? 'True' : 'False'),
   example: [start, lampIf(truth(true))],
 }

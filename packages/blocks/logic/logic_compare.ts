@@ -1,3 +1,5 @@
+import { asked, compared } from '../parts/python.ts'
+import { binds, type PythonAt, type Expression } from '../python.ts'
 import { number, start } from '../parts/examples.ts'
 import { isColour } from '../parts/colours.ts'
 import { field } from '../parts/fields.ts'
@@ -36,6 +38,32 @@ function compare(operator: string, a: Value | undefined, b: Value | undefined): 
   )
 }
 
+const signs: ReadonlyMap<string, string> = new Map([
+  ['EQ', '=='],
+  ['NEQ', '!='],
+  ['LT', '<'],
+  ['LTE', '<='],
+  ['GT', '>'],
+  ['GTE', '>='],
+])
+const constants = ['True', 'False', 'None']
+
+/** Python asks for `x` and `not x` where a child compares with true or false, and for `x is None`. */
+function pythonCompare(py: PythonAt): Expression {
+  const sign = signs.get(py.field('OP', 'EQ')) ?? py.gap('problem.unknownChoice')
+  const [a, b] = [py.expression('A'), py.expression('B')] as const
+  const constant = [b, a].find(({ code }) => constants.includes(code))
+  const same = sign === '=='
+  if (!constant || !/^[=!]=$/.test(sign))
+    return compared(py.value('A', binds.sum), sign, py.value('B', binds.sum))
+  const other = constant === b ? a : b
+  if (constant.code === 'None' || py.kind(constant === b ? 'A' : 'B') !== 'Boolean')
+    return compared(py.value(constant === b ? 'A' : 'B', binds.sum), same ? 'is' : 'is not', constant.code)
+  return same === (constant.code === 'True')
+    ? other
+    : { code: asked(other), binds: binds.not, not: other.code }
+}
+
 export const logic_compare: Definition = {
   type,
   pack: 'core',
@@ -63,6 +91,7 @@ export const logic_compare: Definition = {
     memory.compared = [a, b]
     return compare(field(block, 'OP', 'EQ'), a, b)
   }),
+  python: pythonCompare,
   example: [
     start,
     {

@@ -1,3 +1,5 @@
+import { asked } from '../parts/python.ts'
+import { binds } from '../python.ts'
 import { truth } from '../parts/truths.ts'
 import { lampIf, start } from '../parts/examples.ts'
 import { rows, value, words } from '../parts/looks.ts'
@@ -21,5 +23,13 @@ export const logic_negate: Definition = {
   words: words(type),
   acts: false,
   run: afterAsking([ask('BOOL')], (frame) => give(frame.got[0] !== true)),
+  python: (py) => {
+    const condition = py.expression('BOOL')
+    return {
+      code: asked(condition),
+      binds: condition.not === undefined ? binds.not : binds.compare,
+      not: condition.code,
+    }
+  },
   example: [start, lampIf({ type, values: { BOOL: truth(false) } })],
 }

@@ -1,3 +1,4 @@
+import { whole } from '../python.ts'
 import { show, start } from '../parts/examples.ts'
 import { rows, words } from '../parts/looks.ts'
 import { give } from '../parts/next.ts'
@@ -13,5 +14,6 @@ export const logic_null: Definition = {
   words: words(type),
   acts: false,
   run: () => give(null),
+  python: () => whole('None'),
   example: [start, show({ type })],
 }

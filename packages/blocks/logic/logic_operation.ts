@@ -1,3 +1,4 @@
+import { binds } from '../python.ts'
 import { truth } from '../parts/truths.ts'
 import { lampIf, start } from '../parts/examples.ts'
 import { field } from '../parts/fields.ts'
@@ -35,6 +36,13 @@ export const logic_operation: Definition = {
       return second
     }
     return give(frame.got[frame.got.length - 1] === true)
+  },
+  python: (py) => {
+    const how = py.field('OP', 'AND') === 'OR' ? binds.or : binds.and
+    return {
+      code: `${py.value('A', how)} ${how === binds.or ? 'or' : 'and'} ${py.value('B', how)}`,
+      binds: how,
+    }
   },
   example: [start, lampIf({ type, fields: { OP: 'AND' }, values: { A: truth(true), B: truth(false) } })],
 }

@@ -1,3 +1,4 @@
+import { binds } from '../python.ts'
 import { truth } from '../parts/truths.ts'
 import { number, show, start } from '../parts/examples.ts'
 import { anyInput, typedBy } from '../parts/kinds.ts'
@@ -31,6 +32,10 @@ export const logic_ternary: Definition = {
     if (stage === 0) return condition
     if (stage === 1) return frame.got[0] === true ? then : otherwise
     return give(frame.got[1] ?? null)
+  },
+  python: (py) => {
+    const [then, condition] = [py.value('THEN', binds.or), py.value('IF', binds.or)] as const
+    return { code: `${then} if ${condition} else ${py.value('ELSE', binds.ternary)}`, binds: binds.ternary }
   },
   example: [start, show({ type, values: { IF: truth(true), THEN: number(1), ELSE: number(2) } })],
 }

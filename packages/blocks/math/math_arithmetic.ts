@@ -1,3 +1,5 @@
+import { binary } from '../parts/python.ts'
+import { binds, whole } from '../python.ts'
 import { pow } from '@botgarten/numbers'
 import { number, show, start } from '../parts/examples.ts'
 import { field } from '../parts/fields.ts'
@@ -33,6 +35,13 @@ function calculate(operator: string, frame: Frame): Next {
   return finite(operation(a, b), frame)
 }
 
+const signs: ReadonlyMap<string, string> = new Map([
+  ['ADD', '+'],
+  ['MINUS', '-'],
+  ['MULTIPLY', '*'],
+  ['DIVIDE', '/'],
+])
+
 export const math_arithmetic: Definition = {
   type,
   pack: 'core',
@@ -50,5 +59,11 @@ export const math_arithmetic: Definition = {
   run: afterAsking([ask('A'), ask('B')], (frame, _context, block) =>
     calculate(field(block, 'OP', 'ADD'), frame),
   ),
+  python: (py) => {
+    const operator = py.field('OP', 'ADD')
+    if (operator === 'POWER') return whole(`pow(${py.value('A')}, ${py.value('B')})`)
+    const sign = signs.get(operator) ?? py.gap('problem.unknownChoice')
+    return binary(py, 'A', sign, 'B', /[+-]/.test(sign) ? binds.sum : binds.product)
+  },
   example: [start, show({ type, fields: { OP: 'MULTIPLY' }, values: { A: number(6), B: number(7) } })],
 }

@@ -1,3 +1,5 @@
+import { placeAt } from '../parts/python.ts'
+import { whole } from '../python.ts'
 import { number, show, start } from '../parts/examples.ts'
 import { rows, value, words } from '../parts/looks.ts'
 import { ask, fail, give } from '../parts/next.ts'
@@ -25,5 +27,6 @@ export const math_cast_toChar: Definition = {
     const code = Math.trunc(numberAt(frame, 0))
     return code >= 0 && code <= 65535 ? give(String.fromCharCode(code)) : fail('noSuchLetter')
   }),
+  python: (py) => whole(`chr(${placeAt(py, 'VALUE')})`),
   example: [start, show({ type, values: { VALUE: number(65) } })],
 }

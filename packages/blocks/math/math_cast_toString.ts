@@ -1,3 +1,4 @@
+import { whole } from '../python.ts'
 import { number, show, start } from '../parts/examples.ts'
 import { rows, value, words } from '../parts/looks.ts'
 import { ask, give } from '../parts/next.ts'
@@ -21,5 +22,6 @@ export const math_cast_toString: Definition = {
   words: words(type),
   acts: false,
   run: afterAsking([ask('VALUE')], (frame) => give(textOf(frame.got[0]))),
+  python: (py) => whole(py.text('VALUE')),
   example: [start, show({ type, values: { VALUE: number(5) } })],
 }

@@ -1,3 +1,4 @@
+import { binds, whole, type PythonAt, type Expression } from '../python.ts'
 import { show, start } from '../parts/examples.ts'
 import { field } from '../parts/fields.ts'
 import { choice, rows, worded, words } from '../parts/looks.ts'
@@ -13,6 +14,19 @@ const constants: ReadonlyMap<string, number> = new Map([
   ['SQRT2', Math.SQRT2],
   ['SQRT1_2', Math.SQRT1_2],
   ['INFINITY', Infinity],
+])
+
+const root = (py: PythonAt, of: string) => whole(`${py.from('math', 'sqrt')}(${of})`)
+
+type Write = (py: PythonAt) => Expression
+
+const pythonConstants: ReadonlyMap<string, Write> = new Map<string, Write>([
+  ['PI', (py) => whole(py.from('math', 'pi'))],
+  ['E', (py) => whole(`${py.from('math', 'exp')}(1)`)],
+  ['GOLDEN_RATIO', (py) => ({ code: `(1 + ${root(py, '5').code}) / 2`, binds: binds.product })],
+  ['SQRT2', (py) => root(py, '2')],
+  ['SQRT1_2', (py) => root(py, '0.5')],
+  ['INFINITY', () => whole('float("inf")')],
 ])
 
 /** INFINITY is the one value without end. */
@@ -42,5 +56,6 @@ export const math_constant: Definition = {
     const x = constants.get(field(block, 'CONSTANT', 'PI'))
     return x === undefined ? fail('unknownChoice') : give(x)
   },
+  python: (py) => pythonConstants.get(py.field('CONSTANT', 'PI'))?.(py) ?? py.gap('problem.unknownChoice'),
   example: [start, show({ type, fields: { CONSTANT: 'PI' } })],
 }

@@ -1,3 +1,4 @@
+import { whole } from '../python.ts'
 import { number, show, start } from '../parts/examples.ts'
 import { rows, value, words } from '../parts/looks.ts'
 import { ask, give } from '../parts/next.ts'
@@ -23,5 +24,6 @@ export const math_constrain: Definition = {
   run: afterAsking([ask('VALUE'), ask('LOW'), ask('HIGH')], (frame) =>
     give(Math.min(Math.max(numberAt(frame, 0), numberAt(frame, 1)), numberAt(frame, 2)) + 0),
   ),
+  python: (py) => whole(`min(max(${py.value('VALUE')}, ${py.value('LOW')}), ${py.value('HIGH')})`),
   example: [start, show({ type, values: { VALUE: number(200), LOW: number(1), HIGH: number(100) } })],
 }

@@ -1,3 +1,4 @@
+import { whole } from '../python.ts'
 import { number, show, start } from '../parts/examples.ts'
 import { rows, value, words } from '../parts/looks.ts'
 import { ask, fail } from '../parts/next.ts'
@@ -26,5 +27,6 @@ export const math_modulo: Definition = {
       ? fail('divisionByZero')
       : finite(numberAt(frame, 0) % numberAt(frame, 1), frame),
   ),
+  python: (py) => whole(`${py.from('math', 'fmod')}(${py.value('DIVIDEND')}, ${py.value('DIVISOR')})`),
   example: [start, show({ type, values: { DIVIDEND: number(7), DIVISOR: number(3) } })],
 }

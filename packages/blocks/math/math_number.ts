@@ -1,3 +1,4 @@
+import { numberOf } from '../parts/python.ts'
 import { number, show, start } from '../parts/examples.ts'
 import { field } from '../parts/fields.ts'
 import { rows, words } from '../parts/looks.ts'
@@ -24,5 +25,6 @@ export const math_number: Definition = {
     const x = numberIn(field(block, 'NUM', '0'))
     return x === null ? fail('notANumber') : give(x)
   },
+  python: (py) => numberOf(py.field('NUM', '0')) ?? py.gap('problem.notANumber'),
   example: [start, show(number(42))],
 }

@@ -1,3 +1,5 @@
+import { compared } from '../parts/python.ts'
+import { binds, whole } from '../python.ts'
 import { properties } from '../parts/primes.ts'
 import { lampIf, number, start } from '../parts/examples.ts'
 import { field } from '../parts/fields.ts'
@@ -10,6 +12,15 @@ const type = 'math_number_property'
 
 const number_ = ask('NUMBER_TO_CHECK')
 const divisor = ask('DIVISOR')
+
+const pythonProperties: ReadonlyMap<string, readonly [rest: string, sign: string, than: string]> = new Map([
+  ['EVEN', [' % 2', '==', '0']],
+  ['ODD', [' % 2', '==', '1']],
+  ['WHOLE', [' % 1', '==', '0']],
+  ['POSITIVE', ['', '>', '0']],
+  ['NEGATIVE', ['', '<', '0']],
+  ['DIVISIBLE_BY', ['', '==', '0']],
+])
 
 /** PROPERTY DIVISIBLE_BY has an input DIVISOR (mutation `divisor_input`). */
 export const math_number_property: Definition = {
@@ -50,6 +61,13 @@ export const math_number_property: Definition = {
     }
     const holds = properties.get(property)
     return holds === undefined ? fail('unknownChoice') : give(holds(numberAt(frame, 0)))
+  },
+  python: (py) => {
+    const property = py.field('PROPERTY', 'EVEN')
+    if (property === 'PRIME') return whole(py.call('is_prime', py.value('NUMBER_TO_CHECK')))
+    const [rest, sign, than] = pythonProperties.get(property) ?? py.gap('problem.unknownChoice')
+    const divisor = property === 'DIVISIBLE_BY' ? ` % ${py.value('DIVISOR', binds.sign)}` : rest
+    return compared(py.value('NUMBER_TO_CHECK', divisor ? binds.product : binds.sum) + divisor, sign, than)
   },
   example: [start, lampIf({ type, fields: { PROPERTY: 'EVEN' }, values: { NUMBER_TO_CHECK: number(4) } })],
 }

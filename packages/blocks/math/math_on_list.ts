@@ -1,3 +1,4 @@
+import { whole } from '../python.ts'
 import { someList } from '../parts/lists.ts'
 import { show, start } from '../parts/examples.ts'
 import { field } from '../parts/fields.ts'
@@ -10,6 +11,15 @@ import { afterAsking } from '../parts/steps.ts'
 import type { Definition } from '../types.ts'
 
 const type = 'math_on_list'
+
+const pythonNames: ReadonlyMap<string, string> = new Map([
+  ['SUM', 'sum'],
+  ['MIN', 'min'],
+  ['MAX', 'max'],
+  ['AVERAGE', 'mean'],
+  ['MEDIAN', 'median'],
+  ['STD_DEV', 'deviation'],
+])
 
 /** Mutation `op` as OP. An empty list has a sum and nothing else. RANDOM takes any list. */
 export const math_on_list: Definition = {
@@ -60,6 +70,12 @@ export const math_on_list: Definition = {
     const result = operation(list.map(Number))
     return Number.isFinite(result) ? { next: 'done', value: result + 0, cost } : fail('tooBigNumber')
   }),
+  python: (py) => {
+    const operator = py.field('OP', 'SUM')
+    if (operator === 'RANDOM') return whole(`${py.from('random', 'choice')}(${py.value('LIST')})`)
+    const name = pythonNames.get(operator) ?? py.gap('problem.unknownChoice')
+    return whole(py.call(name, py.value('LIST')))
+  },
   example: [
     start,
     show({ type, mutation: { attrs: { op: 'SUM' } }, fields: { OP: 'SUM' }, values: { LIST: someList } }),

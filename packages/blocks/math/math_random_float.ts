@@ -1,3 +1,4 @@
+import { whole } from '../python.ts'
 import { show, start } from '../parts/examples.ts'
 import { rows, words } from '../parts/looks.ts'
 import { give } from '../parts/next.ts'
@@ -13,5 +14,6 @@ export const math_random_float: Definition = {
   words: words(type),
   acts: false,
   run: (_block, _frame, { memory }) => give(memory.random()),
+  python: (py) => whole(`${py.from('random', 'random')}()`),
   example: [start, show({ type })],
 }

@@ -1,3 +1,5 @@
+import { isWhole } from '../parts/python.ts'
+import { whole } from '../python.ts'
 import { number, show, start } from '../parts/examples.ts'
 import { rows, value, words } from '../parts/looks.ts'
 import { ask } from '../parts/next.ts'
@@ -26,5 +28,12 @@ export const math_random_int: Definition = {
     const most = Math.floor(Math.max(numberAt(frame, 0), numberAt(frame, 1)))
     return finite(least + Math.floor(memory.random() * Math.max(1, most - least + 1)), frame)
   }),
+  python: (py) => {
+    const [from, to] = [py.value('FROM'), py.value('TO')] as const
+    const inOrder = isWhole(from) && isWhole(to) && Number(from) <= Number(to)
+    return whole(
+      inOrder ? `${py.from('random', 'randint')}(${from}, ${to})` : py.call('random_between', from, to),
+    )
+  },
   example: [start, show({ type, values: { FROM: number(1), TO: number(6) } })],
 }

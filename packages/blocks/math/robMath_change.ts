@@ -1,3 +1,4 @@
+import { isNumber } from '../parts/python.ts'
 import { number, show } from '../parts/examples.ts'
 import { rows, value, words } from '../parts/looks.ts'
 import { ask, fail } from '../parts/next.ts'
@@ -29,6 +30,11 @@ export const robMath_change: Definition = {
     if (!Number.isFinite(sum)) return fail('tooBigNumber')
     return assign(memory, name, sum)
   }),
+  python: (py) => {
+    const delta = py.value('DELTA')
+    const sign = isNumber(delta) && delta.startsWith('-') ? '-' : '+'
+    py.line(`${py.variable(targetOf(py.block))} ${sign}= ${sign === '-' ? delta.slice(1) : delta}`)
+  },
   example: [
     declared('x', 'Number', number(1)),
     { type, values: { VAR: variable('x'), DELTA: number(2) } },

@@ -1,3 +1,4 @@
+import { missing } from '../parts/python.ts'
 import { show, start, text } from '../parts/examples.ts'
 import { connectionAt, takeLetter } from '../parts/letters.ts'
 import { hidden, rows, value, words } from '../parts/looks.ts'
@@ -28,6 +29,7 @@ export const robCommunication_receiveBlock: Definition = {
     const letter = takeLetter(context, 'text', from)
     return letter === null ? wait : give(letter.text)
   }),
+  python: missing('messages'),
   example: [
     start,
     show({

@@ -1,3 +1,4 @@
+import { missing } from '../parts/python.ts'
 import { number, show, start, text } from '../parts/examples.ts'
 import { connectionAt } from '../parts/letters.ts'
 import { hidden, rows, value, words } from '../parts/looks.ts'
@@ -28,6 +29,7 @@ export const robCommunication_sendBlock: Definition = {
     mail.send(to, { kind: 'text', text: textOf(frame.got[0]) })
     return done
   }),
+  python: missing('messages'),
   example: [
     start,
     {

@@ -1,3 +1,4 @@
+import { missing } from '../parts/python.ts'
 import { number, show, text } from '../parts/examples.ts'
 import { rows, value, words } from '../parts/looks.ts'
 import { ask, fail, give } from '../parts/next.ts'
@@ -29,5 +30,6 @@ export const robCommunication_startConnection: Definition = {
     mail?.send(other, { kind: 'call', text: '' })
     return give(other)
   }),
+  python: missing('messages'),
   example: [declared('bo', 'Connection', { type, values: { ADDRESS: text('Bo 2') } }), show(number(1))],
 }

@@ -1,3 +1,4 @@
+import { missing } from '../parts/python.ts'
 import { number, show } from '../parts/examples.ts'
 import { takeLetter } from '../parts/letters.ts'
 import { rows, words } from '../parts/looks.ts'
@@ -25,5 +26,6 @@ export const robCommunication_waitForConnection: Definition = {
     const letter = takeLetter(context, 'call', null)
     return letter === null ? wait : give(letter.from)
   },
+  python: missing('messages'),
   example: [declared('bo', 'Connection', { type }), show(number(1))],
 }

@@ -1,3 +1,4 @@
+import { part } from '../parts/python.ts'
 import type { MotorPort } from '@botgarten/simulation'
 import { distanceNeuron, motorNeuron, netProgram } from '../parts/examples.ts'
 import { motorPortIn } from '../parts/fields.ts'
@@ -91,5 +92,6 @@ export const ai_easy_list: Definition = {
     }
     return give(frame.counter === 0 ? frame.got : frame.got.slice(frame.counter))
   },
+  python: part,
   example: netProgram([distanceNeuron('2'), distanceNeuron('3')], [motorNeuron('C'), motorNeuron('B')]),
 }

@@ -58,5 +58,6 @@ export const ai_neural_network: Definition = {
     executeOrders(lastList(frame), context.robot)
     return done
   },
+  python: (py) => py.network(),
   example: netProgram([distanceNeuron('2'), distanceNeuron('3')], [motorNeuron('C'), motorNeuron('B')]),
 }

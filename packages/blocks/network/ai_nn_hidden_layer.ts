@@ -1,3 +1,4 @@
+import { part } from '../parts/python.ts'
 import { distanceNeuron, hiddenLayer, motorNeuron, netProgram } from '../parts/examples.ts'
 import { hiddenType as type, mostInLayer, mostNeurons, wantedNeurons } from '../parts/layers.ts'
 import { choice, rows, words, worded } from '../parts/looks.ts'
@@ -54,6 +55,7 @@ export const ai_nn_hidden_layer: Definition = {
     if (frame.stage++ === 0 && plugged(block, 'LAYER')) return layer
     return give(frame.got.at(-1) ?? [])
   },
+  python: part,
   example: netProgram(
     [distanceNeuron('2'), distanceNeuron('3')],
     [motorNeuron('C'), motorNeuron('B')],

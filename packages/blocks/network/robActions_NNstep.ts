@@ -26,5 +26,9 @@ export const robActions_NNstep: Definition = {
     if (frame.stage++ === 0) return neurons
     return runNet(context) ? done : fail('noNetwork')
   },
+  python: (py) => {
+    py.body('IONEURON')
+    py.step()
+  },
   example: [...netStart, { type }],
 }

@@ -1,4 +1,4 @@
-import { changeBias } from '../parts/change-net.ts'
+import { changeBias, pythonBias } from '../parts/change-net.ts'
 import { netStart } from '../parts/net-examples.ts'
 import { number } from '../parts/examples.ts'
 import { choice, rows, value, worded, words } from '../parts/looks.ts'
@@ -25,6 +25,7 @@ export const robActions_change_bias: Definition = {
   words: words(type),
   acts: false,
   run: changeBias,
+  python: pythonBias,
   example: [
     ...netStart,
     { type, fields: { NAME: 'n2', CHANGE: 'INCR' }, values: { VALUE: number(2) } },

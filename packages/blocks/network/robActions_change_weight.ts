@@ -1,4 +1,4 @@
-import { changeWeight } from '../parts/change-net.ts'
+import { changeWeight, pythonWeight } from '../parts/change-net.ts'
 import { netStart } from '../parts/net-examples.ts'
 import { number } from '../parts/examples.ts'
 import { choice, rows, value, worded, words } from '../parts/looks.ts'
@@ -26,6 +26,7 @@ export const robActions_change_weight: Definition = {
   words: words(type),
   acts: false,
   run: changeWeight,
+  python: pythonWeight,
   example: [
     ...netStart,
     { type, fields: { FROM: 'n1', TO: 'n2', CHANGE: 'INCR' }, values: { VALUE: number(2) } },

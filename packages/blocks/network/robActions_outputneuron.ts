@@ -27,6 +27,10 @@ export const robActions_outputneuron: Definition = {
     if (!runNet(context)) return fail('noNetwork')
     return assign(context.memory, targetOf(block, 'VALUE'), outputIn(context, field(block, 'NAME')))
   },
+  python: (py) => {
+    py.step()
+    py.line(`${py.variable(targetOf(py.block, 'VALUE'))} = ${py.neuron('outputs', py.field('NAME'))}`)
+  },
   example: [
     ...netStart,
     {

@@ -1,3 +1,4 @@
+import { part } from '../parts/python.ts'
 import { netStart } from '../parts/net-examples.ts'
 import { rows, words } from '../parts/looks.ts'
 import { done } from '../parts/next.ts'
@@ -21,6 +22,7 @@ export const robActions_outputneuron_wo_var: Definition = {
   words: words(type),
   acts: false,
   run: () => done,
+  python: part,
   example: [
     ...netStart,
     { type: 'robActions_NNstep', statements: { IONEURON: [{ type, fields: { NAME: 'n2' } }] } },

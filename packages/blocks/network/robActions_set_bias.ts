@@ -1,4 +1,4 @@
-import { changeBias } from '../parts/change-net.ts'
+import { changeBias, pythonBias } from '../parts/change-net.ts'
 import { netStart } from '../parts/net-examples.ts'
 import { number } from '../parts/examples.ts'
 import { rows, value, words } from '../parts/looks.ts'
@@ -20,6 +20,7 @@ export const robActions_set_bias: Definition = {
   words: words(type),
   acts: false,
   run: changeBias,
+  python: pythonBias,
   example: [
     ...netStart,
     { type, fields: { NAME: 'n2' }, values: { VALUE: number(2) } },

@@ -1,4 +1,4 @@
-import { changeWeight } from '../parts/change-net.ts'
+import { changeWeight, pythonWeight } from '../parts/change-net.ts'
 import { netStart } from '../parts/net-examples.ts'
 import { number } from '../parts/examples.ts'
 import { rows, value, words } from '../parts/looks.ts'
@@ -21,6 +21,7 @@ export const robActions_set_weight: Definition = {
   words: words(type),
   acts: false,
   run: changeWeight,
+  python: pythonWeight,
   example: [
     ...netStart,
     { type, fields: { FROM: 'n1', TO: 'n2' }, values: { VALUE: number(2) } },

@@ -1,3 +1,4 @@
+import { whole } from '../python.ts'
 import { netStart } from '../parts/net-examples.ts'
 import { show } from '../parts/examples.ts'
 import { field } from '../parts/fields.ts'
@@ -27,5 +28,6 @@ export const robSensors_get_bias: Definition = {
     const bias = biasIn(context, name)
     return bias === null ? fail('noSuchNeuron', { name }) : give(bias)
   },
+  python: (py) => whole(py.neuron('biases', py.field('NAME'))),
   example: [...netStart, show({ type, fields: { NAME: 'n2' } })],
 }

@@ -1,3 +1,4 @@
+import { whole } from '../python.ts'
 import { netStart } from '../parts/net-examples.ts'
 import { outputIn } from '../parts/nets.ts'
 import { show } from '../parts/examples.ts'
@@ -24,5 +25,6 @@ export const robSensors_get_outputneuron_val: Definition = {
   words: words(type),
   acts: false,
   run: (block, _frame, context) => give(outputIn(context, field(block, 'NAME'))),
+  python: (py) => whole(py.neuron('outputs', py.field('NAME'))),
   example: [...netStart, { type: 'robActions_NNstep' }, show({ type, fields: { NAME: 'n2' } })],
 }

@@ -1,3 +1,4 @@
+import { whole } from '../python.ts'
 import { netStart } from '../parts/net-examples.ts'
 import { show } from '../parts/examples.ts'
 import { field } from '../parts/fields.ts'
@@ -28,5 +29,6 @@ export const robSensors_get_weight: Definition = {
       ? fail('noSuchNeuron', { name: `${field(block, 'FROM')} → ${field(block, 'TO')}` })
       : give(weight)
   },
+  python: (py) => whole(py.neuron('weights', py.field('FROM'), py.field('TO'))),
   example: [...netStart, show({ type, fields: { FROM: 'n1', TO: 'n2' } })],
 }

@@ -3,6 +3,7 @@ import { field } from './fields.ts'
 import { biasIn, setWeight, weightIn } from './nets.ts'
 import { ask, done, fail } from './next.ts'
 import { numberAt } from './numbers.ts'
+import type { Python, PythonAt } from '../python.ts'
 import { afterAsking } from './steps.ts'
 
 /** CHANGE INCR adds to what is there; SET, and blocks without CHANGE, put VALUE in its place. */
@@ -26,3 +27,10 @@ export const changeBias: Definition['run'] = afterAsking([ask('VALUE')], (frame,
   context.memory.net().biases[name] = kept(block, now) + numberAt(frame, 0)
   return done
 })
+
+const change = (py: PythonAt, place: string) =>
+  py.line(`${place} ${py.field('CHANGE', 'SET') === 'INCR' ? '+=' : '='} ${py.value('VALUE')}`)
+
+export const pythonWeight: Python = (py) => change(py, py.neuron('weights', py.field('FROM'), py.field('TO')))
+
+export const pythonBias: Python = (py) => change(py, py.neuron('biases', py.field('NAME')))

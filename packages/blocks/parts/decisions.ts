@@ -1,3 +1,4 @@
+import type { Python } from '../python.ts'
 import type { Definition, Next } from '../types.ts'
 import { ask, execute, done } from './next.ts'
 
@@ -29,4 +30,14 @@ export const decide =
     }
     frame.stage = -1
     return holds ? wayAt(asked - 1).execute : otherwise
+  }
+
+/** `if`, `elif`, and `else` where the block has one. */
+export const decision =
+  (otherwise: boolean): Python =>
+  (py) => {
+    const count = 1 + (Number(py.block.mutation?.attrs.elseif) || 0)
+    const conditions = Array.from({ length: count }, (_, k) => py.value(`IF${k}`))
+    conditions.forEach((condition, k) => py.rows(`${k === 0 ? 'if' : 'elif'} ${condition}:`, `DO${k}`))
+    if (otherwise) py.rows('else:', 'ELSE')
   }

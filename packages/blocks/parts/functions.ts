@@ -1,3 +1,4 @@
+import { whole, type Expression, type PythonAt } from '../python.ts'
 import type { Block, Definition, Next } from '../types.ts'
 import { ask, done, give } from './next.ts'
 
@@ -17,4 +18,11 @@ export const askArgs: Definition['run'] = (block, frame) => {
   if (stage < count) return askArg(stage)
   if (stage === count) return { next: 'call', name: nameOf(block), args: [...frame.got] }
   return give(frame.got[count] ?? null)
+}
+
+/** A call of a function of the program. */
+export function calls(py: PythonAt): Expression {
+  const count = py.block.mutation?.args?.length ?? 0
+  const args = Array.from({ length: count }, (_, k) => py.value(`ARG${k}`))
+  return whole(`${py.func(nameOf(py.block))}(${args.join(', ')})`)
 }

@@ -28,5 +28,6 @@ export const inputNeuronValue = (
     context.memory.net().inputs[field(block, 'NAME')] = numberAt(frame, 0)
     return done
   }),
+  python: (py) => py.line(`${py.neuron('inputs', py.field('NAME'))} = ${py.value('VALUE')}`),
   example,
 })

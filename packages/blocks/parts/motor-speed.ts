@@ -1,3 +1,4 @@
+import { motorIn } from './python.ts'
 import type { BlockType } from '../packs/packs.ts'
 import type { Definition, Pack } from '../types.ts'
 import { number, start } from './examples.ts'
@@ -26,6 +27,7 @@ export const motorSpeed = (type: BlockType, pack: Pack, count: number): Definiti
     robot.motor(port, percent(numberAt(frame, 0)))
     return done
   }),
+  python: (py) => py.line(py.robot.motor(motorIn(py), py.value('POWER'))),
   example: [
     start,
     { type, fields: { MOTORPORT: 'B' }, values: { POWER: number(30) } },

@@ -1,3 +1,4 @@
+import { part } from './python.ts'
 import type { ReadMode } from '@botgarten/simulation'
 import type { BlockType } from '../packs/packs.ts'
 import type { Block, Definition, FieldLook, Frame, Look, Pack, Value } from '../types.ts'
@@ -49,6 +50,7 @@ export function inputNeuron(neuron: InputNeuron): Definition {
       const reading = socket === undefined ? null : robot.read(socket, how)
       return reading === null ? fail('nothingToRead') : give(neuron.level(reading, block))
     },
+    python: part,
     example: neuron.example,
   }
 }
@@ -76,6 +78,7 @@ export function outputNeuron(neuron: OutputNeuron): Definition {
     neuron: { layer: 'output', label, colour, ...port },
     acts: false,
     run: neuron.run,
+    python: part,
     example: neuron.example,
   }
 }

@@ -1,3 +1,4 @@
+import type { Python } from '../python.ts'
 import type { BlockType } from '../packs/packs.ts'
 import type { Definition, Pack } from '../types.ts'
 import { number, show, start } from './examples.ts'
@@ -11,7 +12,12 @@ import { afterAsking } from './steps.ts'
 type Operation = readonly [value: string, words: string, work: (x: number) => number]
 
 /** A block that works one number out of another; OP says how, the first operation is the preset. */
-export function numberFunction(type: BlockType, pack: Pack, operations: readonly Operation[]): Definition {
+export function numberFunction(
+  type: BlockType,
+  pack: Pack,
+  operations: readonly Operation[],
+  python: Python,
+): Definition {
   const works = new Map(operations.map(([op, , work]) => [op, work]))
   const preset = operations[0]?.[0] ?? ''
   return {
@@ -36,6 +42,7 @@ export function numberFunction(type: BlockType, pack: Pack, operations: readonly
       const work = works.get(field(block, 'OP', preset))
       return work === undefined ? fail('unknownChoice') : finite(work(numberAt(frame, 0)), frame)
     }),
+    python,
     example: [start, show({ type, fields: { OP: preset }, values: { NUM: number(2.25) } })],
   }
 }

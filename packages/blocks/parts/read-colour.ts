@@ -1,4 +1,6 @@
 import type { SensorPort } from '@botgarten/simulation'
+import type { Expression, PythonAt } from '../python.ts'
+import { readIn } from './python.ts'
 import type { Definition, Robot, Value } from '../types.ts'
 import { field, sensorPortIn } from './fields.ts'
 import { fail, give } from './next.ts'
@@ -20,3 +22,13 @@ export const readColour: Definition['run'] = (block, _frame, { robot }) => {
     mode === 'RGB' ? rgbAt(robot, port) : robot.read(port, mode === 'COLOUR' ? 'colour' : 'light')
   return reading === null ? fail('nothingToRead') : give(reading)
 }
+
+const whats: ReadonlyMap<string, string> = new Map([
+  ['COLOUR', 'colour'],
+  ['RGB', 'rgb255'],
+  ['AMBIENTLIGHT', 'ambient'],
+])
+
+/** Other modes read the light that comes back. */
+export const pythonColour = (py: PythonAt): Expression =>
+  readIn(py, 'colour', whats.get(py.field('MODE', 'COLOUR')) ?? 'light')

@@ -1,3 +1,5 @@
+import { asked } from './python.ts'
+import type { PythonAt } from '../python.ts'
 import type { BlockType } from '../packs/packs.ts'
 import type { Definition, Next, Pack } from '../types.ts'
 import { number, show, start } from './examples.ts'
@@ -34,6 +36,31 @@ const waitFor: Definition['run'] = (block, frame) => {
   return wait
 }
 
+/** A loop that asks; of several conditions the first that is true is noted, and its blocks come after the loop. */
+function pythonWait(py: PythonAt): void {
+  const count = 1 + (Number(py.block.mutation?.attrs.wait) || 0)
+  const conditions = Array.from({ length: count }, (_, k) => py.expression(`WAIT${k}`))
+  const tick = py.robot.wait('10')
+  const [only] = conditions
+  if (count === 1 && only) {
+    py.line(`while ${asked(only)}:`)
+    py.inner(() => py.line(tick))
+    return py.body('DO0')
+  }
+  const which = py.fresh('which')
+  py.line(`${which} = 0`)
+  py.line(`while ${which} == 0:`)
+  py.inner(() => {
+    conditions.forEach(({ code }, k) => {
+      py.line(`${k === 0 ? 'if' : 'elif'} ${code}:`)
+      py.inner(() => py.line(`${which} = ${k + 1}`))
+    })
+    py.line('else:')
+    py.inner(() => py.line(tick))
+  })
+  conditions.forEach((_, k) => py.rows(`${k === 0 ? 'if' : 'elif'} ${which} == ${k + 1}:`, `DO${k}`))
+}
+
 /** Waits until one of WAIT0, WAIT1, … is true (mutation `wait`: how many more than one), then executes its DO. */
 export const waitingBlock = (type: BlockType, pack: Pack): Definition => ({
   type,
@@ -49,6 +76,7 @@ export const waitingBlock = (type: BlockType, pack: Pack): Definition => ({
   words: words(type),
   acts: false,
   run: waitFor,
+  python: pythonWait,
   example: [
     start,
     {

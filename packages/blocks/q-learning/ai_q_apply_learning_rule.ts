@@ -1,3 +1,4 @@
+import { part } from '../parts/python.ts'
 import { learningProgram } from '../parts/learning-examples.ts'
 import { rows, words } from '../parts/looks.ts'
 import { mostEpisodes, mostMoves } from '../parts/maps.ts'
@@ -24,5 +25,6 @@ export const ai_q_apply_learning_rule: Definition = {
   words: words(type),
   acts: false,
   run: () => done,
+  python: part,
   example: learningProgram(),
 }

@@ -1,3 +1,4 @@
+import { part } from '../parts/python.ts'
 import { learningProgram, obstacles } from '../parts/learning-examples.ts'
 import { rows, words } from '../parts/looks.ts'
 import { give } from '../parts/next.ts'
@@ -24,5 +25,6 @@ export const ai_q_barrier_mountain: Definition = {
   words: words(type),
   acts: false,
   run: () => give(0),
+  python: part,
   example: learningProgram(obstacles([[3, 2]])), // prettier-ignore
 }

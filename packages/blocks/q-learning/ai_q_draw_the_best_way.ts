@@ -1,3 +1,4 @@
+import { missing } from '../parts/python.ts'
 import { learningProgram } from '../parts/learning-examples.ts'
 import { rows, words } from '../parts/looks.ts'
 import { done } from '../parts/next.ts'
@@ -13,5 +14,6 @@ export const ai_q_draw_the_best_way: Definition = {
   words: words(type),
   acts: false,
   run: () => done,
+  python: missing('draw'),
   example: learningProgram(),
 }

@@ -23,5 +23,6 @@ export const ai_q_drive_the_best_way: Definition = {
     frame.stage++
     return frame.stage === 1 ? body : done
   },
+  python: (py) => py.body('DO'),
   example: learningProgram(),
 }

@@ -1,3 +1,4 @@
+import { part } from '../parts/python.ts'
 import { learningProgram } from '../parts/learning-examples.ts'
 import { hidden, rows, words, worded } from '../parts/looks.ts'
 import { done } from '../parts/next.ts'
@@ -57,5 +58,6 @@ export const ai_q_learner_config: Definition = {
   words: words(type),
   acts: false,
   run: () => done,
+  python: part,
   example: learningProgram(),
 }

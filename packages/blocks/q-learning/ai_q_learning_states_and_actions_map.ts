@@ -1,3 +1,4 @@
+import { part } from '../parts/python.ts'
 import { learningProgram, obstacles } from '../parts/learning-examples.ts'
 import { field } from '../parts/fields.ts'
 import { choice, hidden, rows, words, worded } from '../parts/looks.ts'
@@ -54,5 +55,6 @@ export const ai_q_learning_states_and_actions_map: Definition = {
   },
   // What is to be learned is said to the playground; the run begins when it is learned.
   run: () => done,
+  python: part,
   example: learningProgram(obstacles([[3, 2], [2, 3]])), // prettier-ignore
 }

@@ -1,3 +1,4 @@
+import { part } from '../parts/python.ts'
 import { barrier, learningProgram, obstacles } from '../parts/learning-examples.ts'
 import { words } from '../parts/looks.ts'
 import { give } from '../parts/next.ts'
@@ -39,5 +40,6 @@ export const rl_obstacles_easy_list: Definition = {
     return []
   },
   run: () => give(0),
+  python: part,
   example: learningProgram(obstacles([[3, 2]])), // prettier-ignore
 }

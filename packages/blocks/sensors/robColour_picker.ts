@@ -1,3 +1,4 @@
+import { whole } from '../python.ts'
 import { forever, start } from '../parts/examples.ts'
 import { colourField } from '../parts/colours.ts'
 import { field } from '../parts/fields.ts'
@@ -22,6 +23,7 @@ export const robColour_picker: Definition = {
   words: words(type),
   acts: false,
   run: (block) => give(field(block, 'COLOUR', preset).toUpperCase()),
+  python: (py) => whole(py.robot.colour(py.field('COLOUR', preset))),
   example: [
     start,
     forever({

@@ -1,6 +1,6 @@
 import { forever, show, start } from '../parts/examples.ts'
 import { colourFaces, colourModes } from '../parts/colour-modes.ts'
-import { readColour } from '../parts/read-colour.ts'
+import { pythonColour, readColour } from '../parts/read-colour.ts'
 import { choice, hidden, sensorPort, worded } from '../parts/looks.ts'
 import { sensorAtPort } from '../parts/sensors.ts'
 import { reading, sample } from '../parts/samples.ts'
@@ -27,5 +27,6 @@ export const robSensors_colour_getSample: Definition = {
   },
   check: sensorAtPort('colour', 'SENSORPORT'),
   run: readColour,
+  python: pythonColour,
   example: [start, forever(show(reading(type, 'COLOUR', '1')))],
 }

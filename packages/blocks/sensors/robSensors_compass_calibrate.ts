@@ -1,3 +1,4 @@
+import { missing } from '../parts/python.ts'
 import { number, show, start } from '../parts/examples.ts'
 import { hidden, rows, sensorPort, words } from '../parts/looks.ts'
 import { done } from '../parts/next.ts'
@@ -21,5 +22,6 @@ export const robSensors_compass_calibrate: Definition = {
   acts: true,
   check: sensorAtPort('compass', 'SENSORPORT'),
   run: () => done,
+  python: missing('compass'),
   example: [start, { type, fields: { SENSORPORT: '1', SLOT: '' } }, show(number(1))],
 }

@@ -1,3 +1,4 @@
+import { missing } from '../parts/python.ts'
 import { forever, show, start } from '../parts/examples.ts'
 import { field, sensorPortIn } from '../parts/fields.ts'
 import { choice, sensorPort, worded } from '../parts/looks.ts'
@@ -26,5 +27,6 @@ export const robSensors_compass_getSample: Definition = {
     if (degrees === null) return fail('nothingToRead')
     return give(field(block, 'MODE', 'COMPASS') === 'ANGLE' ? fromNorth(Number(degrees)) : degrees)
   },
+  python: missing('compass'),
   example: [start, forever(show(reading(type, 'COMPASS', '1')))],
 }

@@ -1,3 +1,5 @@
+import { motorIn } from '../parts/python.ts'
+import { binds } from '../python.ts'
 import { forever, number, show, start } from '../parts/examples.ts'
 import { field, motorPortIn } from '../parts/fields.ts'
 import { choice, encoderPort, worded } from '../parts/looks.ts'
@@ -31,6 +33,15 @@ export const robSensors_encoder_getSample: Definition = {
     const scale = scales.get(field(block, 'MODE', 'DEGREE'))
     if (port === undefined || scale === undefined) return fail('unknownChoice')
     return give(scale(robot.encoder(port), robot.wheelDiameter))
+  },
+  python: (py) => {
+    const turned = py.robot.encoder(motorIn(py, 'SENSORPORT'))
+    const mode = py.field('MODE', 'DEGREE')
+    if (mode === 'DEGREE') return turned
+    return {
+      code: mode === 'ROTATION' ? `${turned.code} / 360` : py.robot.way(turned.code),
+      binds: binds.product,
+    }
   },
   example: [
     start,

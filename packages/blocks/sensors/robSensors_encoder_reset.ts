@@ -1,3 +1,4 @@
+import { motorIn } from '../parts/python.ts'
 import { forever, show, start } from '../parts/examples.ts'
 import { motorPortIn } from '../parts/fields.ts'
 import { encoderPort, rows, words } from '../parts/looks.ts'
@@ -25,6 +26,7 @@ export const robSensors_encoder_reset: Definition = {
     robot.resetEncoder(port)
     return done
   },
+  python: (py) => py.line(py.robot.resetEncoder(motorIn(py, 'SENSORPORT'))),
   example: [
     start,
     { type, fields: { SENSORPORT: 'B' } },

@@ -106,6 +106,10 @@ export const robSensors_getSample: Definition = {
     const found = kindOf(block)
     return found ? found.definition.run(today(block, found), frame, context) : fail('unknownChoice')
   },
+  python: (py) => {
+    const found = kindOf(py.block)
+    return found ? py.as(today(py.block, found)) : py.gap('problem.unknownChoice')
+  },
   example: [
     start,
     forever(

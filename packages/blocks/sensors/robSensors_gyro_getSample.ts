@@ -1,3 +1,4 @@
+import { readIn } from '../parts/python.ts'
 import { forever, show, start } from '../parts/examples.ts'
 import { field } from '../parts/fields.ts'
 import { choice, sensorPort, worded } from '../parts/looks.ts'
@@ -14,5 +15,6 @@ export const robSensors_gyro_getSample: Definition = {
   check: sensorAtPort('gyro', 'SENSORPORT'),
   run: (block, _frame, context) =>
     readAt(block, context, field(block, 'MODE', 'ANGLE') === 'RATE' ? 'rate' : 'angle'),
+  python: (py) => readIn(py, 'gyro', py.field('MODE', 'ANGLE') === 'RATE' ? 'rate' : 'angle'),
   example: [start, forever(show(reading(type, 'ANGLE', '2')))],
 }

@@ -27,6 +27,8 @@ export const robSensors_gyro_reset: Definition = {
     robot.resetGyro(port)
     return done
   },
+  python: (py) =>
+    py.line(py.robot.resetGyro(sensorPortIn(py.block, 'SENSORPORT') ?? py.gap('problem.unknownChoice'))),
   example: [
     start,
     { type, fields: { SENSORPORT: '2' } },

@@ -1,3 +1,4 @@
+import { missing } from '../parts/python.ts'
 import { colourFaces, colourModes } from '../parts/colour-modes.ts'
 import { readColour } from '../parts/read-colour.ts'
 import { forever, show, start } from '../parts/examples.ts'
@@ -14,5 +15,6 @@ export const robSensors_htcolour_getSample: Definition = {
   ...sample(type, colourModes(false), sensorPort('1'), 'Colour', colourFaces(false)),
   check: sensorAtPort('colour', 'SENSORPORT'),
   run: readColour,
+  python: missing('htcolour'),
   example: [start, forever(show(reading(type, 'COLOUR', '1')))],
 }

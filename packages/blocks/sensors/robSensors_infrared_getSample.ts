@@ -1,3 +1,4 @@
+import { readIn, compared } from '../parts/python.ts'
 import { forever, show, start } from '../parts/examples.ts'
 import { field } from '../parts/fields.ts'
 import { choice, hidden, sensorPort, worded } from '../parts/looks.ts'
@@ -50,6 +51,12 @@ export const robSensors_infrared_getSample: Definition = {
     return mode === 'PRESENCE'
       ? holdsAt(block, context, 'infrared', (reading) => reading < 100)
       : readAt(block, context, 'infrared')
+  },
+  python: (py) => {
+    const mode = py.field('MODE', 'DISTANCE')
+    if (mode === 'SEEK') return py.missing('beacon')
+    const near = readIn(py, 'infrared', 'nearness')
+    return mode === 'PRESENCE' ? compared(near.code, '<', '100') : near
   },
   example: [start, forever(show(reading(type, 'DISTANCE', '4')))],
 }

@@ -1,3 +1,4 @@
+import { missing } from '../parts/python.ts'
 import { show, start } from '../parts/examples.ts'
 import { choice, sensorPort, worded } from '../parts/looks.ts'
 import { give } from '../parts/next.ts'
@@ -15,5 +16,6 @@ export const robSensors_irseeker_getSample: Definition = {
     sensorPort('1'),
   ),
   run: () => give(0),
+  python: missing('irseeker'),
   example: [start, show(reading(type, 'MODULATED', '1'))],
 }

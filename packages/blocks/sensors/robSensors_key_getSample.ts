@@ -39,5 +39,8 @@ export const robSensors_key_getSample: Definition = {
     const key = keys.get(field(block, 'SENSORPORT', 'ENTER'))
     return key === undefined ? fail('unknownChoice') : give(robot.key(key))
   },
+  python: (py) =>
+    py.robot.key(keys.get(py.field('SENSORPORT', 'ENTER')) ?? py.gap('problem.unknownChoice')) ??
+    py.missing('key'),
   example: [start, forever(lampIf(reading(type, 'PRESSED', 'ENTER')))],
 }

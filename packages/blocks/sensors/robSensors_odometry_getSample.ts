@@ -1,3 +1,4 @@
+import { missing } from '../parts/python.ts'
 import { forever, show, start } from '../parts/examples.ts'
 import type { ReadMode } from '@botgarten/simulation'
 import { field } from '../parts/fields.ts'
@@ -23,5 +24,6 @@ export const robSensors_odometry_getSample: Definition = {
   ),
   check: sensorAtPort('position', 'SENSORPORT'),
   run: (block, _frame, context) => readAt(block, context, modes.get(field(block, 'MODE', 'X')) ?? 'x'),
+  python: missing('position'),
   example: [start, forever(show(reading(type, 'X', '4')))],
 }

@@ -15,5 +15,6 @@ export const robSensors_timer_getSample: Definition = {
     const milliseconds = robot.timer(Number(field(block, 'SENSORPORT', '1')))
     return milliseconds === null ? fail('unknownChoice') : give(milliseconds)
   },
+  python: (py) => py.robot.timer(py.field('SENSORPORT', '1')),
   example: [start, forever(show(reading(type, 'VALUE', '1')))],
 }

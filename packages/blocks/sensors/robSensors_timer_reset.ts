@@ -25,6 +25,7 @@ export const robSensors_timer_reset: Definition = {
     robot.resetTimer(number)
     return done
   },
+  python: (py) => py.line(py.robot.resetTimer(py.field('SENSORPORT', '1'))),
   example: [
     start,
     { type, fields: { SENSORPORT: '1', SLOT: '' } },

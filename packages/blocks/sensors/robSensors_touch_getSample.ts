@@ -1,3 +1,4 @@
+import { readIn } from '../parts/python.ts'
 import { forever, lampIf, start } from '../parts/examples.ts'
 import { hidden, sensorPort } from '../parts/looks.ts'
 import { holdsAt, sensorAtPort } from '../parts/sensors.ts'
@@ -12,5 +13,6 @@ export const robSensors_touch_getSample: Definition = {
   ...sample(type, hidden('MODE', 'PRESSED'), sensorPort('1'), 'Boolean'),
   check: sensorAtPort('touch', 'SENSORPORT'),
   run: (block, _frame, context) => holdsAt(block, context, 'touch', (reading) => reading > 0),
+  python: (py) => readIn(py, 'touch', 'pressed'),
   example: [start, forever(lampIf(reading(type, 'PRESSED', '1')))],
 }

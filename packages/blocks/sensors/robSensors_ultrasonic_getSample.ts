@@ -1,3 +1,4 @@
+import { readIn, compared } from '../parts/python.ts'
 import { forever, show, start } from '../parts/examples.ts'
 import { field, sensorPortIn } from '../parts/fields.ts'
 import { choice, hidden, sensorPort, worded } from '../parts/looks.ts'
@@ -31,6 +32,10 @@ export const robSensors_ultrasonic_getSample: Definition = {
     const port = sensorPortIn(block, 'SENSORPORT')
     const reading = port === undefined ? null : context.robot.read(port, 'distance')
     return reading === null ? fail('nothingToRead') : give(reading)
+  },
+  python: (py) => {
+    const distance = readIn(py, 'ultrasonic', 'distance')
+    return py.field('MODE', 'DISTANCE') === 'PRESENCE' ? compared(distance.code, '<', String(near)) : distance
   },
   example: [start, forever(show(reading(type, 'DISTANCE', '2')))],
 }

@@ -1,3 +1,4 @@
+import { readIn } from '../parts/python.ts'
 import { colourReading, find, showGroup, start } from '../parts/sorting-examples.ts'
 import { rows, sensorPort, words } from '../parts/looks.ts'
 import { done, fail } from '../parts/next.ts'
@@ -27,5 +28,6 @@ export const ai_sorting_collect: Definition = {
     collect(context.memory.sorting(), reading)
     return done
   },
+  python: (py) => py.line(`${py.sorting('readings')}.append(${readIn(py, 'colour', 'rgb').code})`),
   example: [start, colourReading, find(1), showGroup],
 }

@@ -32,5 +32,9 @@ export const ai_sorting_find: Definition = {
     if (count > 0) findGroups(memory, groups)
     return done
   }),
+  python: (py) => {
+    const found = py.call('find_groups', py.sorting('readings'), py.value('GROUPS'))
+    py.line(`${py.sorting('centres')}[:] = ${found}`)
+  },
   example: [start, colourReading, colourReading, find(2), showGroup],
 }

@@ -1,3 +1,5 @@
+import { readIn } from '../parts/python.ts'
+import { whole } from '../python.ts'
 import { field } from '../parts/fields.ts'
 import { choice, rows, sensorPort, worded, words } from '../parts/looks.ts'
 import { fail, give } from '../parts/next.ts'
@@ -31,6 +33,11 @@ export const ai_sorting_group: Definition = {
     if (memory.centres.length === 0) return fail('noGroupsYet')
     const group = groupOf(memory, reading)
     return give(field(block, 'AS', 'NUMBER') === 'NAME' ? (memory.names[group] ?? `${group + 1}`) : group + 1)
+  },
+  python: (py) => {
+    const group = py.call('group_of', readIn(py, 'colour', 'rgb').code, py.sorting('centres'))
+    if (py.field('AS', 'NUMBER') !== 'NAME') return whole(group)
+    return whole(py.call('name_of', group, py.sorting('names')))
   },
   example: [start, colourReading, find(1), showGroup],
 }

@@ -1,3 +1,4 @@
+import { placeAt } from '../parts/python.ts'
 import { number, show, text } from '../parts/examples.ts'
 import { rows, value, words } from '../parts/looks.ts'
 import { ask, done, fail } from '../parts/next.ts'
@@ -31,6 +32,7 @@ export const ai_sorting_name: Definition = {
     memory.names[group - 1] = textOf(frame.got[1])
     return done
   }),
+  python: (py) => py.line(`${py.sorting('names')}[${placeAt(py, 'GROUP')}] = ${py.value('NAME')}`),
   example: [
     start,
     colourReading,

@@ -1,3 +1,5 @@
+import { placeAt, readIn, beforeOf } from '../parts/python.ts'
+import { whole } from '../python.ts'
 import { number, show } from '../parts/examples.ts'
 import { rows, sensorPort, value, words } from '../parts/looks.ts'
 import { ask, fail, give } from '../parts/next.ts'
@@ -34,6 +36,14 @@ export const ai_sorting_near: Definition = {
     const away = distancesTo(memory, reading)[group - 1]
     return away === undefined ? fail('noSuchGroup', { group, most: memory.centres.length }) : give(away)
   }),
+  python: (py) =>
+    whole(
+      py.call(
+        'distance_to',
+        readIn(py, 'colour', 'rgb').code,
+        `${py.sorting('centres')}[${beforeOf(placeAt(py, 'GROUP'))}]`,
+      ),
+    ),
   example: [
     start,
     colourReading,

@@ -41,6 +41,7 @@ export const robActions_eval_expr: Definition = {
     }
   },
   run: afterAsking([ask('WRITTEN')], (frame) => give(frame.got[0] ?? null)),
+  python: (py) => py.expression('WRITTEN'),
   example: [
     start,
     show({

@@ -21,5 +21,6 @@ export const robActions_eval_stmt: Definition = {
   words: words(type),
   acts: false,
   run: (block) => (field(block, 'STMTEXPRESSION').trim() === '' ? done : fail('cannotRun')),
+  python: (py) => (py.field('STMTEXPRESSION').trim() === '' ? undefined : py.gap('problem.cannotRun')),
   example: [start, { type, fields: { STMTEXPRESSION: '' } }, { type: 'robActions_display_clear' }],
 }

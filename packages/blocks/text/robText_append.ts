@@ -30,6 +30,7 @@ export const robText_append: Definition = {
     const longer = grown(before + textOf(frame.got[0]))
     return longer.next === 'done' ? assign(memory, name, longer.value ?? null) : longer
   }),
+  python: (py) => py.line(`${py.variable(targetOf(py.block))} += ${py.text('TEXT')}`),
   example: [
     declared('x', 'String', text('Bo')),
     { type, values: { VAR: variable('x', 'String'), TEXT: text('!') } },

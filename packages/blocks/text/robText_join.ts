@@ -1,3 +1,5 @@
+import { filledNames } from '../parts/python.ts'
+import { binds, whole } from '../python.ts'
 import { number, show, start, text } from '../parts/examples.ts'
 import { kinds } from '../parts/kinds.ts'
 import { grown } from '../parts/lists.ts'
@@ -31,6 +33,12 @@ export const robText_join: Definition = {
       if (plugged(block, row)) return ask(row)
     }
     return grown(frame.got.map(textOf).join(''))
+  },
+  python: (py) => {
+    const rows = filledNames(py.block)
+    const texts = rows.map((row) => py.text(row, rows.length > 1 ? binds.sum : binds.any))
+    if (texts.length === 0) return whole('""')
+    return { code: texts.join(' + '), binds: texts.length > 1 ? binds.sum : binds.whole }
   },
   example: [
     start,

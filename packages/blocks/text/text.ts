@@ -1,3 +1,4 @@
+import { whole } from '../python.ts'
 import { show, start, text as textBlock } from '../parts/examples.ts'
 import { field } from '../parts/fields.ts'
 import { rows, words } from '../parts/looks.ts'
@@ -20,5 +21,6 @@ export const text: Definition = {
   words: words(type),
   acts: false,
   run: (block) => give(field(block, 'TEXT')),
+  python: (py) => whole(py.quote(py.field('TEXT'))),
   example: [start, show(textBlock('Bo'))],
 }

@@ -1,3 +1,5 @@
+import { placeAt } from '../parts/python.ts'
+import { binds, whole } from '../python.ts'
 import { number, show, start, text } from '../parts/examples.ts'
 import { rows, value, words } from '../parts/looks.ts'
 import { ask, fail, give } from '../parts/next.ts'
@@ -26,5 +28,6 @@ export const text_cast_char_toNumber: Definition = {
     const code = textOf(frame.got[0]).charCodeAt(Math.trunc(numberAt(frame, 1)))
     return Number.isNaN(code) ? fail('noSuchLetter') : give(code)
   }),
+  python: (py) => whole(`ord(${py.value('VALUE', binds.whole)}[${placeAt(py, 'AT')}])`),
   example: [start, show({ type, values: { VALUE: text('A'), AT: number(0) } })],
 }

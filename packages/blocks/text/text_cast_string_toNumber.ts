@@ -1,3 +1,4 @@
+import { of } from '../parts/python.ts'
 import { show, start, text } from '../parts/examples.ts'
 import { rows, value, words } from '../parts/looks.ts'
 import { ask, fail, give } from '../parts/next.ts'
@@ -25,5 +26,6 @@ export const text_cast_string_toNumber: Definition = {
     const x = Number.parseFloat(textOf(frame.got[0]).replace(',', '.'))
     return Number.isFinite(x) ? give(x + 0) : fail('notANumberText')
   }),
+  python: of('to_number', 'VALUE'),
   example: [start, show({ type, values: { VALUE: text('5') } })],
 }

@@ -29,5 +29,6 @@ export const robGlobalVariables_declare: Definition = {
     memory.make(field(block, 'VAR'), frame.got[0] ?? null)
     return done
   }),
+  python: (py) => py.line(`${py.variable(py.field('VAR'))} = ${py.value('VALUE')}`),
   example: [declared('x', 'Number', number(7)), show(variable('x'))],
 }

@@ -1,3 +1,4 @@
+import { part } from '../parts/python.ts'
 import { doubled, showTwice } from '../parts/function-examples.ts'
 import { start } from '../parts/examples.ts'
 import { kindField } from '../parts/kinds.ts'
@@ -24,5 +25,6 @@ export const robLocalVariables_declare: Definition = {
   words: words(type),
   acts: false,
   run: () => done,
+  python: part,
   example: [start, showTwice, doubled],
 }

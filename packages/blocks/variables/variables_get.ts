@@ -1,3 +1,4 @@
+import { whole } from '../python.ts'
 import { number, show } from '../parts/examples.ts'
 import { field } from '../parts/fields.ts'
 import { typedBy } from '../parts/kinds.ts'
@@ -29,5 +30,6 @@ export const variables_get: Definition = {
     const value = memory.get(name)
     return value === undefined ? fail('noSuchVariable', { name }) : give(value)
   },
+  python: (py) => whole(py.variable(py.field('VAR'))),
   example: [declared('x', 'Number', number(7)), show(variable('x'))],
 }

@@ -27,6 +27,7 @@ export const variables_set: Definition = {
   run: afterAsking([ask('VALUE')], (frame, { memory }, block) =>
     assign(memory, field(block, 'VAR'), frame.got[0] ?? null),
   ),
+  python: (py) => py.line(`${py.variable(py.field('VAR'))} = ${py.value('VALUE')}`),
   example: [
     declared('x', 'Number', number(7)),
     { type, mutation: { attrs: { datatype: 'Number' } }, fields: { VAR: 'x' }, values: { VALUE: number(8) } },
