@@ -2,6 +2,7 @@ import { definitions, filledRows, hiddenIn, inputListOf, isBlockType, plugged } 
 import type { Block, NeuronLook } from '@botgarten/blocks'
 import { reachedIn } from './check/reached.ts'
 import { startingStacks } from './run/index-program.ts'
+import { emptyBrain, follow, hiddenId, type Brain } from '@botgarten/learning/neural-network'
 import type { NetworkInUse, NetworkOutline, NeuronOutline, Program } from './types.ts'
 
 /** Every network block of a program that is not switched off, those under a start block and those that lie about. */
@@ -46,4 +47,13 @@ const neuronsIn = (list: Block | undefined, layer: NeuronLook['layer']): NeuronO
 function neuronOf({ id, type, fields = {} }: Block, layer: NeuronLook['layer']): NeuronOutline[] {
   const look = isBlockType(type) ? definitions[type].neuron : undefined
   return look?.layer === layer ? [{ id, type, fields, look }] : []
+}
+
+/** The brain of a network block: its neurons follow the blocks, its weights stay (running.md 11). */
+export function brainFor({ inputs, hidden, outputs }: NetworkOutline, brain: Brain = emptyBrain): Brain {
+  const ids = (neurons: readonly NeuronOutline[]) => neurons.map((neuron) => neuron.id)
+  const between = hidden.map(({ id, neurons, activation }) =>
+    Array.from({ length: neurons }, (_, k) => ({ id: hiddenId(id, k + 1), activation })),
+  )
+  return follow(brain, ids(inputs), ...between, ids(outputs))
 }

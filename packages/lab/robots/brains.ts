@@ -1,16 +1,14 @@
 import {
   biasOf,
   emptyBrain,
-  follow,
   forward,
-  hiddenId,
   layOut,
   weightsOf,
   type Brain,
   type Net,
   type Weights,
 } from '@botgarten/learning/neural-network'
-import { networks, type Program } from '@botgarten/programs'
+import { brainFor, networks, type Program } from '@botgarten/programs'
 import type { RobotPlacement } from '@botgarten/simulation'
 
 export type Brains = { readonly [networkId: string]: Brain }
@@ -18,13 +16,8 @@ export type Brains = { readonly [networkId: string]: Brain }
 /** Brains for every network block of these programs; their neurons follow the blocks, their weights stay (running.md 11). */
 export function brainsFor(programs: { readonly [id: string]: Program }, brains: Brains): Brains {
   const next: { [id: string]: Brain } = { ...brains }
-  for (const { id, inputs, hidden, outputs } of Object.values(programs).flatMap(networks)) {
-    const ids = (neurons: typeof inputs) => neurons.map((neuron) => neuron.id)
-    const between = hidden.map(({ id, neurons, activation }) =>
-      Array.from({ length: neurons }, (_, k) => ({ id: hiddenId(id, k + 1), activation })),
-    )
-    next[id] = follow(brains[id] ?? emptyBrain, ids(inputs), ...between, ids(outputs))
-  }
+  for (const network of Object.values(programs).flatMap(networks))
+    next[network.id] = brainFor(network, brains[network.id])
   return next
 }
 

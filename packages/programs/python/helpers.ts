@@ -1,0 +1,47 @@
+import type { PythonAt } from '@botgarten/blocks'
+import type { Draft } from './draft.ts'
+import { general } from './helpers/general.ts'
+import { network } from './helpers/network.ts'
+import { sorting } from './helpers/sorting.ts'
+import { ev3dev2 } from './robots/ev3dev2-helpers.ts'
+import { pybricks } from './robots/pybricks-helpers.ts'
+
+/** What a helper may ask for while its lines are written. */
+export interface HelperAt {
+  readonly at: PythonAt
+  readonly draft: Draft
+  /** Another helper by its name in the file. */
+  readonly call: (name: string) => string
+  readonly math: (name: string) => string
+}
+
+/** Lines of a function after `def name`: `(arguments):` first. */
+type Helper = (h: HelperAt) => readonly string[]
+export type Helpers = { readonly [name: string]: Helper }
+
+const shared: Helpers = { ...general, ...network, ...sorting }
+const own = { pybricks, ev3dev2 }
+
+export const isHelper = (name: string): boolean =>
+  Object.hasOwn(shared, name) || Object.hasOwn(pybricks, name) || Object.hasOwn(ev3dev2, name)
+
+/** Brings a function along, and those that it calls before it. Gives its name in this file. */
+export function helper(at: PythonAt, draft: Draft, wanted: string): string {
+  const name = draft.names.of(`helper ${wanted}`, wanted)
+  if (draft.helpers.has(name)) return name
+  const write = own[draft.input.dialect][wanted] ?? shared[wanted]!
+  const [head = '', ...body] = write({
+    ...{ at, draft, math: (one) => at.from('math', one) },
+    call: (other) => helper(at, draft, other),
+  })
+  const rows = [`def ${name}${head}`, ...commented(draft, wanted), ...body.map((row) => `    ${row}`)]
+  draft.helpers.set(name, { rows, blocks: [] })
+  return name
+}
+
+/** What a helper is for, where its name does not say it. */
+function commented(draft: Draft, wanted: string): readonly string[] {
+  const key = `python.helper.${wanted}`
+  const text = draft.say(key)
+  return text === key ? [] : [`    # ${text}`]
+}

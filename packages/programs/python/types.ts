@@ -1,0 +1,55 @@
+import type { Facts } from '@botgarten/blocks'
+import type { Brain } from '@botgarten/learning/neural-network'
+import type { RobotConfig } from '@botgarten/simulation'
+import type { Program } from '../types.ts'
+
+/** Pybricks 4 on an EV3, or ev3dev with python-ev3dev2. */
+export type Dialect = 'pybricks' | 'ev3dev2'
+export const dialects: readonly Dialect[] = ['pybricks', 'ev3dev2']
+
+/** Words for people, by message key. */
+export type Say = (key: string, facts?: Facts) => string
+
+export interface PythonInput {
+  readonly name: string
+  readonly program: Program
+  readonly config: RobotConfig
+  /** By the id of the network block. */
+  readonly brains: { readonly [networkId: string]: Brain }
+  /** Name of the weight set it drives with; '' or not given: the weights on the knobs. */
+  readonly set?: string
+  readonly dialect: Dialect
+  /** `raise` where something is missing (the preset), or only a comment. */
+  readonly gaps?: boolean
+  readonly learned?: Learned
+}
+
+/** What learning has left behind. */
+export interface Learned {
+  /** The best way over a map: turns in degrees, to the right above 0, and lengths in cm. */
+  readonly way?: readonly { readonly station: number; readonly turn: number; readonly length: number }[]
+  /** Q-values by station, then by the next one. */
+  readonly table?: { readonly [state: number]: { readonly [action: number]: number } }
+  /** Middles of groups: red, green, blue, 0..255. */
+  readonly centres?: readonly (readonly number[])[]
+}
+
+/** Something that a block means and the brick cannot do, or that is not finished. */
+export interface PythonNote {
+  readonly block: string
+  readonly text: string
+}
+
+export interface PythonFile {
+  readonly text: string
+  /** Block ids of every line, the first line first. */
+  readonly lines: readonly (readonly string[])[]
+  readonly notes: readonly PythonNote[]
+}
+
+/** One logical line before it is wrapped. */
+export interface Line {
+  readonly code: string
+  readonly depth: number
+  readonly blocks: readonly string[]
+}
