@@ -2,33 +2,52 @@ import { extname } from 'node:path'
 import { isBlockType, type Block } from '@botgarten/blocks'
 import { writeProjectFile, type Project } from '@botgarten/programs'
 import { fileFrom } from '@botgarten/programs/open-roberta'
+import { dialects } from '@botgarten/programs/python'
 import type { Command } from './commands.ts'
 import { CallError } from './errors.ts'
 import { write } from './files.ts'
-import { options } from './options.ts'
+import { oneOf, options } from './options.ts'
 import { isOpenRoberta, readProjectFile } from './project-file.ts'
+import { pythonOf } from './python.ts'
 import { message } from './words.ts'
 
-const known = { robot: { type: 'string' }, json: { type: 'boolean' } } as const
+const known = {
+  robot: { type: 'string' },
+  dialect: { type: 'string' },
+  json: { type: 'boolean' },
+} as const
 
-/** `botgarten convert IN OUT`: a project or an Open Roberta file as the other of them, by the files' endings. */
+/** `botgarten convert IN OUT`: a project or an Open Roberta file as the other of them, or as Python, by the files' endings. */
 export const convert: Command = { options: known, execute: convertFile }
 
 function convertFile(args: string[]): string {
   const { values, positionals } = options(args, known)
   const [from, to, ...more] = positionals
   if (!from || !to || more.length > 0) throw new CallError('call.convertWhat')
-  for (const path of [from, to])
-    if (!['.xml', '.json'].includes(extname(path).toLowerCase())) throw new CallError('call.ending', { path })
+  refuseEndings(from, to)
+  const dialect = oneOf('dialect', values.dialect, dialects)
   const project = readProjectFile(from)
   const robot = robotOf(project, values.robot)
-  write(to, isOpenRoberta(to) ? fileFrom(project, robot.id) : writeProjectFile(project))
+  write(to, isPython(to) ? pythonOf(project, robot, dialect) : textOf(to, project, robot.id))
   const blocks = project.programs[robot.program]!.stacks.flatMap((stack) => stack.blocks.flatMap(typesIn))
   const unknown = [...new Set(blocks.filter((type) => !isBlockType(type)))].sort()
   return values.json
     ? JSON.stringify({ in: from, out: to, robot: robot.id, blocks: blocks.length, unknown })
     : sentenceOf(to, blocks.length, unknown)
 }
+
+const isPython = (path: string) => extname(path).toLowerCase() === '.py'
+
+/** Python is not read back into blocks. */
+function refuseEndings(from: string, to: string): void {
+  if (isPython(from)) throw new CallError('call.fromPython', { path: from })
+  for (const path of [from, to])
+    if (!['.xml', '.json', '.py'].includes(extname(path).toLowerCase()))
+      throw new CallError('call.ending', { path })
+}
+
+const textOf = (path: string, project: Project, robot: string) =>
+  isOpenRoberta(path) ? fileFrom(project, robot) : writeProjectFile(project)
 
 function sentenceOf(path: string, count: number, unknown: readonly string[]): string {
   const blocks = message('converted.blocks', { path, count })

@@ -39,6 +39,9 @@ export function ownWord(key: string): string | undefined {
   return word === undefined ? undefined : filled(word, {})
 }
 
+/** A message of the lab in the language of this call; its key where there is none. */
+export const labMessage = (key: string, facts: Facts = {}): string => filled(all()[key] ?? key, facts)
+
 /** Says what is wrong with a program or a file as the lab does; the name alone where the lab has no words for it. */
 export function problemMessage(problem: string, facts: Facts = {}): string {
   const ours = own()[`project.${problem}`]

@@ -1,6 +1,6 @@
 export type * from './types.ts'
 export { drawWay, type DrawnWay } from './drawn.ts'
-export { courseOf, isShortest, learningKey, sectionsOf, withLearnedWay } from './learn.ts'
+export { courseOf, isShortest, learnedFor, learningKey, sectionsOf, withLearnedWay } from './learn.ts'
 export { pointsAlong, segmentsOf } from './path.ts'
 export type { Point } from './point.ts'
 export { readMap, type ReadMap } from './readMap.ts'

@@ -6,9 +6,11 @@ import {
   shortestPath,
   type QMap,
 } from '@botgarten/learning/q-learning'
-import { inScene, learningIn, type LearningOutline, type Project } from '@botgarten/programs'
+import { inScene, learningIn, type LearningOutline, type Program, type Project } from '@botgarten/programs'
+import type { Learned as InPython } from '@botgarten/programs/python'
 import { drawWay } from './drawn.ts'
 import type { MapFile } from './types.ts'
+import { legsOf } from './way.ts'
 
 /** A unit of a map's drawing costs this: in the City the way of fewest sections and the shortest one differ then. */
 const LENGTH_COST = 0.02
@@ -73,4 +75,33 @@ export function withLearnedWay<Document extends Pick<Project, 'programs' | 'worl
   const { states: stations } = course.way()
   if (!stations || stations.length < 2) return document
   return { ...document, world: inScene(document.world, drawWay(map, stations).scene) }
+}
+
+/**
+ * What a program has learned by trying, as its Python takes it along; nothing where it learns nothing or found no way.
+ * @param seed, moves as the project's `Learned` says; all of it from seed 1 where nothing is said
+ */
+export function learnedFor(
+  program: Program,
+  mapNamed: (id: string) => MapFile | null,
+  { seed, moves }: { readonly seed: number; readonly moves: number } = { seed: 1, moves: Infinity },
+): InPython {
+  const outline = learningIn(program)
+  const map = outline && mapNamed(outline.map)
+  if (!outline || !map || moves === 0) return {}
+  const course = courseOf(outline, map, seed)
+  course.advance(Math.min(outline.moves, moves))
+  const { states: stations } = course.way()
+  if (!stations || stations.length < 2) return {}
+  return { way: legsOf(map, stations), table: tableOf(course) }
+}
+
+/** Q by station and by the next one. */
+function tableOf({ learner: { world, q } }: Course): InPython['table'] {
+  const { first, meant } = world
+  const rows = Array.from({ length: world.states }, (_, state) => {
+    const actions = Array.from({ length: first[state + 1]! - first[state]! }, (_, k) => first[state]! + k)
+    return [state, Object.fromEntries(actions.map((action) => [meant[action]!, q[action]!]))] as const
+  })
+  return Object.fromEntries(rows.filter(([, row]) => Object.keys(row).length > 0))
 }

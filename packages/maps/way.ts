@@ -44,6 +44,16 @@ export function wayThrough(map: MapFile, stations: readonly number[]): Way {
   return { points, heading: headingFrom(points[0]!, points[1]!), length: lengthOf(points) }
 }
 
+/** A way leg by leg: how far to turn at a station (degrees, to the right above 0; 0 at the start) and how many cm to the next. */
+export function legsOf(map: MapFile, stations: readonly number[]) {
+  const roads = stations.slice(1).map((to, index) => roadPoints(map, stations[index]!, to))
+  return stations.map((station, k) => ({
+    station,
+    turn: k > 0 && roads[k] ? (-turnBetween(roads[k - 1]!, roads[k]) * 180) / Math.PI : 0,
+    length: roads[k] ? lengthOf(roads[k]) : 0,
+  }))
+}
+
 /** The centre line of a road in cm, about 1 cm from point to point. */
 function roadPoints(map: MapFile, from: number, to: number): readonly Point[] {
   const segments = segmentsOf(map.roads[`${from}-${to}`] ?? '')

@@ -1,0 +1,114 @@
+#!/usr/bin/env python3
+# composed__common__listOperations. Gemacht mit Botgarten.
+# Für einen EV3 mit ev3dev.
+from math import sqrt
+
+
+def first_place(entries, wanted):
+    return entries.index(wanted) if wanted in entries else -1
+
+
+def last_place(entries, wanted):
+    for place in range(len(entries) - 1, -1, -1):
+        if entries[place] == wanted:
+            return place
+    return -1
+
+
+def part_of(entries, first, last):
+    if first < 0:
+        first += len(entries)
+    if last < 0:
+        last += len(entries)
+    return entries[first : last + 1]
+
+
+def mean(numbers):
+    return sum(numbers) / len(numbers)
+
+
+def median(numbers):
+    ordered = sorted(numbers)
+    middle = len(ordered) // 2
+    if len(ordered) % 2 == 1:
+        return ordered[middle]
+    return (ordered[middle - 1] + ordered[middle]) / 2
+
+
+def deviation(numbers):
+    middle = mean(numbers)
+    return sqrt(mean([pow(number - middle, 2) for number in numbers]))
+
+
+input = [1, 2, 3, 4, 3]
+input2 = []
+result = 0
+result = len(input)
+result = result + len(input2)
+if len(input) == 0:
+    result = result + 1
+else:
+    result = result + 2
+if len(input2) == 0:
+    result = result + 1
+else:
+    result = result + 2
+# 8
+result = result + first_place(input, 3)
+result = result + last_place(input, 3)
+# 14
+result = result + input[1]
+result = result + input[-2]
+result = result + input[0]
+result = result + input[-1]
+# 24
+result = result + input.pop(1)
+result = result + input.pop(-2)
+result = result + input.pop(0)
+result = result + input.pop()
+result = result + len(input)
+# 35
+input.insert(0, 1)
+input.insert(-2, 2)
+input.insert(0, 0)
+input.append(4)
+result = result + len(input)
+# 40
+input.pop(1)
+input.pop(-2)
+input.pop(0)
+input.pop()
+result = result + len(input)
+result = result + input[-1]
+# 42
+input.insert(0, 1)
+input.insert(-2, 2)
+input.insert(0, 0)
+input.append(4)
+input[2] = 3
+input[1] = 2
+input[-2] = 4
+input[0] = 1
+input[-1] = 5
+result = result + sum(input)
+# 57
+result = result + sum(part_of(input, 1, 3))
+result = result + sum(part_of(input, 1, -2))
+result = result + sum(part_of(input, 1, -1))
+# 89
+result = result + sum(part_of(input, -4, 4))
+result = result + sum(part_of(input, -5, -4))
+result = result + sum(part_of(input, -4, -1))
+# 120
+result = result + sum(part_of(input, 0, 3))
+result = result + sum(part_of(input, 0, -4))
+result = result + sum(part_of(input, 0, -1))
+# 148
+result = result + min(input)
+result = result + max(input)
+# 154
+result = result + mean(input)
+result = result + median(input)
+result = result + deviation(input)
+# 161.414...
+# 161.414 - sim, 161.5 - board, OK

@@ -1,0 +1,27 @@
+import { content } from '@botgarten/content/files'
+import { learnedFor } from '@botgarten/maps'
+import type { Project } from '@botgarten/programs'
+import { pythonFrom, type Dialect } from '@botgarten/programs/python'
+import type { RobotPlacement } from '@botgarten/simulation'
+import { findMap } from './maps.ts'
+import { labMessage } from './words.ts'
+
+const mapNamed = (id: string) => (content.maps.includes(id) ? findMap(id) : null)
+
+/** A robot's program as Python, in the language of the call: the same bytes as the screen's. */
+export function pythonOf(project: Project, robot: RobotPlacement, dialect: Dialect): string {
+  const program = project.programs[robot.program]!
+  const learned = project.q?.[robot.program]
+  const input = {
+    ...{
+      name: project.name,
+      program,
+      config: robot.config,
+      brains: project.brains,
+      set: robot.brain,
+      dialect,
+    },
+    learned: learnedFor(program, mapNamed, learned),
+  }
+  return pythonFrom(input, labMessage).text
+}
