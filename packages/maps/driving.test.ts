@@ -4,7 +4,7 @@ import { addBlocks, blockFrom, toolbox, type Template } from '@botgarten/blocks'
 import { learning as blocks, learningToolbox } from '@botgarten/blocks/packs/learning'
 import { cardConfig, paintFloor, TICKS_PER_SECOND, type Pose } from '@botgarten/simulation'
 import { describe, expect, test } from 'vitest'
-import { drawWay, wayThrough, withLearnedWay, type MapFile } from './index.ts'
+import { drawWay, driveSeconds, wayThrough, withLearnedWay, type MapFile } from './index.ts'
 
 const mapNamed = (id: string): MapFile => content.mapFile(id)!
 
@@ -79,8 +79,15 @@ describe('the line follower from the toolbox', () => {
     const { starts, ...floor } = scene
     const plain = documentOf(byType('ai_q_drive_the_best_way'))
     const robots = plain.world.robots.map((robot) => ({ ...robot, pose: starts[0]! }))
-    const end = run({ ...plain, world: { ...plain.world, ...floor, robots } as never }, 90)
+    const document = { ...plain, world: { ...plain.world, ...floor, robots } as never }
+    const end = run(document, 90)
     expect(Math.hypot(end.x - points.at(-1)!.x, end.y - points.at(-1)!.y)).toBeLessThan(4)
+    // What is said before about how long it takes is true.
+    const seconds = driveSeconds(map, stations)
+    const almost = run(document, Math.round(0.85 * seconds))
+    const there = run(document, Math.round(1.15 * seconds))
+    expect(Math.hypot(almost.x - end.x, almost.y - end.y)).toBeGreaterThan(4)
+    expect(Math.hypot(there.x - end.x, there.y - end.y)).toBeLessThan(1)
   })
 
   test('learns, draws and drives as the blocks come from the toolbox', () => {

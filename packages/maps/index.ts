@@ -4,4 +4,4 @@ export { courseOf, isShortest, learnedFor, learningKey, sectionsOf, withLearnedW
 export { pointsAlong, segmentsOf } from './path.ts'
 export type { Point } from './point.ts'
 export { readMap, type ReadMap } from './readMap.ts'
-export { placeOf, wayThrough, worldSizeOf } from './way.ts'
+export { driveSeconds, placeOf, wayThrough, worldSizeOf } from './way.ts'

@@ -23,6 +23,13 @@ export const worldSizeOf = ({ size, cmPerUnit }: MapFile) => ({
   height: size.height * cmPerUnit,
 })
 
+/** How fast the follower of the toolbox gets along its line at power 30, in cm a second: measured on all four maps. */
+const FOLLOWER = 5.3
+
+/** Seconds that the follower needs for the way over these stations, about. @throws RangeError where a road is missing */
+export const driveSeconds = (map: MapFile, stations: readonly number[]): number =>
+  wayThrough(map, stations).length / FOLLOWER
+
 /** The middle of a station in cm of the robot's world. */
 export const placeOf = (map: MapFile, station: number): Point =>
   inWorld(map, map.stations[station] ?? { x: NaN, y: NaN })

@@ -124,11 +124,14 @@ describe('a course', () => {
   })
 })
 
-test('stars compare with the best value there is', () => {
-  expect([0, 4.9, 5, 26, 50].map((value) => starsOf({ q: Float64Array.of(0, 50) }, value))).toEqual([
-    0, 0, 1, 3, 5,
-  ])
-  expect(starsOf({ q: Float64Array.of(0, 0) }, 0)).toBe(0)
+test('stars compare with what the goal pays: half of it is not all of it, and what has paid has one', () => {
+  const stars = (value: number, highest = 0) => starsOf({ world, q: Float64Array.of(0, highest) }, value)
+  expect([0, 0.2, 5, 25, 50].map((value) => stars(value, 25))).toEqual([0, 1, 1, 3, 5])
+  expect(stars(-3)).toBe(0)
+})
+
+test('where more is paid than at the goal, stars compare with the highest value', () => {
+  expect([50, 125, 250].map((value) => starsOf({ world, q: Float64Array.of(250) }, value))).toEqual([1, 3, 5])
 })
 
 test('stations that it has been to are known by their roads', () => {

@@ -174,11 +174,14 @@ export class Course {
 
 const nameOf = ({ states }: LearnedPath) => states?.join('-') ?? null
 
-/** 0..5: how good an action is beside the best one that is known. */
-export function starsOf({ q }: Pick<QLearner, 'q'>, value: number): number {
-  let highest = 0
-  for (const other of q) if (other > highest) highest = other
-  return highest > 0 && value > 0 ? Math.min(5, Math.round((5 * value) / highest)) : 0
+/**
+ * 0..5: how good an action is beside the best there can be: what the goal pays, or the highest value where that is more. So
+ * half of the goal's reward is not as good as all of it, and what has paid at all has a star.
+ */
+export function starsOf({ q, world }: Pick<QLearner, 'q' | 'world'>, value: number): number {
+  let most = world.task.goalReward ?? 50
+  for (const other of q) if (other > most) most = other
+  return most > 0 && value > 0 ? Math.min(5, Math.max(1, Math.round((5 * value) / most))) : 0
 }
 
 /** Has the robot been there? */
