@@ -12,13 +12,33 @@ export class Learner {
     this.child = child
   }
 
+  /** With dice that are pinned by the link: what is learned is the same every time. */
   async opens(card: 'railway' | 'forest' | 'city') {
-    await this.child.opensLab(card)
+    await this.child.opensLab(`${card}?dice=1`)
     await this.sees()
   }
 
   async sees() {
-    await expect(this.child.button('q.play').or(this.child.button('q.playNew'))).toBeVisible()
+    await expect(this.child.page.getByRole('group', { name: this.child.word('q.map') })).toBeVisible()
+  }
+
+  /** The button that learns; with all the room it is the one that starts all. */
+  async learns() {
+    const { child } = this
+    const wide = await child.page.locator('.q.room').isVisible()
+    await child.presses(wide ? 'lab.start' : 'q.play')
+  }
+
+  /** Opens the program over the map. */
+  async unfolds() {
+    await this.child.presses('lab.unfold')
+    await this.child.seesBlocks()
+  }
+
+  /** Taps a way on the map, from the start on. */
+  async guesses(...stations: readonly number[]) {
+    await this.child.presses('q.guessing.open')
+    for (const station of stations) await this.station(station).click()
   }
 
   station(station: number): Locator {
@@ -48,13 +68,24 @@ export class Learner {
   /** As fast as it goes, until a limit stops it. */
   async learnsToTheEnd() {
     await this.hurries()
-    await this.child.presses('q.play')
-    await expect(this.child.button('q.playNew')).toBeVisible()
+    await this.learns()
+    await this.seesEnd()
+    const floor = this.child.page.getByRole('region', { name: this.child.word('q.drives') })
+    if (!(await this.child.page.locator('.best ol, .room .way').isVisible())) return
+    // Bo drives what it has learned, and the floor has come forward.
+    await expect(floor).toBeVisible()
+    await this.child.presses('q.largeMap')
+  }
+
+  /** A limit has stopped the learning: it can begin anew, or Bo drives already. */
+  async seesEnd() {
+    const { child } = this
+    const drives = child.page.getByRole('region', { name: child.word('q.drives') })
+    await expect(child.button('q.playNew').or(drives)).toBeVisible()
   }
 
   async seesWay(...stations: readonly number[]) {
-    const line = this.child.page.locator('.way').filter({ hasText: this.child.word('q.bestWay') })
-    await expect(line.locator('b')).toHaveText(stations.map(String))
+    await expect(this.child.page.locator('.best ol b, .line .way b')).toHaveText(stations.map(String))
   }
 
   /** The move that is shown, and how far it has come. */
@@ -69,15 +100,11 @@ export class Learner {
   }
 
   async turnsTo(page: 'map' | 'inside' | 'curves' | 'trials') {
+    // Where the map stands beside it always, there is no page for it.
+    if (page === 'map' && (await this.child.page.locator('.q.room').isVisible())) return
     // The card of the lab is called like the map in German.
     const pages = this.child.page.getByRole('group', { name: this.child.word('q.pages'), exact: true })
     await pages.getByRole('button', { name: this.child.word(`q.page.${page}`), exact: true }).click()
-  }
-
-  /** Gives the playground all of the window. */
-  async fills() {
-    await this.child.presses('lab.fill', { pane: this.child.word('lab.learning') })
-    await expect(this.child.button('lab.shrink')).toBeVisible()
   }
 
   /** How much of the covers of roads can be seen, 0..1; of some roads: `5-7|6-7`. */
@@ -93,7 +120,7 @@ export class Learner {
 
   /** Listens like a reader. Gives all sentences so far. */
   async listens(): Promise<() => Promise<string[]>> {
-    const heard = await this.child.page.locator('.q [aria-live]').evaluateHandle((live) => {
+    const heard = await this.child.page.locator('.q > [aria-live]').evaluateHandle((live) => {
       const sentences: string[] = []
       const note = () => live.textContent && sentences.push(live.textContent)
       new MutationObserver(note).observe(live, { childList: true, characterData: true, subtree: true })

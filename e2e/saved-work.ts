@@ -104,7 +104,7 @@ async function learns(child: Child) {
   await learner.learnsToTheEnd()
   await child.seesSaved()
   await learner.opens('forest')
-  await child.presses('q.play')
+  await learner.learns()
   await expect.poll(async () => (await learner.moves()).made, { timeout: 60_000 }).toBeGreaterThan(6)
   await child.presses('q.pause')
   await child.seesSaved()

@@ -13,7 +13,6 @@ async function opensNet(child: Child, phone: boolean) {
 async function learns(child: Child, card: 'railway' | 'forest' | 'city') {
   const learner = new Learner(child)
   await learner.opens(card)
-  await learner.fills()
   await learner.learnsToTheEnd()
   return learner
 }

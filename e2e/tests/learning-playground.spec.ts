@@ -34,7 +34,7 @@ for (const language of languagesOf(import.meta.filename)) {
       await learner.sees()
       await expect(page.locator('#fog-8')).toBeVisible()
       await learner.hurries()
-      await child.presses('q.play')
+      await learner.learns()
       await learner.seesWay(0, 3, 4, 5, 8)
       await expect(page.locator('#fog-8')).toBeHidden()
       await child.seesDriving()
@@ -49,6 +49,7 @@ for (const language of languagesOf(import.meta.filename)) {
       )
       for (const card of ['railway', 'forest'] as const) {
         await learner.opens(card)
+        await learner.unfolds()
         await expect(choices).toHaveCount(5)
         for (const choice of await choices.all()) {
           const { width, height } = (await choice.boundingBox())!
@@ -64,24 +65,21 @@ for (const language of languagesOf(import.meta.filename)) {
       const learner = new Learner(child)
       await learner.opens('railway')
       await learner.makesStation(1, 'startHere')
-      const task = (start: number, goal: number) => child.words('q.task', { start, goal })
+      const task = (start: number, goal: number) =>
+        page.getByRole('region', { name: child.word('q.task', { start, goal }) })
       await expect(task(1, 3)).toBeVisible()
       await child.presses('lab.undo')
       await expect(task(3, 1)).toBeVisible()
       await expect(child.button('lab.undo')).toHaveAttribute('aria-disabled', 'true')
-      await learner.fills()
       await child.presses('q.change')
       await page.getByRole('combobox', { name: child.word('q.goal'), exact: true }).selectOption('4')
       await child.types('Escape')
-      await expect(
-        page.getByRole('region', { name: child.word('q.task', { start: 3, goal: 4 }) }),
-      ).toBeVisible()
+      await expect(task(3, 4)).toBeVisible()
     })
 
     test('a row of the table and its road on the map show each other', async ({ child, page }) => {
       const learner = new Learner(child)
       await learner.opens('railway')
-      await learner.fills()
       const cell = page.getByRole('button', {
         name: child.word('q.cell', { from: 3, to: 5, value: 0, tries: 0 }),
       })
@@ -92,41 +90,68 @@ for (const language of languagesOf(import.meta.filename)) {
       await expect(page.locator('.drawer .marked')).toHaveCount(1)
     })
 
-    test('the table of runs is saved as CSV, a row a run, with what was guessed', async ({ child, page }) => {
+    test('a guess on the map is compared with what came out, on the screen and in the table', async ({
+      child,
+      page,
+    }) => {
+      await page.emulateMedia({ reducedMotion: 'reduce' })
       const learner = new Learner(child)
       await learner.opens('railway')
-      await learner.turnsTo('trials')
-      await page.getByLabel(child.word('q.guess')).fill('3-2-1')
+      await learner.closes(2, 3)
+      await learner.guesses(4, 5, 0)
+      await expect(child.button('q.guessing.learn')).toHaveAttribute('aria-disabled', 'true')
+      expect(await axeFindings(page)).toEqual([])
+      await learner.station(1).focus()
+      await child.types('Enter')
+      await child.presses('q.guessing.learn')
       await learner.hurries()
-      for (const next of ['q.play', 'q.playNew']) {
-        await child.presses(next)
-        await expect(child.button('q.playNew')).toBeVisible()
-      }
-      await expect(page.locator('.drawer tbody tr')).toHaveCount(2)
+      await expect(page.getByText(child.word('q.compare.shorter', { count: 1 }))).toBeVisible()
+      await learner.seesWay(3, 5, 0, 1)
+      expect(await axeFindings(page)).toEqual([])
+      await child.presses('q.inside')
+      await learner.turnsTo('trials')
+      await expect(page.locator('.drawer tbody tr')).toContainText(
+        child.word('q.closedRoads', { roads: '2–3' }),
+      )
       const [head, ...rows] = (await learner.savesTable()).trim().split('\r\n')
       expect(head).toMatch(/^map,start,goal,/)
-      expect(rows).toHaveLength(2)
-      for (const row of rows)
-        expect(row).toMatch(
-          /^railway,3,1,,standard,0\.5,0\.8,0\.1,0\.5,10,10000,\d,10,\d+,[\d-]*,2,\d+,3-2-1,$/,
-        )
+      expect(rows).toHaveLength(1)
+      expect(rows[0]).toMatch(
+        /^railway,3,1,\d-\d \d-\d,standard,0\.5,0\.8,0\.1,0\.5,10,10000,1,10,\d+,3-5-0-1,3,\d+,3-4-5-0-1,$/,
+      )
+      await child.presses('q.letDrive')
+      await child.seesDriving()
+    })
+
+    test('a link carries the dice to another device, which learns the same', async ({ child, page }) => {
+      const learner = new Learner(child)
+      await learner.opens('railway')
+      await learner.learnsToTheEnd()
+      await learner.turnsTo('trials')
+      const link = page.getByRole('link', { name: child.word('q.diceLink'), exact: true })
+      await expect(link).toHaveAttribute('href', /\/lab\/railway\?dice=1$/)
+      await child.presses('q.again')
+      await expect(page.locator('.drawer tbody tr')).toHaveCount(2)
+      const [, first, second] = (await learner.savesTable()).split('\r\n')
+      expect(second).toBe(first)
     })
 
     test('each move is said as a sentence while it is played', async ({ child, page }) => {
       const learner = new Learner(child)
       await learner.opens('railway')
       const heard = await learner.listens()
-      await child.presses('q.play')
+      await learner.learns()
       const facts = (move: number) => ({ move, from: '\\d', to: '\\d', how: '.+', stars: '\\d' })
       for (const move of [1, 2, 3])
         await expect
           .poll(heard)
           .toContainEqual(expect.stringMatching(new RegExp(child.word('q.said.move', facts(move)))))
       await child.presses('q.stop')
-      await expect(page.locator('.q [aria-live]')).toContainText(child.word('q.byHand'))
-      // After the end there is no pause, and nothing to step.
-      await expect(page.locator('.q').getByRole('button', { name: child.word('q.pause') })).toHaveCount(0)
-      await expect(child.button('q.step')).toHaveAttribute('aria-disabled', 'true')
+      await expect(page.locator('.q > [aria-live]')).toContainText(child.word('q.byHand'))
+      // After the end there is nothing to step.
+      await expect(
+        page.locator('.q').getByRole('button', { name: child.word('q.step'), disabled: false }),
+      ).toHaveCount(0)
     })
 
     test('twice as fast is twice as many moves, three times three times', async ({ child, page }) => {
@@ -137,7 +162,7 @@ for (const language of languagesOf(import.meta.filename)) {
       const made: number[] = []
       for (const speed of [1, 2, 3]) {
         await child.presses('q.times', { speed })
-        await child.presses('q.play')
+        await learner.learns()
         await page.clock.runFor(6050)
         await child.presses('q.pause')
         made.push((await learner.moves()).made)
@@ -155,7 +180,7 @@ for (const language of languagesOf(import.meta.filename)) {
       const learner = new Learner(child)
       await learner.opens('railway')
       const heard = await learner.listens()
-      await child.presses('q.play')
+      await learner.learns()
       const places = await learner.places(2500)
       expect(places.size).toBeLessThanOrEqual(4)
       expect(await page.evaluate(() => document.getAnimations().map(({ id }) => id))).toEqual([])
@@ -211,7 +236,6 @@ for (const language of languagesOf(import.meta.filename)) {
       await page.emulateMedia({ reducedMotion: 'reduce' })
       const learner = new Learner(child)
       await learner.opens('forest')
-      await learner.fills()
       expect(await axeFindings(page)).toEqual([])
       await page.getByLabel(child.word('q.level')).selectOption('expert')
       await child.presses('q.step')

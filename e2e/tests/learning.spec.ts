@@ -11,12 +11,9 @@ for (const language of languagesOf(import.meta.filename)) {
 
     test('the railway: a road is closed on the map, Bo learns, the way is drawn, and Bo stands at the goal', async ({
       child,
-      page,
     }) => {
       const learner = new Learner(child)
-      await child.opensHome()
-      await page.getByRole('link', { name: child.card('railway'), exact: true }).click()
-      await learner.sees()
+      await learner.opens('railway')
       await learner.closes(2, 3)
       await learner.seesClosedRoads(2)
       await child.presses('lab.undo')
@@ -59,11 +56,11 @@ for (const language of languagesOf(import.meta.filename)) {
       const learner = new Learner(child)
       await learner.opens('railway')
       await child.presses('q.times', { speed: 3 })
-      await child.presses('q.play')
+      await learner.learns()
       await expect.poll(async () => (await learner.moves()).made).toBeGreaterThan(3)
       await child.presses('q.pause')
       const { made } = await learner.moves()
-      const said = await child.page.locator('.q [aria-live]').textContent()
+      const said = await child.page.locator('.q > [aria-live]').textContent()
       await child.seesSaved()
       await child.reloads()
       await learner.sees()
@@ -73,7 +70,7 @@ for (const language of languagesOf(import.meta.filename)) {
       await learner.timeline.focus()
       await child.types('ArrowLeft')
       await expect.poll(() => learner.moves()).toEqual({ shown: made, made: made + 1 })
-      await expect(child.page.locator('.q [aria-live]')).toHaveText(said!)
+      await expect(child.page.locator('.q > [aria-live]')).toHaveText(said!)
     })
 
     test('a goal that is closed off is said, and Bo does not drive', async ({ child, page }) => {
@@ -85,7 +82,7 @@ for (const language of languagesOf(import.meta.filename)) {
       await learner.hurries()
       await child.presses('lab.start')
       const over = `${child.word('q.byEpisodes', { count: 10 })} ${child.word('q.notYet')}`
-      await expect(page.locator('.line').getByText(over)).toBeVisible()
+      await expect(page.locator('.best').getByText(over)).toBeVisible()
       await child.seesStanding()
     })
 
@@ -98,8 +95,8 @@ for (const language of languagesOf(import.meta.filename)) {
       await child.opensProject('One try', learningProject('One try', {}, 1))
       await learner.sees()
       await learner.learnsToTheEnd()
-      await expect(page.locator('.line').getByText(child.word('q.alike', { station: 3 }))).toBeVisible()
-      await expect(page.locator('.line .way, .rail .flag')).toHaveCount(0)
+      await expect(page.locator('.best').getByText(child.word('q.alike', { station: 3 }))).toBeVisible()
+      await expect(page.locator('.best ol, .rail .flag')).toHaveCount(0)
       await learner.turnsTo('trials')
       await expect(page.locator('.drawer tbody tr')).toContainText(child.word('q.none'))
       expect(await learner.savesTable()).toMatch(/,1,\d+,,2,0,,\r\n$/)
@@ -114,7 +111,7 @@ for (const language of languagesOf(import.meta.filename)) {
       await learner.opens('railway')
       await child.presses('q.step')
       const facts = { move: 1, from: '\\d', to: '\\d', how: '.+', stars: '\\d' }
-      await expect(page.locator('.q [aria-live]')).toHaveText(new RegExp(child.word('q.said.move', facts)))
+      await expect(page.locator('.q > [aria-live]')).toHaveText(new RegExp(child.word('q.said.move', facts)))
       expect(await axeFindings(page)).toEqual([])
       await learner.learnsToTheEnd()
       await child.presses('lab.stop')

@@ -25,12 +25,30 @@ export class Layout {
   readonly pages = $derived(this.arrangement === 'pages')
   readonly scrolls = $derived.by(() => scrollsAsPage({ width: this.width, height: this.height }))
   readonly panes = $derived.by<readonly PaneName[]>(() =>
-    this.#screen.hasNetworkPane ? ['program', 'world', 'network'] : ['program', 'world'],
+    this.learning
+      ? ['program', 'network']
+      : this.#screen.hasNetworkPane
+        ? ['program', 'world', 'network']
+        : ['program', 'world'],
   )
   /** The heads of the panes hold the control bars. */
   readonly slim = $derived.by(
-    () => this.arrangement === 'stacked' && !this.#ui.filled && this.#screen.hasNetworkPane,
+    () => this.arrangement === 'stacked' && !this.#ui.filled && this.#screen.hasNetworkPane && !this.learning,
   )
+  /** Learning by trying has the whole lab: its program is folded, and its world stands within it. */
+  readonly learning = $derived.by(
+    () => this.#screen.session.learns && ['columns', 'stacked'].includes(this.arrangement),
+  )
+  /** px of the folded program: what stands beside the map begins below it. */
+  foldedHeight = $state(0)
+  #unfolded = $state<boolean | null>(null)
+  /** Is the program open over the map? In a project of one's own it is, until a hand folds it. */
+  get unfolded() {
+    return this.#unfolded ?? this.#screen.card?.card.playground !== 'q-learning'
+  }
+  set unfolded(open: boolean) {
+    this.#unfolded = open
+  }
   readonly bars = $derived(!this.pages && !this.slim)
   readonly stripSize = $derived.by(() => {
     if (this.pages && this.width < 640) return 'phone'
@@ -51,7 +69,9 @@ export class Layout {
 
   seen(pane: PaneName): boolean {
     if (this.pages) return pane === this.#ui.page || (pane === 'world' && this.compactWorld)
-    return this.#ui.filled === null || this.#ui.filled === pane
+    // Learning has the whole lab already: only its program can fill it instead.
+    const filled = this.learning && this.#ui.filled !== 'program' ? null : this.#ui.filled
+    return filled === null || filled === pane
   }
 
   /** What a pane's frame is told. */

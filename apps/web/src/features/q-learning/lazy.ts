@@ -2,11 +2,14 @@ import type { LabUi } from '#lab/ui.svelte.ts'
 import type { LabSession } from '#lab/session.svelte.ts'
 import type { Blocks } from './model/hands.ts'
 import { Learning } from './model/learning.svelte.ts'
+import { pinnedSeed } from './model/dice.ts'
+import Folded from './view/Folded.svelte'
 import QPlayground from './view/QPlayground.svelte'
 
 /** A session that learns, with what shows it. */
 export interface Learner {
   readonly QPlayground: typeof QPlayground
+  readonly Folded: typeof Folded
   readonly learning: Learning
 }
 
@@ -21,9 +24,9 @@ export function hold(
   blocks: Blocks,
   show: (learner: Learner | null) => void,
 ): () => void {
-  const learning = new Learning(session, ui, blocks)
+  const learning = new Learning(session, ui, blocks, pinnedSeed(location.search))
   const close = learning.open()
-  show({ QPlayground, learning })
+  show({ QPlayground, Folded, learning })
   return () => {
     close()
     show(null)

@@ -5,18 +5,19 @@ import { learningIn, type Learned } from '@botgarten/programs'
 import type { LabUi } from '#lab/ui.svelte.ts'
 import type { LabSession } from '#lab/session.svelte.ts'
 import { loadStage, courseOn, type Stage } from '#figures/map/stage.ts'
-import { budgetFor, Clock, pauseWhenAway } from './clock.ts'
-import { WayOnFloor } from './way-on-floor.ts'
+import { pauseWhenAway } from './clock.ts'
+import { throwSeed } from './dice.ts'
+import { Drive, type LearnedWay } from './drive.svelte.ts'
+import { taskKey } from './guess.ts'
+import { Guessing } from './guessing.svelte.ts'
 import { type Blocks, Hands } from './hands.ts'
-import { MOVE } from './time.ts'
+import { Player } from './player.svelte.ts'
 import { Records, rowOf } from './records.svelte.ts'
 import { Screen } from './screen.svelte.ts'
 
 /** `over`: a limit stopped it · `stopped`: a hand did. */
 export type State = 'ready' | 'playing' | 'paused' | 'over' | 'stopped'
 
-/** After so many moves the clock is looked at again. */
-const SLICE = 400
 /** The state is kept on the device so often while it plays. */
 const KEEP_EVERY = 2000
 
@@ -26,33 +27,36 @@ export class Learning {
   readonly hands: Hands
   readonly records: Records
   readonly screen = new Screen()
-  readonly #ui: LabUi
-  readonly #floor: WayOnFloor
-  readonly #clock = new Clock((passed, now) => this.#turn(passed, now))
+  /** What the child thinks before Bo learns. */
+  readonly guess = new Guessing()
+  readonly drive: Drive
+  readonly player = new Player({
+    screen: this.screen,
+    course: () => this.#course!,
+    onend: () => this.#end(),
+    onpause: () => this.#halt('paused'),
+    onframe: (now) => this.#saveNowAndThen(now),
+  })
   outline = $derived.by(() => learningIn(this.session.program))
   #key = $derived(this.outline ? learningKey(this.outline) : '')
+  /** Map, start, goal and closed roads: what a guess is about. */
+  #task = $derived(this.outline ? taskKey(this.outline) : '')
   #stage = $state.raw<Stage | null>(null)
   #course: Course | null = null
   #state = $state<State>('ready')
-  #progress = $state(1)
-  /** 1, 2, 3; Infinity: turbo. */
-  speed = $state(1)
-  guess = $state('')
-  #seed = 1
+  #seed = $state(1)
   #keptAt = 0
   /** Has this run been written into the table? */
   #noted = false
-  /** One step: the move that is on is the last. */
-  #single = false
 
-  constructor(session: LabSession, ui: LabUi, blocks: Blocks) {
+  /** @param pinned the dice that a link asks for; null: the project's own, or new ones of this device */
+  constructor(session: LabSession, ui: LabUi, blocks: Blocks, pinned: number | null) {
     this.session = session
-    this.#ui = ui
-    this.#floor = new WayOnFloor(session)
+    this.drive = new Drive(session, ui, () => this.#learned())
     this.hands = new Hands(() => this.outline, blocks)
     const kept = session.learned
     this.records = new Records(kept?.runs ?? [])
-    this.#seed = kept?.seed ?? 1
+    this.#seed = pinned ?? kept?.seed ?? throwSeed()
     session.learnFirst = () => this.#learnFirst()
   }
 
@@ -65,9 +69,21 @@ export class Learning {
   get state() {
     return this.#state
   }
+  /** Of the dice: the same seed learns the same. */
+  get seed() {
+    return this.#seed
+  }
+  /** It has come to an end, by a limit or by a hand. */
+  get ended() {
+    return this.#state === 'over' || this.#state === 'stopped'
+  }
+  /** Is what was guessed compared with what came out? */
+  get compares() {
+    return this.ended && this.guess.isDone && this.guess.compares
+  }
   /** 0..1 of the move that is shown. */
   get progress() {
-    return this.#progress
+    return this.player.progress
   }
   /** Sections of the shortest way; null: there is none. */
   get shortest() {
@@ -79,10 +95,17 @@ export class Learning {
 
   /** Begins to follow the blocks and to listen to the page. Returns how to end it. */
   open(): () => void {
+    const { session } = this
     const stop = $effect.root(() => {
       $effect(() => {
         const key = this.#key
         untrack(() => void this.#follow(key))
+      })
+      $effect(() => {
+        if (this.#task) untrack(() => this.guess.forget())
+      })
+      $effect(() => {
+        if (session.lab.facts.phase === 'running') this.drive.front = 'floor'
       })
     })
     const leave = pauseWhenAway(() => this.pause())
@@ -104,7 +127,7 @@ export class Learning {
     this.#stage = stage
     if (!stage || !this.#create()) return
     const kept = this.session.learned
-    if (kept?.key === key && kept.moves > 0) await this.#goOn(kept, key)
+    if (kept?.key === key && kept.seed === this.#seed && kept.moves > 0) await this.#goOn(kept, key)
   }
 
   #create(): boolean {
@@ -133,20 +156,31 @@ export class Learning {
   }
 
   #show(progress: number): void {
+    if (this.#course) this.player.show(progress)
+  }
+
+  // ---- the guess ----
+
+  /** The map takes taps for a guess. What was learned is set aside: another learning begins. */
+  guessFirst(): void {
     if (!this.#course) return
-    this.#progress = progress
-    this.screen.show(this.#course)
+    this.#halt('ready')
+    if (this.#course.made > 0) this.#renew(this.#seed + 1)
+    this.drive.front = 'map'
+    this.guess.begin(this.#course.learner.world)
+  }
+
+  skipGuess(): void {
+    this.guess.forget()
+    this.play()
   }
 
   // ---- the bar ----
 
   play(): void {
     if (!this.#course || this.#state === 'playing') return
-    if (this.#state === 'over' || this.#state === 'stopped') this.#renew(this.#seed + 1)
-    this.session.lab.stop()
-    this.#state = 'playing'
-    this.#single = false
-    this.#clock.start()
+    if (this.ended) this.#renew(this.#seed + 1)
+    this.#begin(false)
   }
 
   pause(): void {
@@ -162,14 +196,20 @@ export class Learning {
 
   /** One move, from where it is shown. */
   step(): void {
-    if (!this.#course || this.#state === 'over' || this.#state === 'stopped') return
-    this.#single = true
-    if (this.#state === 'playing') return
-    if (!this.#course.next()) return this.#end()
+    if (!this.#course || this.ended) return
+    if (this.#state === 'playing') this.player.endAfterMove()
+    else if (this.#course.next()) {
+      this.#show(0)
+      this.#begin(true)
+    } else this.#end()
+  }
+
+  #begin(single: boolean): void {
     this.session.lab.stop()
-    this.#show(0)
+    this.guess.close()
+    this.drive.front = 'map'
     this.#state = 'playing'
-    this.#clock.start()
+    this.player.start(single)
   }
 
   /** From the beginning, with equal dice. */
@@ -184,8 +224,7 @@ export class Learning {
     const ends = state === 'ready' || state === 'stopped'
     if (!ends) this.#halt('paused')
     this.#course.goTo(move)
-    this.#progress = 1
-    this.screen.showInTurns(this.#course)
+    this.player.showInTurns()
     if (this.#course.over && !ends) this.#state = 'over'
   }
 
@@ -196,7 +235,7 @@ export class Learning {
   }
 
   #halt(state: State): void {
-    this.#clock.stop()
+    this.player.stop()
     const was = this.#state
     this.#state = state
     if (was === 'playing') {
@@ -205,36 +244,10 @@ export class Learning {
     }
   }
 
-  #turn(passed: number, now: number): void {
-    if (this.speed === Infinity && !this.#single) this.#hurry(passed)
-    else this.#pace((passed * (Number.isFinite(this.speed) ? this.speed : 1)) / MOVE)
-    if (now - this.#keptAt > KEEP_EVERY && this.#state === 'playing') {
-      this.#keptAt = now
-      this.#keep()
-    }
-  }
-
-  /** A slice of learning a frame: nothing waits, and no frame is late. */
-  #hurry(passed: number): void {
-    const course = this.#course!
-    const end = performance.now() + budgetFor(passed)
-    do course.advance(SLICE)
-    while (!course.over && performance.now() < end)
-    this.#progress = 1
-    if (course.over) this.#end()
-    else if (!this.screen.isBusy) this.screen.showInTurns(course)
-  }
-
-  #pace(share: number): void {
-    let progress = this.#progress + share
-    while (progress >= 1) {
-      if (this.#course!.over) return this.#end()
-      if (this.#single) return this.#halt('paused')
-      this.#course!.next()
-      progress = Math.min(progress - 1, 0.99)
-      this.#show(progress)
-    }
-    this.#progress = progress
+  #saveNowAndThen(now: number): void {
+    if (now - this.#keptAt < KEEP_EVERY || this.#state !== 'playing') return
+    this.#keptAt = now
+    this.#keep()
   }
 
   #end(): void {
@@ -246,40 +259,33 @@ export class Learning {
 
   #finish(): void {
     const course = this.#course!
-    if (!this.#noted) this.records.note(rowOf(this.outline!, course, this.#seed, this.guess), course.episodes)
+    if (!this.#noted)
+      this.records.note(rowOf(this.outline!, course, this.#seed, this.guess.text), course.episodes)
     this.#noted = true
     this.#keep()
-    void this.#draw()
-  }
-
-  /** The way becomes the floor of the robot's world, and the robot drives it. */
-  async #draw(): Promise<void> {
-    const [course, stage, outline] = [this.#course!, this.#stage!, this.outline]
-    const { states: stations } = course.way()
-    if (!stations || stations.length < 2 || outline?.blocks.draw === undefined) return
-    // Meanwhile a hand may have begun again.
-    const stands = () =>
-      course === this.#course && this.#state !== 'playing' && this.session.lab.view.phase !== 'running'
-    await this.#floor.lay(stage, stations, stands)
-    if (stands() && outline.blocks.drive !== undefined) this.#ui.start()
+    // With a guess there is something to compare before.
+    void this.drive.draw(!this.guess.isDone)
   }
 
   /** Start was pressed: what a program wants learned comes first. Returns whether there is something to learn. */
   #learnFirst(): boolean {
     const { outline } = this
     if (!outline || outline.blocks.experience === undefined || !this.#course) return false
-    const { states: stations } = this.#course.way()
-    const learned = (this.#state === 'over' || this.#state === 'stopped') && stations !== null
-    if (!learned) {
+    if (this.#learned() === null) {
       this.play()
       return true
     }
-    if (outline.blocks.draw !== undefined && !this.#floor.lies(this.#stage!, stations)) {
-      void this.#draw()
-      return true
-    }
+    if (this.drive.drawFirst()) return true
     this.session.lab.reset()
     return false
+  }
+
+  #learned(): LearnedWay | null {
+    const { stage, outline } = this
+    const stations = this.ended ? this.#course?.way().states : null
+    return stations && stage && outline
+      ? { course: this.#course!, stage, stations, blocks: outline.blocks }
+      : null
   }
 
   #keep(): void {

@@ -29,6 +29,12 @@ export function rideAt(progress: number): number {
   return x * x * (3 - 2 * x)
 }
 
+/** A number that is learned on its way from before to after: it moves while the move learns, and is there at the end. */
+export function movedTo(before: number, after: number, progress: number): number {
+  const share = (progress - begins.learn) / (0.98 - begins.learn)
+  return before + (after - before) * Math.min(1, Math.max(0, share))
+}
+
 /** Milliseconds from the move's beginning until a phase begins, and how long what it shows stays, at a speed. */
 export const timesOf = (phase: Phase, speed: number) => ({
   begins: (begins[phase] * MOVE) / speed,

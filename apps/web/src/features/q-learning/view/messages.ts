@@ -3,6 +3,7 @@ import type { LearnedRun } from '@botgarten/programs'
 import { language } from '#words/language.svelte.ts'
 import { hasMessage, m, message } from '#words/message.ts'
 import type { Level } from '../model/choices.svelte.ts'
+import type { Comparison } from '../model/guess.ts'
 import type { Learning } from '../model/learning.svelte.ts'
 import type { Shown } from '../model/shown.ts'
 
@@ -17,8 +18,13 @@ export function number(value: number, places = 0): string {
   return format.format(value)
 }
 
+/** Decimal places of a value: the same in the table, in the lens and in its sum. */
+export const placesOf = (level: Level): number => (level === 'expert' ? 1 : 0)
+export const rounded = (value: number, places: number): number =>
+  Math.round(value * 10 ** places) / 10 ** places
+
 /** The stations of a circle, or of a walk: `4 → 6 → 4`. */
-const walk = (stations: readonly number[]) => stations.join(' → ')
+export const walk = (stations: readonly number[]) => stations.join(' → ')
 
 /** Why there is no best way yet: what has not been learned; where moves are by chance, what the plan is worth. */
 export function reasonOf({ shown, shortest }: Pick<Learning, 'shown' | 'shortest'>): string {
@@ -87,7 +93,8 @@ function moveSentence({ shown }: Learning): string {
 
 /** Tells each move that is played at ×1 or stepped, and how it ended. What a hand only scrubs over is not told. */
 export function liveSentence(learning: Learning): string {
-  const { state, shown, speed } = learning
+  const { state, shown } = learning
+  const { speed } = learning.player
   const ended = state === 'over' || state === 'stopped'
   if (!ended || shown?.t !== shown?.made)
     return state === 'playing' && speed > 1 ? '' : moveSentence(learning)
@@ -109,10 +116,32 @@ const choices: { readonly [name in Setting]: { readonly [value: string]: string 
   rho: { 0.9: 'rarely', 0.5: 'sometimes', 0.1: 'often' },
 }
 
-/** A setting as its block says it; a number where no block says it so, and for experts. */
-export function settingOf(run: LearnedRun, name: Setting, level: Level): string {
-  const key = choices[name][String(run[name])]
-  return level === 'expert' || key === undefined ? number(run[name], 4) : message(`choice.${key}`)
+/** A setting as its block says it; a number where no block says it so. */
+export function wordOf(name: Setting, value: number): string {
+  const key = choices[name][String(value)]
+  return key === undefined ? number(value, 4) : message(`choice.${key}`)
+}
+
+/** The same; for experts always the number. */
+export const settingOf = (run: LearnedRun, name: Setting, level: Level): string =>
+  level === 'expert' ? number(run[name], 4) : wordOf(name, run[name])
+
+/** Closed roads, each once: `2–3` in both directions, `16→15` in one. */
+export function closedOf(roads: readonly (readonly [number, number])[]): readonly string[] {
+  const has = (from: number, to: number) => roads.some(([a, b]) => a === from && b === to)
+  const texts = roads.map(([a, b]) => (has(b, a) ? `${Math.min(a, b)}–${Math.max(a, b)}` : `${a}→${b}`))
+  return [...new Set(texts)]
+}
+
+/** `2 or 5`, in the language of now. */
+export const listed = (stations: readonly number[]): string =>
+  new Intl.ListFormat(language.locale, { type: 'disjunction' }).format(stations.map(String))
+
+/** What a guess is worth beside the way that came out. */
+export function comparisonOf({ more, parting }: Comparison): string {
+  if (parting === null) return m['q.compare.same']()
+  if (more > 0) return m['q.compare.shorter']({ count: more })
+  return more < 0 ? m['q.compare.longer']({ count: -more }) : m['q.compare.alike']()
 }
 
 export const wayOf = (text: string) => text.replaceAll('-', ' → ')

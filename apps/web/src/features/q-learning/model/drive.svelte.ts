@@ -1,0 +1,60 @@
+import type { Course } from '@botgarten/learning/q-learning'
+import type { LearningOutline } from '@botgarten/programs'
+import type { LabSession } from '#lab/session.svelte.ts'
+import type { LabUi } from '#lab/ui.svelte.ts'
+import type { Stage } from '#figures/map/stage.ts'
+import { WayOnFloor } from './way-on-floor.ts'
+
+/** A learning that has ended with a way. */
+export interface LearnedWay {
+  readonly course: Course
+  readonly stage: Stage
+  readonly stations: readonly number[]
+  readonly blocks: LearningOutline['blocks']
+}
+
+/** What comes after learning: the way lies on the floor, and Bo drives it. */
+export class Drive {
+  readonly #session: LabSession
+  readonly #ui: LabUi
+  readonly #floor: WayOnFloor
+  readonly #learned: () => LearnedWay | null
+  /** What stands large in the middle; the other one is small beside it. */
+  front = $state<'map' | 'floor'>('map')
+
+  /** @param learned what there is to drive now */
+  constructor(session: LabSession, ui: LabUi, learned: () => LearnedWay | null) {
+    this.#session = session
+    this.#ui = ui
+    this.#floor = new WayOnFloor(session)
+    this.#learned = learned
+  }
+
+  /** Lays the way on the floor, where a block says so; then Bo drives it, where one says that and `drives`. */
+  async draw(drives: boolean): Promise<void> {
+    const learned = this.#learned()
+    if (learned?.blocks.draw === undefined || learned.stations.length < 2) return
+    const { course, stage, stations, blocks } = learned
+    // Meanwhile a hand may have begun again.
+    const stands = () => this.#learned()?.course === course && this.#session.lab.view.phase !== 'running'
+    await this.#floor.lay(stage, stations, stands)
+    if (stands() && drives && blocks.drive !== undefined) this.#ui.start()
+  }
+
+  /** The way does not lie on the floor yet: lays it, and drives then. Returns whether there was something to lay. */
+  drawFirst(): boolean {
+    const learned = this.#learned()
+    if (learned?.blocks.draw === undefined) return false
+    if (this.#floor.lies(learned.stage, learned.stations)) return false
+    void this.draw(true)
+    return true
+  }
+
+  swap(): void {
+    this.front = this.front === 'map' ? 'floor' : 'map'
+  }
+
+  start(): void {
+    this.#ui.start()
+  }
+}
