@@ -14,6 +14,8 @@ const config: KnipConfig = {
     },
     // The contract test finds them by the folder they lie in.
     'packages/learning': { entry: ['*/testing/example.ts'] },
+    // A process of its own, and a function of a test.
+    'packages/programs': { entry: ['python/testing/worker.ts'] },
     benchmarks: { entry: ['*.bench.ts'] },
     e2e: { entry: ['saved-work.ts', 'tests/**/*.{spec,touch}.ts', 'walk/*.walk.ts'] },
   },

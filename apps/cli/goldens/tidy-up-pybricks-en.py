@@ -49,10 +49,6 @@ def distance_to(reading, centre):
     return sqrt(sum([pow(a - b, 2) for a, b in zip(reading, centre)]))
 
 
-def nearest(reading, centres):
-    return min([distance_to(reading, centre) for centre in centres])
-
-
 def group_of(reading, centres):
     away = [distance_to(reading, centre) for centre in centres]
     return away.index(min(away)) + 1
@@ -62,17 +58,44 @@ def middle_of(readings):
     return [sum(parts) / len(readings) for parts in zip(*readings)]
 
 
-def find_groups(readings, count):
-    # k-means: middles move to their groups.
-    centres = [readings[0]]
-    while len(centres) < count:
-        centres.append(max(readings, key=lambda one: nearest(one, centres)))
+def moved(centres, readings):
     for _ in range(20):
         groups = [group_of(one, centres) for one in readings]
         for k in range(len(centres)):
             own = [one for one, group in zip(readings, groups) if group == k + 1]
             centres[k] = middle_of(own) if own else centres[k]
     return centres
+
+
+def nearest(reading, centres):
+    return min([distance_to(reading, centre) for centre in centres])
+
+
+def spread(readings, first, count):
+    centres = [first]
+    while len(centres) < count:
+        centres.append(max(readings, key=lambda one: nearest(one, centres)))
+    return centres
+
+
+def error_of(readings, centres):
+    return sum([pow(nearest(one, centres), 2) for one in readings])
+
+
+def find_groups(readings, count):
+    # k-means: middles move to their groups.
+    best = None
+    for first in readings[:10]:
+        centres = moved(spread(readings, first, count), readings)
+        error = error_of(readings, centres)
+        if best is None or error < best[0]:
+            best = (error, centres)
+    met = []
+    for one in readings:
+        centre = best[1][group_of(one, best[1]) - 1]
+        if centre not in met:
+            met.append(centre)
+    return met
 
 
 def drive(left, right):

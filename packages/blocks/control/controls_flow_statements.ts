@@ -23,8 +23,9 @@ export const controls_flow_statements: Definition = {
   acts: false,
   run: (block) => (field(block, 'FLOW', 'BREAK') === 'CONTINUE' ? pass : loop),
   python: (py) => {
+    const endings = py.endings()
     if (py.field('FLOW', 'BREAK') !== 'CONTINUE') return py.line('break')
-    for (const line of py.endings()) py.line(line)
+    for (const line of endings) py.line(line)
     py.line('continue')
   },
   example: [start, forever(show(number(1)), { type, fields: { FLOW: 'BREAK' } }), show(number(2))],

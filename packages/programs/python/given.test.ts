@@ -1,0 +1,46 @@
+import { addBlocks } from '@botgarten/blocks'
+import { expert } from '@botgarten/blocks/packs/expert'
+import { learning } from '@botgarten/blocks/packs/learning'
+import { cardConfig } from '@botgarten/simulation'
+import { describe, expect, it } from 'vitest'
+import { readOpenRoberta } from '../open-roberta/index.ts'
+import { givenFiles } from '../testing/mutations.ts'
+import { dialects, pythonFrom } from './index.ts'
+import { interpreted, someBrains } from './testing/interpreted.ts'
+import { tracesOf } from './testing/traces.ts'
+
+addBlocks(expert)
+addBlocks(learning)
+
+const programs = Object.values(givenFiles()).map(readOpenRoberta)
+const ours = programs.map((program) => interpreted(program, someBrains(program)))
+
+/** Those that come to their end as blocks: others stop for a reason that semantics.md names. */
+const ending = programs.flatMap((program, k) => {
+  const run = ours[k]!
+  return run.problem === null && !run.cut && run.held + run.failed.length > 0 ? [{ program, run }] : []
+})
+
+describe.each(dialects)('the given programs as Python for %s', (dialect) => {
+  it('hold the assertions that their blocks hold', { timeout: 60_000 }, async () => {
+    const texts = ending.map(
+      ({ program }) =>
+        pythonFrom(
+          { name: 'given', program, config: cardConfig, brains: someBrains(program), dialect },
+          (key) => key,
+        ).text,
+    )
+    const traces = await tracesOf(texts)
+    const said = traces.map(
+      (trace) => trace?.printed.filter((line) => / (holds|does not hold)$/.test(line)) ?? [],
+    )
+    const failed = said.map((lines) =>
+      lines
+        .filter((line) => line.endsWith('does not hold'))
+        .map((line) => line.replace(/ does not hold$/, '')),
+    )
+    expect(failed).toEqual(ending.map(({ run }) => run.failed))
+    expect(said.map((lines) => lines.length)).toEqual(ending.map(({ run }) => run.held + run.failed.length))
+    expect(ending.reduce((sum, { run }) => sum + run.held, 0)).toBeGreaterThan(100)
+  })
+})

@@ -1,0 +1,5 @@
+import brick
+
+
+def sleep(secs):
+    brick.wait(secs * 1000)
