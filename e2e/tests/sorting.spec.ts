@@ -164,6 +164,10 @@ for (const language of languagesOf(import.meta.filename)) {
         game.getByRole('button', { name: sorting.word(key), exact: true }).click()
       await press('feature.height')
       await press('guess.sort')
+      // Round by round, until the other child is asked.
+      await expect(game.getByText(sorting.word('guess.watch'))).toBeVisible()
+      const asked = game.getByText(sorting.word('guess.second'))
+      while (!(await asked.isVisible())) await press('guess.next')
       await press('feature.colour')
       await press('guess.check')
       await expect(game.getByText(sorting.word('guess.wrong', { found: 0, of: 1 }))).toBeVisible()

@@ -3,6 +3,7 @@ import { loadWorld } from '#content/cards.ts'
 import { createRover, type Rover } from './model/rover.ts'
 
 export { linksFor, openForSorting } from './links.ts'
+export { default as Collected } from './view/Collected.svelte'
 export { default as Ground } from './view/Floor.svelte'
 
 /** Bo on the floor of coloured tiles. */

@@ -1,6 +1,6 @@
 import { describe, expect, test } from 'vitest'
 import { sets, setOf } from '#figures/things/sets.ts'
-import { groupsBy, judge } from './guessing.ts'
+import { groupsBy, judge, roundsOf } from './guessing.ts'
 
 const vessels = setOf('vessels')
 
@@ -10,6 +10,16 @@ describe('guess the criterion', () => {
       const groups = groupsBy(set, [id], 3)
       expect(groups.flat().toSorted((a, b) => a - b)).toEqual(set.things.map((_, thing) => thing))
     }
+  })
+
+  test('the sorting is shown round by round: everything is in a group in each, and the last is what comes out', () => {
+    for (const set of sets)
+      for (const { id } of set.features) {
+        const rounds = roundsOf(set, [id], 3)
+        expect(rounds.at(-1)).toEqual(groupsBy(set, [id], 3))
+        for (const round of rounds)
+          expect(round.flat().toSorted((a, b) => a - b)).toEqual(set.things.map((_, thing) => thing))
+      }
   })
 
   test('the criterion itself is right, in any order', () => {

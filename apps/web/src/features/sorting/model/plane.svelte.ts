@@ -1,6 +1,7 @@
 import { distancesOf } from '@botgarten/learning/k-means'
 import type { Playground } from './playground.svelte.ts'
 import { apart, fieldIn, spotOf, under, type Room, type Spot } from './geometry.ts'
+import { centreOn, flagsOn, isOnTrays, spotsOn, traysIn } from './trays.ts'
 import { pointsIn } from './work.ts'
 
 /** What a tap on the plane does to points. */
@@ -45,13 +46,18 @@ export class PlaneView {
   readonly #labels = $derived.by(() => this.playground.work.state?.labels ?? [])
   readonly #fills = $derived.by(() => (this.#source === 'readings' ? this.#table.rows.map(colourOf) : null))
   readonly field = $derived.by(() => fieldIn(this.room))
+  /** Where one feature of words is all that counts; null: there are axes. */
+  readonly trays = $derived.by(() =>
+    isOnTrays(this.playground.work) ? traysIn(this.field, this.#table.columns.length) : null,
+  )
   readonly spots = $derived.by(() => {
+    if (this.trays) return spotsOn(this.trays, this.#table.rows, leastApart)
     const places = this.#table.rows.map((row) => spotOf(this.field, row, this.#axes))
     return this.isThings
       ? apart(places, Math.min(54, Math.max(leastApart, this.room.width / 12)), this.field)
       : places
   })
-  readonly flags = $derived.by(() => this.#centres.map((centre) => spotOf(this.field, centre, this.#axes)))
+  readonly flags = $derived.by(() => this.#flagsOf(this.#centres))
   /** From what is touched to every flag. */
   readonly distances = $derived.by(() => {
     const { touched, work } = this.playground
@@ -111,8 +117,9 @@ export class PlaneView {
   readonly old = $derived.by(() => {
     const { before } = this.playground
     if (this.held !== null || before?.state?.centres.length !== this.flags.length) return []
+    const from = this.#flagsOf(before.state.centres)
     return before.state.centres
-      .map((centre, flag) => ({ flag, from: spotOf(this.field, centre, this.#axes), to: this.flags[flag]! }))
+      .map((_, flag) => ({ flag, from: from[flag]!, to: this.flags[flag]! }))
       .filter(({ from, to }) => Math.hypot(to.x - from.x, to.y - from.y) > 14)
   })
 
@@ -139,7 +146,17 @@ export class PlaneView {
     this.#put(flag, x + right, y + down, false)
   }
 
+  #flagsOf(centres: readonly (readonly number[])[]): readonly Spot[] {
+    if (this.trays) return flagsOn(this.trays, centres)
+    return centres.map((centre) => spotOf(this.field, centre, this.#axes))
+  }
+
   #put(flag: number, x: number, y: number, live: boolean): void {
+    const { trays } = this
+    if (trays) {
+      const { scale } = this.#table.columns[0]!
+      return this.playground.placeFlag(flag, centreOn(trays, x, scale), live)
+    }
     const [right, up] = this.#axes
     const centre = this.#centres[flag]!.map((value, column) =>
       column === right ? this.field.valueX(x) : column === up ? this.field.valueY(y) : value,
