@@ -96,6 +96,13 @@ export class Child {
     await expect(this.button('lab.stop').first()).toBeVisible()
   }
 
+  /** Takes one step of this kind: it is chosen in the menu first. */
+  async steps(kind: 'stepBlock' | 'stepNetwork' | 'stepWorld') {
+    await this.presses('lab.stepOf')
+    await this.page.locator('.menu .entry', { hasText: this.word(`lab.${kind}`) }).click()
+    await this.presses(`lab.${kind}`)
+  }
+
   async pressesStop() {
     await this.presses('lab.stop')
     await expect(this.button('lab.start').first()).toBeVisible()

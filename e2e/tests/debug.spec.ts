@@ -63,6 +63,7 @@ for (const language of languagesOf(import.meta.filename)) {
       await child.button('lab.closely').focus()
       await page.keyboard.press('Enter')
       const next = child.button('lab.stepBlock').first()
+      await expect(next).toBeVisible()
       await next.focus()
       for (const key of ['Enter', 'Enter']) await page.keyboard.press(key)
       await expect(page.locator('.editor-lit')).toHaveCount(1)

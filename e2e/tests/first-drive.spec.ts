@@ -59,7 +59,7 @@ for (const language of languagesOf(import.meta.filename)) {
       await child.seesCheck('stop', 'neverTouches')
       await child.seesCheck('stop', 'stays')
       await child.presses('lab.successStart', { number: 2 })
-      await child.pressesStart()
+      await child.seesCheck('stop', 'stays', false)
       await child.seesCheck('stop', 'stays')
     })
 

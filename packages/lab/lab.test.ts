@@ -178,6 +178,21 @@ describe('a lab', () => {
     expect(robotIn(lab).pose.heading).not.toBeCloseTo(90, 0)
   })
 
+  it('rule 9: on a card a robot whose blocks are edited while it runs begins again at its start', () => {
+    const lab = labWith(program(forever(drive('a', 50, 1))))
+    const start = robotIn(lab).pose
+    lab.start()
+    lab.advance(120)
+    expect(robotIn(lab).pose).not.toEqual(start)
+    lab.edit({ main: program(forever(turn('b', 50, 1))) }, true)
+    expect(lab.view()).toMatchObject({ phase: 'running', tick: 0 })
+    expect(robotIn(lab).pose).toEqual(start)
+    lab.stop()
+    lab.advance(1)
+    lab.edit({ main: program(forever(drive('c', 50, 1))) }, true)
+    expect(robotIn(lab).pose).toEqual(start)
+  })
+
   it('blocks that are only laid out differently change nothing of the run', () => {
     const main = program(forever(bothEyes))
     const lab = taught(labWith(main))

@@ -77,11 +77,25 @@ class OneLab implements Lab {
     this.#keysAsHeld()
   }
 
-  edit(programs: Document['programs']): void {
+  edit(programs: Document['programs'], fromStart = false): void {
     const moved = sameBlocks(programs, this.#document.programs)
     if (!moved) this.#run.toNow()
+    const before = this.#document.programs
     this.#document = { ...this.#document, programs, brains: brainsFor(programs, this.#document.brains) }
-    if (!moved) this.#begin()
+    if (moved) return
+    if (fromStart && this.#isOn) this.#toStart(before)
+    this.#begin()
+  }
+
+  /** Whose blocks are others now stands where it started. */
+  #toStart(before: Document['programs']): void {
+    const { programs, world } = this.#document
+    world.robots.forEach(({ id, pose, program }, index) => {
+      const [was, now] = [before[program], programs[program]]
+      if (was && now && sameBlocks({ main: was }, { main: now })) return
+      freshRobot(this.#simulation.state.robots[index]!)
+      this.#simulation.place(id, pose)
+    })
   }
 
   rebuild(document: Document, floor: Floor = this.#floor, stood?: { readonly [id: string]: Pose }): void {

@@ -158,8 +158,11 @@ export interface Lab {
     floor: Floor,
     options: { readonly seed: number; readonly checks: readonly Check[] },
   ): void
-  /** Blocks were edited: brains follow them. While it runs, programs begin again where the robots stand (running.md 9). */
-  edit(programs: Document['programs']): void
+  /**
+   * Blocks were edited: brains follow them. While it runs, programs begin again where the robots stand; with `fromStart` a robot
+   * whose own blocks were edited begins at its start pose (running.md 9).
+   */
+  edit(programs: Document['programs'], fromStart?: boolean): void
   /**
    * Takes another document up without beginning again: what is in both goes on from where it stands, what is new or has
    * another start pose stands there (or at the nearest free place). The way back in time ends here.

@@ -15,6 +15,8 @@ export class LastRun {
   #missed = $state.raw<Missing | null>(null)
   #phase: Phase = 'ready'
   #changed = false
+  /** Ids of goals that were reached from this place, in whatever run. */
+  #earned = $state.raw<readonly string[]>([])
   #tried = $state(false)
 
   constructor(session: LabSession) {
@@ -22,6 +24,19 @@ export class LastRun {
     session.listen((event) => this.#hear(event))
   }
 
+  get earned() {
+    return this.#earned
+  }
+  /** @param green ids of the goals that are reached now */
+  earns(green: readonly string[]): void {
+    const all = new Set([...this.#earned, ...green])
+    if (all.size > this.#earned.length) this.#earned = [...all]
+  }
+  /** Another place is another task. */
+  forget(): void {
+    this.#missed = null
+    this.#earned = []
+  }
   get missed() {
     return this.#missed
   }

@@ -151,7 +151,7 @@ export class RunningLab {
   setWeight = (brain: string, from: string, to: string, weight: number, set = '') =>
     this.#then(() => this.#lab.setWeight(brain, from, to, weight, set))
   setBrain = (id: string, brain: Brain) => this.#then(() => this.#lab.setBrain(id, brain))
-  edit = (programs: { readonly [id: string]: Program }) => this.#then(() => this.#lab.edit(programs))
+  edit = (...what: Parameters<Lab['edit']>) => this.#then(() => this.#lab.edit(...what))
 
   #then<Result>(verb: () => Result): Result {
     const result = verb()

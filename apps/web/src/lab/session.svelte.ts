@@ -144,8 +144,9 @@ export class LabSession {
     const { document } = lab
     switch (change.kind) {
       case 'program':
-        lab.edit({ ...document.programs, [change.program]: change.after })
-        // Other blocks are another run, from where Bo stands now.
+        // On a card Bo begins again; a project of one's own goes on from where everything stands (running.md 9).
+        lab.edit({ ...document.programs, [change.program]: change.after }, this.opened.card !== null)
+        // Other blocks are another run.
         if (lab.view.tick === 0) this.#progress.begin(lab.view.robots[0]?.pose)
         return change
       case 'blocks': {

@@ -13,6 +13,12 @@ import { Loudspeaker } from './sound.svelte.ts'
 /** What is said at the foot of the world, as `session.<notice>`. */
 export type Notice = 'away' | 'bumped' | 'elsewhere' | 'floorMissing'
 
+/** Milliseconds in which a short note is read. */
+const readable = 4000
+
+/** Simulated seconds a real second, from the second place on. */
+const furtherPlaces = 4
+
 /** What is said in a dialog: keys of words, so that it follows the language. */
 export interface Message {
   readonly title: string
@@ -37,11 +43,16 @@ export class LabUi {
   /** Has this run succeeded before? */
   #succeeded = false
   readonly #last: LastRun
+  /** The speed that was chosen, while further places run quicker. */
+  #ownSpeed: number | null = null
+  #over: ReturnType<typeof setTimeout> | undefined
   #settings = $state.raw(readSetting<Settings>('settings', { rays: true, trail: true }))
   #sizes = $state.raw(readSetting<PaneSizes>('sizes', {}))
   /** Which pane is on the screen where there is room for one, and which one fills it. */
   page = $state<PaneName>('world')
   filled = $state<PaneName | null>(null)
+  /** The pane that a hand has touched last: the step is of it. */
+  touched = $state<PaneName | null>(null)
   cardOpen = $state(false)
   hintOpen = $state(false)
   notice = $state.raw<Notice | null>(null)
@@ -74,6 +85,10 @@ export class LabUi {
   get tried() {
     return this.#last.tried
   }
+  /** Goals that were reached from this place in some run, by id. */
+  get earned() {
+    return this.#last.earned
+  }
   closeMissed(): void {
     this.#last.close()
   }
@@ -97,7 +112,7 @@ export class LabUi {
     const { lab, autosave, opened } = this.#session
     const stopFrames = lab.run()
     const stopWatching = $effect.root(() => {
-      const { phase, heard, problem, succeeded, touching } = $derived(lab.facts)
+      const { phase, heard, problem, succeeded, touching, green } = $derived(lab.facts)
       $effect(() => this.speaker.play(phase === 'running' ? heard : null))
       $effect(() => {
         const failure = problem
@@ -108,11 +123,21 @@ export class LabUi {
         untrack(() => this.#last.turns(now))
       })
       $effect(() => {
+        const ids = green.split(' ').filter(Boolean)
+        untrack(() => this.#last.earns(ids))
+      })
+      $effect(() => {
         if (succeeded) untrack(() => this.#succeed())
       })
       $effect(() => {
         // In the free lab pushing is no mistake.
-        if (opened.card !== null && phase === 'running' && touching) this.notice = 'bumped'
+        if (opened.card === null || phase !== 'running') return
+        if (touching) this.notice = 'bumped'
+        else untrack(() => this.#soonOver())
+      })
+      $effect(() => {
+        // Who looks again goes on; who edits has another run.
+        if (phase === 'running' && untrack(() => this.notice) === 'away') this.notice = null
       })
     })
     const away = () => this.#turnedAway()
@@ -122,11 +147,19 @@ export class LabUi {
     return () => {
       document.removeEventListener('visibilitychange', away)
       window.removeEventListener('keydown', press)
+      clearTimeout(this.#over)
       stopWatching()
       stopFrames()
       this.speaker.close()
       autosave.close()
     }
+  }
+
+  /** Bo is free again: that it bumped can still be read for a while. */
+  #soonOver(): void {
+    if (this.notice !== 'bumped') return
+    clearTimeout(this.#over)
+    this.#over = setTimeout(() => this.notice === 'bumped' && (this.notice = null), readable)
   }
 
   #press(event: KeyboardEvent): void {
@@ -165,10 +198,27 @@ export class LabUi {
     this.#success = null
   }
 
+  /** Goes on from the next place at once; who has shown it once need not watch it in real time. */
+  startNext(index: number): void {
+    const { lab } = this.#session
+    this.chooseStart(index)
+    if (lab.speed < furtherPlaces) [this.#ownSpeed, lab.speed] = [lab.speed, furtherPlaces]
+    this.speaker.wake()
+    void told().then(() => this.#begin())
+  }
+
+  /** A run that begins by itself has the speed that was chosen. */
+  #slowDown(): void {
+    const { lab } = this.#session
+    if (this.#ownSpeed !== null && lab.speed === furtherPlaces) lab.speed = this.#ownSpeed
+    this.#ownSpeed = null
+  }
+
   /** Starts the program as the hand has left it: blocks that it has just joined run with it. */
   start(): void {
     // Browsers let a page sound only while a press is being answered.
     this.speaker.wake()
+    this.#slowDown()
     void told().then(() => this.#begin())
   }
 
@@ -183,6 +233,8 @@ export class LabUi {
   /** Puts Bo on one of the card's start poses: what was said about the run before is over. */
   chooseStart(index: number): void {
     this.notice = null
+    this.#success = null
+    this.#last.forget()
     this.#session.chooseStart(index)
   }
 

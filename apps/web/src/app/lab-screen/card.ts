@@ -9,6 +9,8 @@ export interface Goal {
   /** A word or two: "comes near". */
   readonly label: string
   readonly passed: boolean
+  /** It was passed in a run before this one. */
+  readonly earned: boolean
 }
 
 interface Task {
@@ -26,14 +28,15 @@ export type NextStep =
   | { readonly kind: 'card'; readonly href: string; readonly name: string }
   | { readonly kind: 'none' }
 
-/** What is to be done, and which checks are green. */
-export function taskOf(card: LoadedCard | null, green: readonly string[]): Task {
+/** What is to be done, which checks are green, and which ones were in a run before. */
+export function taskOf(card: LoadedCard | null, green: readonly string[], earned: readonly string[]): Task {
   if (!card) return { title: m['session.freeCall'](), sentence: m['session.freeSentence'](), goals: [] }
   const { goal, checks } = textOf(card)
   const goals = card.card.checks.map(({ id }) => ({
     id,
     label: checks[id] ?? id,
     passed: green.includes(id),
+    earned: earned.includes(id),
   }))
   return { title: goal.call, sentence: goal.sentence, goals }
 }

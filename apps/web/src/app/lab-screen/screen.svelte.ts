@@ -11,6 +11,7 @@ import { Guide, sightOf } from '#features/tour/feature.ts'
 import { BuildMode, world } from '#features/world/feature.ts'
 import { Highlight } from '#figures/highlight.svelte.ts'
 import type { Opened } from '#lab/opening.ts'
+import type { PaneName } from '#lab/panes.ts'
 import { LabSession } from '#lab/session.svelte.ts'
 import { TimeMachine } from '#lab/time.svelte.ts'
 import { LabUi } from '#lab/ui.svelte.ts'
@@ -93,6 +94,12 @@ export class LabScreenState {
   readonly weights = $derived.by(() => (this.net ? this.session.weights.shown(this.net.id) : {}))
   /** Is there a network that runs, to reset and step? */
   readonly hasNetwork = $derived.by(() => this.net?.idle === null)
+  /** The pane whose step the step button takes: the one that was touched last. */
+  readonly stepPane = $derived.by<PaneName>(() => {
+    const { touched } = this.ui
+    if (touched !== null && (touched !== 'network' || this.hasNetwork)) return touched
+    return this.hasNetwork ? 'network' : 'program'
+  })
   /** The network that is shown does not run: Start is not what comes next. */
   readonly loose = $derived.by(() => this.net !== null && this.net.idle !== null && this.held === null)
   /** A card without a network has no pane for one. */
@@ -117,7 +124,7 @@ export class LabScreenState {
   }
 
   /** What is to be done, and which goals are reached. */
-  readonly task = $derived.by(() => taskOf(this.card, this.#facts.green.split(' ')))
+  readonly task = $derived.by(() => taskOf(this.card, this.#facts.green.split(' '), this.ui.earned))
   /** All hints of the card, and how many the child has asked for; null where there are none. */
   readonly hints = $derived.by(() =>
     this.card ? { list: textOf(this.card).hints, shown: this.session.progress.hints } : null,

@@ -20,21 +20,30 @@ export function listen(workspace: Blockly.WorkspaceSvg, reports: Reports, emit: 
   const follow = followNeurons(workspace, () => workspace.isDragging())
   let group: string | null = null
   let waiting: ReturnType<typeof setTimeout> | undefined
+  /** A block in the hand has changed something: that is told once it is put down. */
+  let inHand = false
+
+  const soon = () => {
+    waiting ??= setTimeout(() => {
+      waiting = undefined
+      inHand = workspace.isDragging()
+      if (!inHand) emit()
+    }, settle)
+  }
 
   const hear = (event: Blockly.Events.Abstract) => {
     if (event instanceof Blockly.Events.Selected) reports.select(event.newElementId ?? null)
     follow(event)
-    if (event.isUiEvent) return
+    if (event instanceof Blockly.Events.BlockDrag && event.isStart === false && inHand) soon()
+    // What is still being typed is no number yet.
+    if (event.isUiEvent || event.type === Blockly.Events.BLOCK_FIELD_INTERMEDIATE_CHANGE) return
     if (event.recordUndo && (event.group === '' || event.group !== group)) {
       group = event.group
       reports.undoStep()
     }
     const copies = copiesIn(event)
     if (copies.length > 0) reports.copied(copies)
-    waiting ??= setTimeout(() => {
-      waiting = undefined
-      emit()
-    }, settle)
+    soon()
   }
 
   workspace.addChangeListener(hear)
