@@ -14,5 +14,5 @@ const names: { readonly [look: string]: () => string } = {
 }
 
 /** What a child calls an obstacle that looks like this; one without a look by its shape. */
-export const thingName = ({ look, shape }: Obstacle): string =>
+export const thingName = ({ look, shape }: Pick<Obstacle, 'look' | 'shape'>): string =>
   (names[look ?? ''] ?? names[shape.kind] ?? m['world.thing.plain'])()

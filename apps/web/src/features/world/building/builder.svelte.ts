@@ -16,6 +16,7 @@ import {
 import { freshId, itemOf, moved, poseOf, put, wallBetween, withItem, without } from './edits.ts'
 import type { Item, Kind } from './edits.ts'
 import { Floors } from '#lab/floor/floors.ts'
+import { shapeOfLook, type Look } from './looks.ts'
 import Over from './Over.svelte'
 import Palette from './Palette.svelte'
 import Properties from './Properties.svelte'
@@ -146,6 +147,13 @@ export class Builder implements Workshop {
     const placed = { id, shape, pose: { ...this.#spot(kind), heading: 0 }, colour: colours[kind] }
     if (kind === 'areas') this.add({ kind, thing: placed satisfies Area })
     else this.add({ kind, thing: { ...placed, fixed: true } satisfies Obstacle })
+  }
+
+  /** A thing that looks like something, as large as such a thing is. */
+  addLook(look: Look): void {
+    const id = freshId(this.world, 'obstacles')
+    const pose = { ...this.#spot('obstacles'), heading: 0 }
+    this.add({ kind: 'obstacles', thing: { id, pose, ...shapeOfLook(look) } })
   }
 
   /** A pen is taken up or put away; from the keyboard it leaves a line of 1 m at once. */
