@@ -29,8 +29,8 @@ export class LastRun {
   }
   /** @param green ids of the goals that are reached now */
   earns(green: readonly string[]): void {
-    const all = new Set([...this.#earned, ...green])
-    if (all.size > this.#earned.length) this.#earned = [...all]
+    const more = green.filter((id) => !this.#earned.includes(id))
+    if (more.length > 0) this.#earned = [...this.#earned, ...more]
   }
   /** Another place is another task. */
   forget(): void {

@@ -9,7 +9,6 @@ import {
   type View,
 } from '@botgarten/lab'
 import type { Brain } from '@botgarten/learning/neural-network'
-import type { Program } from '@botgarten/programs'
 import type { Floor, RobotKey } from '@botgarten/simulation'
 import { factsOf, renewed, type Facts } from './facts.ts'
 

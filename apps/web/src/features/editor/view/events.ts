@@ -36,7 +36,7 @@ export function listen(workspace: Blockly.WorkspaceSvg, reports: Reports, emit: 
     follow(event)
     if (event instanceof Blockly.Events.BlockDrag && event.isStart === false && inHand) soon()
     // What is still being typed is no number yet.
-    if (event.isUiEvent || event.type === Blockly.Events.BLOCK_FIELD_INTERMEDIATE_CHANGE) return
+    if (event.isUiEvent || event instanceof Blockly.Events.BlockFieldIntermediateChange) return
     if (event.recordUndo && (event.group === '' || event.group !== group)) {
       group = event.group
       reports.undoStep()
