@@ -90,6 +90,7 @@ describe('botgarten cards', () => {
       'all-the-same',
       'if-then',
       'either-or',
+      'mars',
       'railway',
       'forest',
       'city',
@@ -100,7 +101,7 @@ describe('botgarten cards', () => {
 
   it('lists them for people, a line each', async () => {
     expect((await botgarten('cards')).stdout).toMatch(
-      /\nfriendship .*Friendship \/ Freundschaft\nfear .*\ninterest .*\nrally .*\ncrossed-wires .*\nlost-links .*\nall-the-same .*\nif-then .*\neither-or .*\nrailway .*Railway \/ Eisenbahn\n/,
+      /\nfriendship .*Friendship \/ Freundschaft\nfear .*\ninterest .*\nrally .*\ncrossed-wires .*\nlost-links .*\nall-the-same .*\nif-then .*\neither-or .*\nmars .*\nrailway .*Railway \/ Eisenbahn\n/,
     )
   })
 })

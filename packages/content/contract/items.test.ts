@@ -57,7 +57,7 @@ describe.each(content.items)('the item $kind/$id', (item) => {
   it('sets the task of a map as its card does', () => {
     for (const embed of embedsOf(texts[0]!)) {
       if (embed.kind !== 'map' || embed.start === undefined) continue
-      const { start, goal, closed } = embed
+      const { start, goal, closed = [] } = embed
       expect({ start, goal, closed }).toEqual(tasks.get(embed.id))
     }
   })
