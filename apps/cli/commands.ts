@@ -3,6 +3,8 @@ import { convert } from './convert.ts'
 import { kMeans } from './kmeans.ts'
 import { q } from './learn.ts'
 import type { Options } from './options.ts'
+import { examples } from './net/examples.ts'
+import { net } from './net/learn-net.ts'
 import { run } from './run.ts'
 import { sweep } from './sweep/sweep.ts'
 import { thesis } from './sweep/thesis.ts'
@@ -20,7 +22,14 @@ export type Commands = { readonly [name: string]: (() => Command | Promise<Comma
 export const commands: Commands = {
   run: () => run,
   cards: () => cards,
-  learn: { q: () => q, 'q-sweep': () => sweep, 'q-thesis': () => thesis, kmeans: () => kMeans },
+  learn: {
+    q: () => q,
+    net: () => net,
+    'q-sweep': () => sweep,
+    'q-thesis': () => thesis,
+    kmeans: () => kMeans,
+  },
+  examples: () => examples,
   convert: () => convert,
   // Loaded when it is asked for: it alone needs a browser.
   print: async () => (await import('./print/print.ts')).print,

@@ -52,7 +52,6 @@ test.each(learnerFolders())('%s has a model.md, a test, an example and an index'
 test('a folder without them is not taken for a learner: each is named', () => {
   const root = mkdtempSync(join(tmpdir(), 'learning-'))
   mkdirSync(join(root, 'guessing'))
-  mkdirSync(join(root, 'neural-network'))
   expect(learnerFolders(root)).toEqual(['guessing'])
   expect(missingIn('guessing', root)).toEqual(['index.ts', 'model.md', 'testing/example.ts', 'a test'])
   writeFileSync(join(root, 'guessing/guessing.test.ts'), '')

@@ -12,3 +12,4 @@ export {
   withWeights,
 } from './edit.ts'
 export { pruneWeights, withActivation } from './keep.ts'
+export { net as learner } from './train/learner.ts'

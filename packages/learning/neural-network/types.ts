@@ -1,3 +1,7 @@
+import type { Examples } from './examples/types.ts'
+import type { CurvePoint } from './train/practise.ts'
+import type { Settings } from './train/types.ts'
+
 /** One neuron. Its `id` is the id of the block it stands for, so that links keep their weights while blocks are edited. */
 export interface Neuron {
   readonly id: string
@@ -26,6 +30,24 @@ export interface Brain {
   readonly weights: Weights
   /** Named weight sets of the same network. */
   readonly sets: { readonly [name: string]: Weights }
+  /** What it was shown. */
+  readonly examples?: Examples
+  readonly practice?: PracticeNote
+}
+
+/** How it practised last: from start, examples and seed it practises again, the same every time. */
+export interface PracticeNote {
+  readonly seed: number
+  readonly start: Weights
+  readonly settings: Settings & {
+    readonly keepBack: number
+    readonly from: 'knobs' | 'zero'
+    readonly mirror: boolean
+  }
+  readonly round: number
+  readonly curve: readonly CurvePoint[]
+  /** Rounds to go back to. */
+  readonly marks: readonly number[]
 }
 
 /** How one output came about: a term a link, `product = input × weight`. */

@@ -4,11 +4,6 @@ import type { AnyLearner } from '../learner.ts'
 
 const root = join(import.meta.dirname, '..')
 
-/** Folders of this package that need not be a Learner, each with its reason. This is the only place that says so. */
-const exempt: { readonly [folder: string]: string } = {
-  'neural-network': 'It computes and explains, and learns nothing yet: it joins when it trains.',
-}
-
 /** A short run that every learner has, so that what holds for all of them can be tried on it. */
 export interface Example {
   readonly parameters: object
@@ -20,10 +15,7 @@ export interface Example {
 /** Every folder that has to be a learner. */
 export const learnerFolders = (from = root): string[] =>
   readdirSync(from).filter(
-    (name) =>
-      !['testing', 'node_modules'].includes(name) &&
-      !Object.hasOwn(exempt, name) &&
-      statSync(join(from, name)).isDirectory(),
+    (name) => !['testing', 'node_modules'].includes(name) && statSync(join(from, name)).isDirectory(),
   )
 
 /** The files that a learner's folder lacks. */

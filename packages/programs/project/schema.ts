@@ -3,16 +3,19 @@ import { activations, type Brain } from '@botgarten/learning/neural-network'
 import type { Learned, Project } from '../types.ts'
 import { finite, idSchema, programSchema, recordOf, textSchema } from './schema-program.ts'
 import { assetsSchema } from './schema-assets.ts'
+import { examplesSchema, practiceSchema } from './schema-examples.ts'
 import { worldSchema } from './schema-world.ts'
 
 const weights = recordOf(recordOf(finite))
 const neuron = v.object({ id: idSchema, activation: v.picklist(activations), bias: finite })
 
-export const brainSchema: v.GenericSchema<Brain> = v.object({
+export const brainSchema: v.GenericSchema<unknown, Brain> = v.object({
   kind: v.literal('network'),
   layers: v.array(v.array(neuron)),
   weights,
   sets: recordOf(weights),
+  examples: v.exactOptional(examplesSchema),
+  practice: v.exactOptional(practiceSchema),
 })
 
 const whole = v.pipe(v.number(), v.integer(), v.minValue(0), v.maxValue(1_000_000))

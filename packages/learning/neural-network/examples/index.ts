@@ -1,0 +1,5 @@
+export { headOfRow, mostOf, place, shownBy } from './types.ts'
+export type { Drive, Examples, Row, ShownBy } from './types.ts'
+export { noExamples, shownPairs, withDrive, type Recorded, type ShownPair } from './rows.ts'
+export { beginExercise, prepare, type Exercise, type Prepared } from './prepare.ts'
+export { findingsIn, type ExampleFinding, type Table } from './checks/index.ts'
