@@ -16,6 +16,10 @@ const unequalMath =
 // Only @botgarten/content reads what lies in content/; words have readers of their own.
 const contentFolders =
   '/(?<!#|botgarten\\u002F)content\\u002F(cards|free-lab|maps|materials|things|worlds)(\\u002F|$)/'
+const inStores = ['selectFrom', 'insertInto', 'updateTable', 'deleteFrom'].map((name) => ({
+  selector: `CallExpression[callee.property.name='${name}']`,
+  message: 'Queries stand in the store of their concern (…-store.ts).',
+}))
 const ofContent = [`Literal[value=${contentFolders}]`, `TemplateElement[value.raw=${contentFolders}]`].map(
   (selector) => ({ selector, message: 'Ask for it at @botgarten/content.' }),
 )
@@ -73,5 +77,10 @@ export default ts.config(
         ...ofContent,
       ],
     },
+  },
+  {
+    files: ['packages/classroom/**/*.ts'],
+    ignores: ['**/*-store.ts', '**/database/**', '**/*.test.ts', '**/testing/**'],
+    rules: { 'no-restricted-syntax': ['error', ...inStores, ...ofContent] },
   },
 )

@@ -1,0 +1,15 @@
+import type { Kysely, Transaction } from 'kysely'
+import type { Tables } from './tables.ts'
+
+export type Kind = 'sqlite' | 'postgres'
+
+export interface Database {
+  readonly kind: Kind
+  readonly db: Kysely<Tables>
+  /** Copies the whole database into a file while it is in use; null where its own tools do that (pg_dump). */
+  readonly backup: ((file: string) => Promise<void>) | null
+  close(): Promise<void>
+}
+
+/** A connection or a transaction of it. */
+export type Db = Kysely<Tables> | Transaction<Tables>

@@ -1,0 +1,23 @@
+import { Migrator } from 'kysely'
+import type { Database } from './database.ts'
+import { first } from './first.ts'
+
+const migrations = ({ kind }: Database) => ({ '2026-11-first': first(kind) })
+
+const migrator = (database: Database) =>
+  new Migrator({
+    db: database.db,
+    provider: { getMigrations: () => Promise.resolve(migrations(database)) },
+  })
+
+/** Are there steps that this database has not taken? Then a copy is made first. */
+export async function needsMigration(database: Database): Promise<boolean> {
+  const steps = await migrator(database).getMigrations()
+  return steps.some(({ executedAt }) => executedAt === undefined)
+}
+
+/** Takes the steps that are missing, forward only, under the migrator's lock. @throws the error of the step that failed */
+export async function migrate(database: Database): Promise<void> {
+  const { error } = await migrator(database).migrateToLatest()
+  if (error !== undefined) throw error instanceof Error ? error : new Error('A migration failed.')
+}

@@ -1,0 +1,52 @@
+import SqliteFile from 'better-sqlite3'
+import { Kysely, SqliteDialect, type Driver } from 'kysely'
+import type { Database } from './database.ts'
+import type { Tables } from './tables.ts'
+
+/** How long a statement waits while another process holds the file, ms. It stops everything else in this process. */
+const busyTimeout = 1000
+
+/** SQLite rolls back by itself when the disk is full: rolling back again would hide that error behind another one. */
+class Dialect extends SqliteDialect {
+  private readonly file: SqliteFile.Database
+
+  constructor(file: SqliteFile.Database) {
+    super({ database: file })
+    this.file = file
+  }
+
+  override createDriver(): Driver {
+    const driver = super.createDriver()
+    const rollback = driver.rollbackTransaction.bind(driver)
+    driver.rollbackTransaction = (connection) =>
+      this.file.inTransaction ? rollback(connection) : Promise.resolve()
+    return driver
+  }
+}
+
+/**
+ * One file, one connection, so one writer. A save is acknowledged once it is on the disk (`synchronous=FULL`).
+ * @param file path, or `:memory:`
+ * @throws SqliteError with its code where the file cannot be opened or is none
+ */
+export function openSqlite(file: string): Database {
+  const sqlite = new SqliteFile(file)
+  try {
+    sqlite.pragma(`busy_timeout = ${busyTimeout}`)
+    sqlite.pragma('journal_mode = WAL')
+    sqlite.pragma('synchronous = FULL')
+    sqlite.pragma('foreign_keys = ON')
+    // What was deleted is not to be found in the file's free pages.
+    sqlite.pragma('secure_delete = ON')
+  } catch (error) {
+    sqlite.close()
+    throw error
+  }
+  const db = new Kysely<Tables>({ dialect: new Dialect(sqlite) })
+  return {
+    kind: 'sqlite',
+    db,
+    backup: async (copy) => void (await sqlite.backup(copy)),
+    close: () => db.destroy(),
+  }
+}

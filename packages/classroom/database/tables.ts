@@ -1,0 +1,173 @@
+import type { Insertable, Selectable } from 'kysely'
+
+// Ids are text; times are milliseconds since 1970; booleans are 0 or 1: so one set of queries serves both databases.
+
+interface TeacherTable {
+  id: string
+  name: string
+  email: string
+  emailVerified: unknown
+  image: string | null
+  createdAt: unknown
+  updatedAt: unknown
+  username: string
+  displayUsername: string | null
+}
+
+/** Who may invite teachers, and since when. */
+interface OperatorTable {
+  teacher: string
+  madeAt: number
+}
+
+interface TeacherSessionTable {
+  id: string
+  userId: string
+  expiresAt: unknown
+}
+
+interface AccountTable {
+  id: string
+  userId: string
+  password: string | null
+}
+
+/** A link that makes one teacher, once. */
+interface InvitationTable {
+  tokenHash: string
+  first: 0 | 1
+  endsAt: number
+}
+
+export interface ClassTable {
+  id: string
+  teacher: string
+  name: string
+  /** `de` or `en`: of the words of the code. */
+  language: string
+  grade: number
+  /** Three words by their first four letters: `kite-otte-plum`. */
+  code: string
+  joiningUntil: number
+  openedAt: number | null
+  closedAt: number
+  /** ISO day. */
+  endsOn: string
+  /** On which of the days that the server ran the teacher was shown that the end is near. */
+  announcedDay: number | null
+  /** Bytes of its versions and assets. */
+  space: number
+  madeAt: number
+}
+
+interface PupilTable {
+  id: string
+  class: string
+  nickname: string
+  /** Nickname after NFKC and case folding. */
+  nicknameKey: string
+  /** Keyed hash of the three pictures in their order. */
+  pictures: string
+  wrong: number
+  lockedAt: number | null
+  handAt: number | null
+  isNew: 0 | 1
+  joinedAt: number
+}
+
+interface PupilSessionTable {
+  tokenHash: string
+  pupil: string
+  class: string
+  /** When the pupil joined or showed the pictures. */
+  provenAt: number
+}
+
+interface ProjectTable {
+  pupil: string
+  id: string
+  class: string
+  revision: number
+  name: string
+  card: string | null
+  savedAt: number
+}
+
+interface VersionTable {
+  pupil: string
+  project: string
+  revision: number
+  class: string
+  savedAt: number
+  bytes: number
+  hash: string
+  /** The project without the content of its assets. */
+  document: string
+}
+
+/** Which save became which revision: a save that is sent twice is one. */
+interface AnsweredTable {
+  pupil: string
+  save: string
+  project: string
+  revision: number
+  savedAt: number
+}
+
+interface AssetTable {
+  class: string
+  hash: string
+  type: string
+  base64: string
+}
+
+interface VersionAssetTable {
+  pupil: string
+  project: string
+  revision: number
+  class: string
+  /** By which the project names it. */
+  name: string
+  /** Of its content. */
+  hash: string
+}
+
+/** Wrong tries within one window of ten minutes. */
+interface AttemptTable {
+  key: string
+  count: number
+  endsAt: number
+}
+
+interface MetaTable {
+  key: string
+  value: string
+}
+
+interface TombstoneTable {
+  kind: string
+  id: string
+}
+
+export interface Tables {
+  teacher: TeacherTable
+  operator: OperatorTable
+  teacherSession: TeacherSessionTable
+  account: AccountTable
+  invitation: InvitationTable
+  class: ClassTable
+  pupil: PupilTable
+  pupilSession: PupilSessionTable
+  project: ProjectTable
+  version: VersionTable
+  answered: AnsweredTable
+  asset: AssetTable
+  versionAsset: VersionAssetTable
+  attempt: AttemptTable
+  meta: MetaTable
+  tombstone: TombstoneTable
+}
+
+export type ClassRow = Selectable<ClassTable>
+export type PupilRow = Selectable<PupilTable>
+export type NewPupil = Insertable<PupilTable>

@@ -1,0 +1,89 @@
+import { bodyOf } from './body.ts'
+import { codeOf, refusalOfDatabase } from './database/errors.ts'
+import { newToken } from './hashes.ts'
+import { cookie, cookieIn, deviceCookie } from './joining/cookies.ts'
+import type { Caller, Ports } from './ports.ts'
+import { Refusal } from './refusal.ts'
+import type { Answer } from './route.ts'
+import { findRoute, type Found } from './routes.ts'
+import { whoAsks } from './who.ts'
+
+export const base = '/api/class'
+
+/** Pages of others must not make a browser change anything: what changes something says where it comes from. */
+function refuseForeign({ method, headers, url }: Request, publicOrigin: string | null): void {
+  if (method === 'GET') return
+  const origin = headers.get('origin')
+  if (origin !== null && URL.canParse(origin)) {
+    if (publicOrigin !== null && origin === publicOrigin) return
+    if (new URL(origin).host === (headers.get('host') ?? new URL(url).host)) return
+  }
+  throw new Refusal(403, 'foreignPage')
+}
+
+function json(status: number, body: unknown, cookies: readonly string[] = []): Response {
+  const headers = new Headers({ 'cache-control': 'no-store' })
+  for (const one of cookies) headers.append('set-cookie', one)
+  if (body === undefined) return new Response(null, { status: status === 200 ? 204 : status, headers })
+  headers.set('content-type', 'application/json; charset=utf-8')
+  return new Response(JSON.stringify(body), { status, headers })
+}
+
+/** better-auth's cookies know nothing of https, which may end at a proxy. */
+function dressed(response: Response, { secure }: Caller): Response {
+  const headers = new Headers(response.headers)
+  headers.set('cache-control', 'no-store')
+  headers.delete('set-cookie')
+  for (const one of response.headers.getSetCookie())
+    headers.append('set-cookie', secure && !/; *secure/i.test(one) ? `${one}; Secure` : one)
+  return new Response(response.body, { status: response.status, headers })
+}
+
+async function answerTo(request: Request, found: Found, ports: Ports, caller: Caller): Promise<Response> {
+  const { route, at } = found
+  const { headers } = request
+  refuseForeign(request, ports.publicOrigin)
+  const who = await whoAsks(ports, route.roles, headers, caller, at['class'])
+  const body = await bodyOf(request, route)
+  const known = cookieIn(headers, deviceCookie)
+  const query = new URL(request.url).searchParams
+  const triers = { device: known, address: caller.address }
+  const answer = await route.handle({ ports, who, at, query, body, headers, caller, triers })
+  if (answer instanceof Response) return dressed(answer, caller)
+  return json(answer.status ?? 200, answer.body, cookiesOf(answer, known, ports, caller))
+}
+
+/** A device gets its name with its first answer: wrong tries are counted under it. */
+const cookiesOf = ({ cookies = [] }: Answer, known: string | null, { random }: Ports, caller: Caller) =>
+  known === null ? [...cookies, cookie(deviceCookie, newToken(random), caller)] : cookies
+
+/** What is thrown, as what is answered. */
+function refusalOf(error: unknown): Refusal {
+  if (error instanceof Refusal) return error
+  return refusalOfDatabase(error) ?? new Refusal(500, 'ourFault')
+}
+
+const nameOf = (error: unknown) => codeOf(error) || (error instanceof Error ? error.name : 'unknown')
+
+/** Answers a request to the class: every path below `/api/class`. Never throws. */
+export async function handle(request: Request, ports: Ports, caller: Caller): Promise<Response> {
+  const { method } = request
+  const found = findRoute(method, new URL(request.url).pathname.slice(base.length))
+  if (!('route' in found)) {
+    if (found.length === 0) return json(404, { error: 'noSuchRoute' })
+    const answer = json(405, { error: 'noSuchRoute' })
+    answer.headers.set('allow', found.join(', '))
+    return answer
+  }
+  const line = { method, route: found.route.path }
+  try {
+    const answer = await answerTo(request, found, ports, caller)
+    ports.log({ ...line, status: answer.status })
+    return answer
+  } catch (error) {
+    const { status, code, facts } = refusalOf(error)
+    const ours = error instanceof Refusal ? {} : { error: nameOf(error) }
+    ports.log({ ...line, status, ...ours })
+    return json(status, { error: code, ...facts })
+  }
+}

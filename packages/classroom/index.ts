@@ -1,0 +1,13 @@
+// The class server as Request → Response. It knows the program's parser and the content, and nothing of the lab.
+export { base, handle } from './handle.ts'
+export { migrate, needsMigration } from './database/migrate.ts'
+export { openPostgres } from './database/postgres.ts'
+export { openSqlite } from './database/sqlite.ts'
+export type { Database } from './database/database.ts'
+export type { Caller, LogLine, Ports, Tombstone } from './ports.ts'
+export { checkInWorker } from './projects/check-in-worker.ts'
+export { saveQueueOn } from './projects/save-queue.ts'
+export { accountsOn } from './teaching/accounts.ts'
+export { carryOut } from './teaching/deleting-store.ts'
+export { firstTeacherToken } from './teaching/first-teacher.ts'
+export { everyNight } from './teaching/every-night.ts'

@@ -1,0 +1,28 @@
+import { codeWords, type CodeLanguage } from '@botgarten/content/codes'
+
+const words = 3
+const telling = 4
+
+/** Three words for a new class. `random`: that many random bytes. */
+export function newCode(language: CodeLanguage, random: (bytes: number) => Uint8Array): string {
+  const list = codeWords(language)
+  const bytes = random(words * 2)
+  return Array.from({ length: words }, (_, at) => {
+    // 512 words divide 65,536 evenly: all are equally likely.
+    const number = bytes[at * 2]! * 256 + bytes[at * 2 + 1]!
+    return list[number % list.length]!
+  }).join(' ')
+}
+
+/**
+ * The form in which codes are compared: of each word the first four letters, as in `kite-otte-plum`. Takes any marks
+ * between the words, as well as all of them in capitals. Null for what is not three words.
+ */
+export function codeKey(text: string): string | null {
+  const parts = text
+    .normalize('NFKC')
+    .toLowerCase()
+    .split(/[^a-z]+/)
+  const starts = parts.filter((part) => part !== '').map((part) => part.slice(0, telling))
+  return starts.length === words ? starts.join('-') : null
+}

@@ -1,0 +1,224 @@
+import { beforeAll, expect, test } from 'vitest'
+import { onBothDatabases } from '../testing/databases.ts'
+import { Server } from '../testing/world.ts'
+import type { Browser } from '../testing/browser.ts'
+import { pictures } from './pictures.ts'
+
+const wrongOf = (three: readonly string[]) => [three[1], three[0], three[2]]
+
+onBothDatabases((fresh) => {
+  let server: Server
+  let teacher: Browser
+
+  beforeAll(async () => {
+    server = new Server(await fresh())
+    teacher = await server.firstTeacher()
+  })
+
+  test('a child joins with the code and a nickname and is given three pictures', async () => {
+    const { code } = await server.openClass(teacher)
+    const child = server.browser()
+    expect((await child.post('/look', { code })).body).toEqual({ name: '5b', language: 'en', grade: 5 })
+    const joined = await child.post('/join', { code, nickname: ' Fuchs  7 ' })
+    expect(joined.status).toBe(201)
+    expect(joined.body).toMatchObject({ nickname: 'Fuchs 7' })
+    const me = await child.get('/me')
+    expect(me.body).toMatchObject({ nickname: 'Fuchs 7', fresh: true, hand: false })
+    expect(me.body).toMatchObject({ class: { name: '5b', open: true } })
+  })
+
+  test('a nickname is one child of a class, however it is written', async () => {
+    const [{ code }, other] = [await server.openClass(teacher), await server.openClass(teacher, '6a')]
+    await server.pupil(code, 'Strauß')
+    const again = await server.browser().post('/join', { code, nickname: 'STRAUSS' })
+    expect(again).toMatchObject({ status: 409, body: { error: 'nicknameTaken' } })
+    const elsewhere = await server.browser().post('/join', { code: other.code, nickname: 'Strauß' })
+    expect(elsewhere.status).toBe(201)
+  })
+
+  test('of children who take the same nickname at once one gets it', async () => {
+    const { code } = await server.openClass(teacher)
+    const all = await Promise.all(
+      Array.from({ length: 5 }, () => server.browser().post('/join', { code, nickname: 'Luna' })),
+    )
+    expect(all.map(({ status }) => status).toSorted()).toEqual([201, 409, 409, 409, 409])
+  })
+
+  test('the three pictures in their order open the same work on another device', async () => {
+    const { code } = await server.openClass(teacher)
+    const child = await server.pupil(code, 'Otter')
+    const tablet = server.browser()
+    const back = await tablet.post('/return', { code, nickname: 'otter', pictures: child.pictures })
+    expect(back).toMatchObject({ status: 200, body: { id: child.id, nickname: 'Otter' } })
+    expect((await tablet.get('/me')).body).toMatchObject({ nickname: 'Otter' })
+  })
+
+  test('wrong pictures and a nickname that nobody has are answered alike', async () => {
+    const { code } = await server.openClass(teacher)
+    const child = await server.pupil(code, 'Igel')
+    const shown = { code, pictures: wrongOf(child.pictures) }
+    const wrong = await server.browser('10.1.1.1').post('/return', { ...shown, nickname: 'Igel' })
+    const nobody = await server.browser('10.1.1.1').post('/return', { ...shown, nickname: 'Niemand' })
+    expect(wrong).toMatchObject({ status: 403, body: { error: 'wrongPictures' } })
+    expect([nobody.status, nobody.body]).toEqual([wrong.status, wrong.body])
+  })
+
+  test('five wrong tries lock a nickname for new devices until the teacher opens it', async () => {
+    const { id, code } = await server.openClass(teacher)
+    const child = await server.pupil(code, 'Dachs')
+    const right = { code, nickname: 'Dachs', pictures: child.pictures }
+    for (let tries = 0; tries < 5; tries++)
+      await server.browser('10.1.1.2').post('/return', { ...right, pictures: wrongOf(child.pictures) })
+    const locked = await server.browser('10.1.1.3').post('/return', right)
+    expect(locked).toMatchObject({ status: 423, body: { error: 'nicknameLocked' } })
+    const { pupils } = (await teacher.get(`/classes/${id}/pupils`)).body as { pupils: object[] }
+    expect(pupils).toMatchObject([{ nickname: 'Dachs', lockedAt: server.now }])
+    // Who is in already stays in.
+    expect((await child.browser.get('/projects')).status).toBe(200)
+    await teacher.post(`/classes/${id}/pupils/${child.id}/unlock`)
+    expect((await server.browser('10.1.1.3').post('/return', right)).status).toBe(200)
+  })
+
+  test('a device that tries pictures on many nicknames is locked at fifteen', async () => {
+    const { code } = await server.openClass(teacher)
+    const child = await server.pupil(code, 'Wolf')
+    const thief = server.browser('10.1.1.4')
+    await thief.post('/look', { code })
+    for (let tries = 0; tries < 15; tries++)
+      await thief.post('/return', { code, nickname: `Fuchs ${tries}`, pictures: pictures.slice(0, 3) })
+    server.later(15)
+    const right = { code, nickname: 'Wolf', pictures: child.pictures }
+    expect(await thief.post('/return', right)).toMatchObject({ status: 429, body: { error: 'deviceLocked' } })
+  })
+
+  test('a closed class, a code that never was and one that is none are answered alike', async () => {
+    const { id, code } = await server.openClass(teacher)
+    await teacher.post(`/classes/${id}/close`)
+    const answers = []
+    for (const text of [code, 'acorn-badg-cact', 'x']) {
+      const { status, body } = await server.browser('10.2.0.1').post('/look', { code: text })
+      answers.push({ status, body })
+    }
+    expect(answers).toEqual(Array(3).fill({ status: 404, body: { error: 'noOpenClass' } }))
+  })
+
+  test('joining is open for twenty minutes', async () => {
+    const { id, code } = await server.openClass(teacher)
+    server.later(19)
+    expect((await server.browser().post('/look', { code })).status).toBe(200)
+    server.later(2)
+    expect((await server.browser().post('/look', { code })).status).toBe(404)
+    await teacher.post(`/classes/${id}/open`)
+    expect((await server.browser().post('/look', { code })).status).toBe(200)
+  })
+
+  test('twenty wrong codes stop a device and two hundred an address, for ten minutes', async () => {
+    server.later(15)
+    const { code } = await server.openClass(teacher)
+    const device = server.browser('10.3.0.1')
+    await device.post('/look', { code })
+    for (let tries = 0; tries < 20; tries++) await device.post('/look', { code: 'no such code' })
+    expect(await device.post('/look', { code })).toMatchObject({
+      status: 429,
+      body: { error: 'tooManyTries' },
+    })
+    // Another device of the room goes on until the address has tried too often.
+    for (let tries = 0; tries < 180; tries++)
+      await server.browser('10.3.0.1').post('/look', { code: 'no such code' })
+    expect((await server.browser('10.3.0.1').post('/look', { code })).status).toBe(429)
+    expect((await server.browser('10.3.0.2').post('/look', { code })).status).toBe(200)
+    server.later(11)
+    expect((await device.post('/look', { code })).status).toBe(200)
+    expect((await server.browser('10.3.0.1').post('/look', { code })).status).toBe(200)
+  })
+
+  test('a thousand wrong codes from everywhere stop all for ten minutes', async () => {
+    server.later(15)
+    const { code } = await server.openClass(teacher)
+    const { db } = server.ports.database
+    await server.browser().post('/look', { code: 'no such code' })
+    await db.updateTable('attempt').set({ count: 1000 }).where('key', '=', 'server').execute()
+    expect((await server.browser('10.4.0.1').post('/look', { code })).status).toBe(429)
+    server.later(11)
+    await teacher.post('/classes', {})
+    await db.deleteFrom('attempt').execute()
+  })
+
+  test('after 90 minutes, and once the class was closed, the pictures are asked', async () => {
+    const { id, code } = await server.openClass(teacher)
+    const child = await server.pupil(code, 'Hase')
+    server.later(89)
+    expect((await child.browser.get('/me')).body).toMatchObject({ fresh: true })
+    server.later(1)
+    expect((await child.browser.get('/me')).body).toMatchObject({ fresh: false })
+    expect(await child.browser.get('/projects')).toMatchObject({
+      status: 401,
+      body: { error: 'showPictures' },
+    })
+    const wrong = await child.browser.post('/me/pictures', { pictures: wrongOf(child.pictures) })
+    expect(wrong.status).toBe(403)
+    await child.browser.post('/me/pictures', { pictures: child.pictures })
+    expect((await child.browser.get('/projects')).status).toBe(200)
+    await teacher.post(`/classes/${id}/close`)
+    expect((await child.browser.get('/projects')).status).toBe(401)
+  })
+
+  test('new pictures sign the other devices out, and the old ones open nothing', async () => {
+    const { id, code } = await server.openClass(teacher)
+    const child = await server.pupil(code, 'Biene')
+    const { body } = await teacher.post(`/classes/${id}/pupils/${child.id}/pictures`)
+    const { pictures: renewed } = body as { pictures: string[] }
+    expect((await child.browser.get('/me')).status).toBe(401)
+    const shown = (three: readonly string[]) =>
+      server.browser('10.5.0.1').post('/return', { code, nickname: 'Biene', pictures: three })
+    expect((await shown(renewed)).status).toBe(200)
+    if (renewed.join() !== child.pictures.join()) expect((await shown(child.pictures)).status).toBe(403)
+  })
+
+  test('a raised hand is seen, and goes down by the child, the teacher and the end of the lesson', async () => {
+    const { id, code } = await server.openClass(teacher)
+    const child = await server.pupil(code, 'Specht')
+    const seen = async () =>
+      ((await teacher.get(`/classes/${id}/pupils`)).body as { pupils: { handAt: number | null }[] })
+        .pupils[0]!.handAt
+    for (const down of [
+      () => child.browser.put('/me/hand', { up: false }),
+      () => teacher.post(`/classes/${id}/pupils/${child.id}/hand-down`),
+      () => teacher.post(`/classes/${id}/close`),
+    ]) {
+      await child.browser.put('/me/hand', { up: true })
+      expect(await seen()).toBe(server.now)
+      await down()
+      expect(await seen()).toBeNull()
+    }
+  })
+
+  test('who leaves a device is forgotten there', async () => {
+    const { code } = await server.openClass(teacher)
+    const child = await server.pupil(code, 'Katze')
+    const copied = child.browser.twin()
+    await child.browser.post('/me/leave')
+    expect((await child.browser.get('/me')).status).toBe(401)
+    expect((await copied.get('/me')).status).toBe(401)
+  })
+
+  test('the database holds no pictures and no address', async () => {
+    const { code } = await server.openClass(teacher)
+    const child = await server.pupil(code, 'Adler')
+    await server.browser('203.0.113.77').post('/look', { code: 'no such code' })
+    const { db } = server.ports.database
+    const all = []
+    for (const table of ['pupil', 'attempt', 'teacherSession', 'rateLimit', 'pupilSession'])
+      all.push(
+        await db
+          .selectFrom(table as 'pupil')
+          .selectAll()
+          .execute(),
+      )
+    const text = JSON.stringify(all.flat().map((row) => Object.values(row)))
+    expect(text).not.toContain('203.0.113')
+    expect(text).not.toContain('192.168')
+    for (const picture of child.pictures) expect(text).not.toContain(`"${picture}"`)
+    expect(text).not.toContain(child.browser.cookies.get('botgarten-pupil'))
+  })
+})

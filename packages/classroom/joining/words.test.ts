@@ -1,0 +1,66 @@
+import fc from 'fast-check'
+import { codeWords } from '@botgarten/content/codes'
+import { expect, test } from 'vitest'
+import { codeKey, newCode } from './code.ts'
+import { nicknameFrom, nicknameKey } from './nickname.ts'
+import { newSecret, pictures } from './pictures.ts'
+
+const random = (bytes: number) => crypto.getRandomValues(new Uint8Array(bytes))
+
+test.each([
+  'kite otter plum',
+  'KITE OTTER PLUM',
+  ' kite-otter-plum ',
+  'kite·otte·plum',
+  'kite, otterly, plums',
+])('the code %s is kite, otter, plum', (text) => expect(codeKey(text)).toBe('kite-otte-plum'))
+
+test.each(['', 'kite', 'kite otter', 'kite otter plum rose', '123'])('%j is no code', (text) =>
+  expect(codeKey(text)).toBeNull(),
+)
+
+test('a new code is three words of the list, and is found by its first letters', () => {
+  for (const language of ['de', 'en'] as const) {
+    const words = newCode(language, random).split(' ')
+    expect(words).toHaveLength(3)
+    for (const word of words) expect(codeWords(language)).toContain(word)
+    expect(codeKey(words.join(' '))).toBe(words.map((word) => word.slice(0, 4)).join('-'))
+  }
+})
+
+test.each(['Fuchs', 'Mia 7', 'Łukasz', 'Özlem', '小明', 'Nguyễn', 'अमित', '42'])('%s is a nickname', (name) =>
+  expect(nicknameFrom(name)).toBe(name.normalize('NFKC')),
+)
+
+test.each(['a', '', '  ', 'x'.repeat(21), 'Fuchs🦊', 'a_b', '<b>hi</b>', 'a\tb', '=1+1', 'z̶̡̛a̶l'])(
+  '%j is no nickname',
+  (name) => expect(nicknameFrom(name)).toBeNull(),
+)
+
+test('nicknames that look alike in other letters, widths or capitals have one key', () => {
+  const same = [
+    ['Fuchs', 'FUCHS'],
+    ['Ｆｕｃｈｓ', 'fuchs'],
+    ['Strauß', 'STRAUSS'],
+    ['ﬁsch', 'fisch'],
+  ]
+  for (const [one, other] of same) expect(nicknameKey(one!)).toBe(nicknameKey(other!))
+})
+
+test('any text gives a nickname of 2 to 20 letters or none, and a nickname stays what it is', () =>
+  fc.assert(
+    fc.property(fc.string({ unit: 'binary', maxLength: 30 }), (text) => {
+      const name = nicknameFrom(text)
+      if (name === null) return
+      expect([...name].length).toBeGreaterThanOrEqual(2)
+      expect([...name].length).toBeLessThanOrEqual(20)
+      expect(nicknameFrom(name)).toBe(name)
+    }),
+  ))
+
+test('three different pictures in an order: all twelve turn up at each place', () => {
+  const secrets = Array.from({ length: 600 }, () => newSecret(random))
+  expect(secrets.every((three) => new Set(three).size === 3)).toBe(true)
+  for (const place of [0, 1, 2])
+    expect(new Set(secrets.map((three) => three[place])).size).toBe(pictures.length)
+})

@@ -1,0 +1,47 @@
+import type { Database } from './database/database.ts'
+import type { CheckProject } from './projects/checked.ts'
+import type { SaveQueue } from './projects/save-queue.ts'
+import type { Accounts } from './teaching/accounts.ts'
+
+/** What is written to the log: routes and codes, never a name, an address or a code of a class. */
+export interface LogLine {
+  readonly method: string
+  /** The route's pattern, such as `/projects/:project`: what stands in its place is left out. */
+  readonly route: string
+  readonly status: number
+  /** A code of the database or the name of an error; never its message, which may hold a nickname. */
+  readonly error?: string
+}
+
+/** A class or a pupil that was deleted: the deletion is repeated after a backup was restored. */
+export interface Tombstone {
+  readonly kind: 'class' | 'pupil'
+  readonly id: string
+}
+
+/** What the class server needs of the outside. */
+export interface Ports {
+  readonly database: Database
+  /** Milliseconds since 1970, UTC. */
+  readonly now: () => number
+  /** The ISO day where the server stands, so many days from today. */
+  readonly day: (offset: number) => string
+  /** That many random bytes, good enough for secrets. */
+  readonly random: (bytes: number) => Uint8Array
+  /** Keys codes and pictures are hashed with; kept outside the database. At least 32 bytes. */
+  readonly secret: Uint8Array
+  readonly accounts: Accounts
+  readonly checkProject: CheckProject
+  readonly save: SaveQueue
+  /** Keeps a tombstone beside the backups, before anything is deleted. */
+  readonly bury: (tombstone: Tombstone) => Promise<void>
+  readonly log: (line: LogLine) => void
+  /** How pages reach the server where a proxy stands before it, such as `https://lab.example.org`; else null. */
+  readonly publicOrigin: string | null
+}
+
+/** What the socket knows of a request, and no header may claim. */
+export interface Caller {
+  readonly address: string
+  readonly secure: boolean
+}

@@ -1,0 +1,64 @@
+import { sql } from 'kysely'
+import type { Db } from '../database/database.ts'
+import type { Asset } from './checked.ts'
+
+/** Keeps pictures once a class, by their hash. @returns how many bytes are new */
+export async function addAssets(db: Db, classId: string, assets: readonly Asset[]): Promise<number> {
+  let bytes = 0
+  for (const { hash, type, base64 } of assets) {
+    const added = await db
+      .insertInto('asset')
+      .values({ class: classId, hash, type, base64 })
+      .onConflict((conflict) => conflict.columns(['class', 'hash']).doNothing())
+      .returning('hash')
+      .executeTakeFirst()
+    if (added) bytes += base64.length
+  }
+  return bytes
+}
+
+/** Deletes pictures of a class that no version shows, and counts its bytes again. @returns them */
+export async function recount(db: Db, classId: string): Promise<number> {
+  await db
+    .deleteFrom('asset')
+    .where('class', '=', classId)
+    .where(({ not, exists, selectFrom }) =>
+      not(
+        exists(
+          selectFrom('versionAsset')
+            .select('versionAsset.hash')
+            .whereRef('versionAsset.class', '=', 'asset.class')
+            .whereRef('versionAsset.hash', '=', 'asset.hash'),
+        ),
+      ),
+    )
+    .execute()
+  const versions = await db
+    .selectFrom('version')
+    .select(sql<number>`coalesce(sum(bytes), 0)`.as('bytes'))
+    .where('class', '=', classId)
+    .executeTakeFirstOrThrow()
+  const assets = await db
+    .selectFrom('asset')
+    .select(sql<number>`coalesce(sum(length(base64)), 0)`.as('bytes'))
+    .where('class', '=', classId)
+    .executeTakeFirstOrThrow()
+  const space = versions.bytes + assets.bytes
+  await db.updateTable('class').set({ space }).where('id', '=', classId).execute()
+  return space
+}
+
+/** The pictures of a version, as a project holds them. */
+export async function assetsOf(db: Db, pupil: string, project: string, revision: number) {
+  const rows = await db
+    .selectFrom('versionAsset')
+    .innerJoin('asset', (join) =>
+      join.onRef('asset.class', '=', 'versionAsset.class').onRef('asset.hash', '=', 'versionAsset.hash'),
+    )
+    .select(['versionAsset.name', 'asset.type', 'asset.base64'])
+    .where('pupil', '=', pupil)
+    .where('project', '=', project)
+    .where('revision', '=', revision)
+    .execute()
+  return Object.fromEntries(rows.map(({ name, type, base64 }) => [name, { type, base64 }]))
+}

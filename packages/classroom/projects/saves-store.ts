@@ -1,0 +1,188 @@
+import type { Db } from '../database/database.ts'
+import { addAssets, recount } from './assets-store.ts'
+import type { Checked } from './checked.ts'
+import { surplus } from './retention.ts'
+
+/** One save of a pupil as a device sends it. */
+export interface Save {
+  readonly pupil: string
+  readonly class: string
+  readonly project: string
+  /** Id that the device gave the save: sent twice, it is one. */
+  readonly save: string
+  /** The revision it stands on; 0 for a new project. */
+  readonly base: number
+  readonly checked: Checked
+  readonly at: number
+}
+
+export type Saved =
+  | { readonly kind: 'saved'; readonly revision: number; readonly space: number }
+  /** The class holds a newer revision. */
+  | { readonly kind: 'conflict'; readonly revision: number }
+  | { readonly kind: 'classFull' }
+
+/** 0.5 GB a class. */
+export const mostSpace = 500_000_000
+
+/** Saves inside a transaction; what it answers counts once that is committed. */
+export async function saveInside(db: Db, save: Save, most = mostSpace): Promise<Saved> {
+  const before = await answeredBefore(db, save)
+  if (before !== null) return await saved(db, save, before)
+  if (!(await takeRevision(db, save))) return await conflictOrSame(db, save)
+  const revision = save.base + 1
+  await addVersion(db, save, revision)
+  await dropSurplus(db, save)
+  const space = await spaceWithin(db, save, most)
+  // The transaction is to be rolled back.
+  if (space === null) throw new ClassFull()
+  return { kind: 'saved', revision, space }
+}
+
+/** Thrown inside the transaction, so that nothing of the save stays. */
+export class ClassFull extends Error {}
+
+async function saved(db: Db, save: Save, revision: number): Promise<Saved> {
+  const row = await db.selectFrom('class').select('space').where('id', '=', save.class).executeTakeFirst()
+  return { kind: 'saved', revision, space: row?.space ?? 0 }
+}
+
+async function answeredBefore(db: Db, { pupil, save, project }: Save): Promise<number | null> {
+  const row = await db
+    .selectFrom('answered')
+    .select('revision')
+    .where('pupil', '=', pupil)
+    .where('save', '=', save)
+    .where('project', '=', project)
+    .executeTakeFirst()
+  return row?.revision ?? null
+}
+
+/** Moves the project from the revision it stands on to the next: of two devices one does. */
+async function takeRevision(
+  db: Db,
+  { pupil, project, base, checked, at, class: classId }: Save,
+): Promise<boolean> {
+  const { name, card } = checked
+  if (base === 0) {
+    const row = { pupil, id: project, class: classId, revision: 1, name, card, savedAt: at }
+    const added = await db
+      .insertInto('project')
+      .values(row)
+      .onConflict((conflict) => conflict.columns(['pupil', 'id']).doNothing())
+      .returning('id')
+      .executeTakeFirst()
+    return added !== undefined
+  }
+  const moved = await db
+    .updateTable('project')
+    .set({ revision: base + 1, name, card, savedAt: at })
+    .where('pupil', '=', pupil)
+    .where('id', '=', project)
+    .where('revision', '=', base)
+    .returning('id')
+    .executeTakeFirst()
+  return moved !== undefined
+}
+
+/** The same save on another connection, the same work from another device, or a conflict. */
+async function conflictOrSame(db: Db, save: Save): Promise<Saved> {
+  const before = await answeredBefore(db, save)
+  if (before !== null) return await saved(db, save, before)
+  const head = await headOf(db, save.pupil, save.project)
+  if (head && head.hash === save.checked.hash) return await saved(db, save, head.revision)
+  return { kind: 'conflict', revision: head?.revision ?? 0 }
+}
+
+const headOf = (db: Db, pupil: string, project: string) =>
+  db
+    .selectFrom('version')
+    .select(['revision', 'hash'])
+    .where('pupil', '=', pupil)
+    .where('project', '=', project)
+    .orderBy('revision', 'desc')
+    .limit(1)
+    .executeTakeFirst()
+
+async function addVersion(db: Db, save: Save, revision: number): Promise<void> {
+  const { pupil, project, class: classId, at, checked } = save
+  const { document, hash, assets } = checked
+  const bytes = Buffer.byteLength(document)
+  const key = { pupil, project, revision, class: classId }
+  await db
+    .insertInto('version')
+    .values({ ...key, savedAt: at, bytes, hash, document })
+    .execute()
+  const added = await addAssets(db, classId, assets)
+  if (assets.length > 0)
+    await db
+      .insertInto('versionAsset')
+      .values(assets.map(({ name, hash: content }) => ({ ...key, name, hash: content })))
+      .execute()
+  await db.insertInto('answered').values({ pupil, save: save.save, project, revision, savedAt: at }).execute()
+  await addSpace(db, classId, bytes + added)
+}
+
+const addSpace = (db: Db, classId: string, bytes: number) =>
+  db
+    .updateTable('class')
+    .set((row) => ({ space: row('space', '+', bytes) }))
+    .where('id', '=', classId)
+    .execute()
+
+async function dropSurplus(db: Db, { pupil, project, class: classId, at }: Save): Promise<void> {
+  const rows = await db
+    .selectFrom('version')
+    .select(['revision', 'savedAt', 'bytes'])
+    .where('pupil', '=', pupil)
+    .where('project', '=', project)
+    .execute()
+  const gone = surplus(rows, at)
+  if (gone.length === 0) return
+  await db
+    .deleteFrom('version')
+    .where('pupil', '=', pupil)
+    .where('project', '=', project)
+    .where('revision', 'in', gone)
+    .execute()
+  const bytes = rows
+    .filter(({ revision }) => gone.includes(revision))
+    .reduce((sum, row) => sum + row.bytes, 0)
+  await addSpace(db, classId, -bytes)
+}
+
+/** Bytes of the class after old versions made room where it had to be; null where there is not enough. */
+async function spaceWithin(db: Db, save: Save, most: number): Promise<number | null> {
+  const row = await db.selectFrom('class').select('space').where('id', '=', save.class).executeTakeFirst()
+  let space = row?.space ?? 0
+  if (space <= most) return space
+  // Pictures of versions that went may be counted still.
+  space = await recount(db, save.class)
+  while (space > most) {
+    const oldest = await oldestSpare(db, save.class)
+    if (!oldest) return null
+    await db
+      .deleteFrom('version')
+      .where('pupil', '=', oldest.pupil)
+      .where('project', '=', oldest.project)
+      .where('revision', '=', oldest.revision)
+      .execute()
+    space = await recount(db, save.class)
+  }
+  return space
+}
+
+/** The oldest version in a class that is not the newest of its project. */
+const oldestSpare = (db: Db, classId: string) =>
+  db
+    .selectFrom('version')
+    .innerJoin('project', (join) =>
+      join.onRef('project.pupil', '=', 'version.pupil').onRef('project.id', '=', 'version.project'),
+    )
+    .select(['version.pupil', 'version.project', 'version.revision'])
+    .where('version.class', '=', classId)
+    .whereRef('version.revision', '<', 'project.revision')
+    .orderBy('version.savedAt')
+    .orderBy('version.revision')
+    .limit(1)
+    .executeTakeFirst()

@@ -1,0 +1,193 @@
+import { beforeAll, expect, test } from 'vitest'
+import { onBothDatabases } from '../testing/databases.ts'
+import { projectText } from '../testing/projects.ts'
+import { Server } from '../testing/world.ts'
+import type { Browser } from '../testing/browser.ts'
+import { saveQueueOn } from './save-queue.ts'
+
+let saves = 0
+const newSave = () => `save-${++saves}-of-this-test`
+const pixel = 'iVBORw0KGgo='
+
+function save(browser: Browser, base: number, text: string, id = newSave(), project = 'project-1') {
+  return browser.put(`/projects/${project}?base=${base}&save=${id}`, text)
+}
+
+onBothDatabases((fresh) => {
+  let server: Server
+  let teacher: Browser
+  let code: string
+  let classId: string
+  let names = 0
+  const pupil = () => server.pupil(code, `Kind ${++names}`)
+
+  beforeAll(async () => {
+    server = new Server(await fresh())
+    teacher = await server.firstTeacher()
+    ;({ id: classId, code } = await server.openClass(teacher))
+  })
+
+  test('a save comes back as it was, and each stands on the one before', async () => {
+    const { browser } = await pupil()
+    expect(await save(browser, 0, projectText('a'))).toMatchObject({ status: 200, body: { revision: 1 } })
+    expect(await save(browser, 1, projectText('b'))).toMatchObject({ status: 200, body: { revision: 2 } })
+    const read = await browser.get('/projects/project-1')
+    expect(read.body).toMatchObject({ revision: 2, project: { name: 'Garden b', card: 'friendship' } })
+    const { projects } = (await browser.get('/projects')).body as { projects: object[] }
+    expect(projects).toMatchObject([{ id: 'project-1', revision: 2, name: 'Garden b' }])
+  })
+
+  test('a save that is sent twice, because its answer was lost, is one', async () => {
+    const { browser } = await pupil()
+    const id = newSave()
+    const answers = [
+      await save(browser, 0, projectText('a'), id),
+      await save(browser, 0, projectText('a'), id),
+    ]
+    expect(answers.map(({ body }) => body)).toEqual(Array(2).fill({ revision: 1, full: false }))
+    await save(browser, 1, projectText('b'))
+    // Even when others came in between.
+    expect((await save(browser, 0, projectText('a'), id)).body).toMatchObject({ revision: 1 })
+    const { versions } = (await browser.get('/projects/project-1/versions')).body as { versions: object[] }
+    expect(versions).toHaveLength(2)
+  })
+
+  test('of two devices on one project the second is told, and nothing is overwritten', async () => {
+    const { browser } = await pupil()
+    const other = browser.twin()
+    await save(browser, 0, projectText('start'))
+    await save(browser, 1, projectText('laptop'))
+    const late = await save(other, 1, projectText('tablet'))
+    expect(late).toMatchObject({ status: 409, body: { error: 'newerRevision', revision: 2 } })
+    expect((await browser.get('/projects/project-1')).body).toMatchObject({
+      project: { name: 'Garden laptop' },
+    })
+    // The child looked at both and took the tablet's: the laptop's stays among the versions.
+    await save(other, 2, projectText('tablet'))
+    expect((await browser.get('/projects/project-1/versions/2')).body).toMatchObject({
+      project: { name: 'Garden laptop' },
+    })
+    expect((await browser.get('/projects/project-1')).body).toMatchObject({
+      project: { name: 'Garden tablet' },
+    })
+  })
+
+  test('the same work from two devices is no conflict', async () => {
+    const { browser } = await pupil()
+    await save(browser, 0, projectText('same'))
+    expect((await save(browser.twin(), 0, projectText('same'))).body).toMatchObject({ revision: 1 })
+  })
+
+  test('of twenty saves at once on one revision one is taken, and the others are told', async () => {
+    const { browser } = await pupil()
+    await save(browser, 0, projectText('start'))
+    const all = await Promise.all(
+      Array.from({ length: 20 }, (_, at) => save(browser, 1, projectText(`${at}`))),
+    )
+    expect(all.filter(({ status }) => status === 200)).toHaveLength(1)
+    expect(all.filter(({ status }) => status === 409)).toHaveLength(19)
+  })
+
+  test('twenty children who save at once are all saved', async () => {
+    const children = []
+    for (let child = 0; child < 20; child++) children.push(await pupil())
+    const all = await Promise.all(children.map(({ browser }, at) => save(browser, 0, projectText(`${at}`))))
+    expect(all.every(({ status }) => status === 200)).toBe(true)
+    for (const [at, { browser }] of children.entries())
+      expect((await browser.get('/projects/project-1')).body).toMatchObject({
+        project: { name: `Garden ${at}` },
+      })
+  })
+
+  test('the last 20 versions can be taken back, and one an hour for a day', async () => {
+    const { browser } = await pupil()
+    for (let at = 0; at < 25; at++) await save(browser, at, projectText(`${at}`))
+    const { versions } = (await browser.get('/projects/project-1/versions')).body as {
+      versions: { revision: number }[]
+    }
+    expect(versions.map(({ revision }) => revision)).toEqual(Array.from({ length: 20 }, (_, at) => 25 - at))
+  })
+
+  test('a clock that was set back loses nothing and keeps the order', async () => {
+    const { browser } = await pupil()
+    await save(browser, 0, projectText('first'))
+    server.later(-60 * 24)
+    await save(browser, 1, projectText('second'))
+    server.later(60 * 24)
+    expect((await browser.get('/projects/project-1')).body).toMatchObject({
+      revision: 2,
+      project: { name: 'Garden second' },
+    })
+    const { versions } = (await browser.get('/projects/project-1/versions')).body as { versions: object[] }
+    expect(versions).toMatchObject([{ revision: 2 }, { revision: 1 }])
+  })
+
+  test('what the lab itself would refuse is refused', async () => {
+    const { browser } = await pupil()
+    const texts = ['{}', 'no json', '[]', '{"botgarten":99}', `{"a":${'['.repeat(1000)}${']'.repeat(1000)}}`]
+    for (const text of texts) {
+      const answer = await save(browser, 0, text)
+      expect(answer).toMatchObject({ status: 422, body: { error: 'projectRefused' } })
+    }
+  })
+
+  test('pictures are kept once a class, and a wrong name shows nobody another picture', async () => {
+    const [one, other] = [await pupil(), await pupil()]
+    const name = 'a'.repeat(64)
+    const own = { type: 'image/png', base64: pixel }
+    const liar = { type: 'image/png', base64: `${pixel.slice(0, -2)}8=` }
+    await save(one.browser, 0, projectText('own', { [name]: own }))
+    await save(one.browser, 1, projectText('own again', { [name]: own }))
+    await save(other.browser, 0, projectText('lie', { [name]: liar }))
+    const { db } = server.ports.database
+    expect(await db.selectFrom('asset').selectAll().where('class', '=', classId).execute()).toHaveLength(2)
+    expect((await one.browser.get('/projects/project-1')).body).toMatchObject({
+      project: { assets: { [name]: own } },
+    })
+    expect((await other.browser.get('/projects/project-1')).body).toMatchObject({
+      project: { assets: { [name]: liar } },
+    })
+  })
+
+  test('a project that is deleted is gone with its versions, and its place is free', async () => {
+    const { browser } = await pupil()
+    await save(browser, 0, projectText('a'))
+    expect((await browser.delete('/projects/project-1')).status).toBe(204)
+    expect((await browser.get('/projects/project-1')).status).toBe(404)
+    expect((await save(browser, 0, projectText('b'))).body).toMatchObject({ revision: 1 })
+  })
+
+  test('saves are taken in after the lesson, and nothing is read before the pictures', async () => {
+    const { browser } = await pupil()
+    server.later(91)
+    expect((await save(browser, 0, projectText('outbox'))).status).toBe(200)
+    expect((await browser.get('/projects/project-1')).status).toBe(401)
+    await teacher.post(`/classes/${classId}/open`)
+  })
+
+  test('when the class is full old versions go first, then the child is told and nothing is lost', async () => {
+    const { browser, id } = await pupil()
+    const { space } = (await teacher.get(`/classes/${classId}`)).body as { space: number }
+    const size = projectText('0').length
+    const { database } = server.ports
+    const small = new Server(database, {
+      save: saveQueueOn(database, space + 3 * size),
+      accounts: server.ports.accounts,
+    })
+    small.now = server.now
+    const child = small.browser()
+    for (const [name, value] of browser.cookies) child.cookies.set(name, value)
+    for (let at = 0; at < 6; at++) expect((await save(child, at, projectText(`${at}`))).status).toBe(200)
+    expect((await child.get('/projects/project-1')).body).toMatchObject({ project: { name: 'Garden 5' } })
+    const full = new Server(database, { save: saveQueueOn(database, 100), accounts: server.ports.accounts })
+    full.now = server.now
+    const last = full.browser()
+    for (const [name, value] of browser.cookies) last.cookies.set(name, value)
+    expect(await save(last, 6, projectText('6'))).toMatchObject({ status: 507, body: { error: 'classFull' } })
+    expect((await child.get('/projects/project-1')).body).toMatchObject({
+      revision: 6,
+      project: { name: 'Garden 5' },
+    })
+    expect(id).not.toBe('')
+  })
+})

@@ -1,0 +1,141 @@
+import { beforeAll, expect, test } from 'vitest'
+import type { Route } from './route.ts'
+import { routes } from './routes.ts'
+import { onBothDatabases } from './testing/databases.ts'
+import type { Browser } from './testing/browser.ts'
+import { projectText } from './testing/projects.ts'
+import { Server } from './testing/world.ts'
+import type { Role } from './who.ts'
+
+/** What each route is sent so that only the sender's role decides. */
+const bodies: { readonly [route: string]: unknown } = {
+  'POST /teachers': { token: 'none', username: 'somebody', password: 'ein langer satz' },
+  'POST /auth/sign-in/username': { username: 'nobody', password: 'wrong' },
+  'POST /look': { code: 'a' },
+  'POST /join': { code: 'a', nickname: 'Otter' },
+  'POST /return': { code: 'a', nickname: 'Otter', pictures: ['boat', 'key', 'leaf'] },
+  'POST /me/pictures': { pictures: ['boat', 'key', 'leaf'] },
+  'PUT /me/hand': { up: true },
+  'PUT /projects/:project': projectText('b'),
+  'POST /classes': { name: '7c', language: 'de', grade: 7, endsOn: '2027-07-31' },
+  'PATCH /classes/:class': { grade: 6 },
+  'DELETE /classes/:class': { name: '5b' },
+  'PATCH /classes/:class/pupils/:pupil': { nickname: 'Neuer Name' },
+}
+
+interface Scene {
+  readonly class: string
+  readonly pupil: string
+  readonly browser: Browser
+}
+
+/** Who asks, and which roles of the table that is. `closed`: what a refusal must be. */
+const senders: {
+  readonly [name: string]: { readonly roles: readonly Role[]; readonly refused: readonly number[] }
+} = {
+  nobody: { roles: [], refused: [401] },
+  pupil: { roles: ['pupil'], refused: [401] },
+  'pupil of another class': { roles: ['pupil'], refused: [401] },
+  'pupil after 90 minutes': { roles: ['returning'], refused: [401] },
+  'pupil of a closed class': { roles: ['returning'], refused: [401] },
+  'removed pupil': { roles: [], refused: [401] },
+  'pupil of an ended class': { roles: [], refused: [401, 410] },
+  'teacher of the class': { roles: ['teacher', 'owner'], refused: [401, 403] },
+  'teacher of another class': { roles: ['teacher'], refused: [401, 403, 404] },
+  operator: { roles: ['teacher', 'operator'], refused: [401, 404] },
+  'teacher who signed out': { roles: [], refused: [401] },
+}
+
+const refusals = new Set(['signIn', 'join', 'showPictures', 'notYours', 'noSuchClass', 'classEnded'])
+
+onBothDatabases((fresh) => {
+  let server: Server
+  let operator: Browser
+  let owner: Browser
+  let stranger: Browser
+
+  beforeAll(async () => {
+    server = new Server(await fresh())
+    operator = await server.firstTeacher('the.operator')
+    owner = await server.furtherTeacher(operator, 'the.owner')
+    stranger = await server.furtherTeacher(operator, 'the.stranger')
+  })
+
+  /** A class with a pupil and a project, for one question: many of them delete something. */
+  async function scene(): Promise<Scene> {
+    const { id, code } = await server.openClass(owner)
+    const pupil = await server.pupil(code, 'Fuchs')
+    await pupil.browser.put('/projects/project-1?base=0&save=save-0001', projectText('a'))
+    return { class: id, pupil: pupil.id, browser: pupil.browser }
+  }
+
+  async function browserOf(name: string, asked: Scene): Promise<Browser> {
+    if (name === 'nobody') return server.browser()
+    if (name === 'pupil') return asked.browser
+    if (name === 'pupil of another class') return (await scene()).browser
+    if (name === 'pupil after 90 minutes') server.later(91)
+    if (name === 'pupil of a closed class') await owner.post(`/classes/${asked.class}/close`)
+    if (name === 'removed pupil') await owner.delete(`/classes/${asked.class}/pupils/${asked.pupil}`)
+    if (name === 'pupil of an ended class') await owner.delete(`/classes/${asked.class}`, { name: '5b' })
+    if (/^(pupil|removed)/.test(name)) return asked.browser
+    if (name === 'teacher of the class') return owner.twin()
+    if (name === 'teacher of another class') return stranger.twin()
+    if (name === 'operator') return operator.twin()
+    const gone = stranger.twin()
+    for (const cookie of gone.cookies.keys())
+      if (cookie.startsWith('botgarten-teacher')) gone.cookies.set(cookie, 'x.y')
+    return gone
+  }
+
+  const pathOf = ({ path }: Route, asked: Scene) =>
+    path
+      .replace(':class', asked.class)
+      .replace(':pupil', asked.pupil)
+      .replace(':project', 'project-1')
+      .replace(':revision', '1')
+      .replace(/^(\/projects\/project-1)$/, '$1?base=1&save=save-0002')
+
+  // These end the sessions of the sender, who would be somebody else for the next route.
+  const endsSessions = new Set(['/auth/sign-out', '/teachers/me/end-sessions'])
+
+  test.each(Object.entries(senders))(
+    '%s is let through exactly where the table says so',
+    async (name, { roles, refused }) => {
+      for (const route of routes) {
+        const asked = await scene()
+        const key = `${route.method} ${route.path}`
+        const browser =
+          endsSessions.has(route.path) && roles.length > 0 ? server.browser() : await browserOf(name, asked)
+        if (endsSessions.has(route.path) && roles.length > 0) continue
+        const { status, body } = await browser.ask(route.method, pathOf(route, asked), bodies[key])
+        const code = (body as { error?: string } | null)?.error ?? ''
+        const admitted = route.roles.some((role) => role === 'anyone' || roles.includes(role))
+        const why = `${key} by ${name}: ${status} ${code}`
+        expect(refusals.has(code), why).toBe(!admitted)
+        if (!admitted) expect(refused, why).toContain(status)
+        expect(status, why).toBeLessThan(500)
+      }
+    },
+  )
+
+  test('what a pupil of another class saves under the same id is another project', async () => {
+    const [one, other] = [await scene(), await scene()]
+    await other.browser.put('/projects/project-1?base=1&save=save-0003', projectText('theirs'))
+    const read = await one.browser.get('/projects/project-1')
+    expect(read.body).toMatchObject({ revision: 1, project: { name: 'Garden a' } })
+  })
+
+  test('a pupil of one class cannot be reached through another class of the same teacher', async () => {
+    const [one, other] = [await scene(), await scene()]
+    for (const path of ['', '/projects', '/everything'])
+      expect((await owner.get(`/classes/${one.class}/pupils/${other.pupil}${path}`)).status).not.toBe(200)
+    expect((await owner.delete(`/classes/${one.class}/pupils/${other.pupil}`)).status).toBe(404)
+  })
+
+  test('a teacher who ended all sessions is signed out on every device', async () => {
+    const teacher = await server.furtherTeacher(operator, 'the.careful')
+    const laptop = teacher.twin()
+    await teacher.post('/teachers/me/end-sessions')
+    expect((await laptop.get('/classes')).status).toBe(401)
+  })
+})

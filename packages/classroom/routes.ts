@@ -1,0 +1,48 @@
+import { joiningRoutes } from './joining/routes.ts'
+import { projectRoutes } from './projects/routes.ts'
+import type { Method, Route } from './route.ts'
+import { accountRoutes } from './teaching/account-routes.ts'
+import { classRoutes } from './teaching/class-routes.ts'
+import { pupilRoutes } from './teaching/pupil-routes.ts'
+
+/** Who may ask what: the one table, which the router follows and the tests walk. */
+export const routes: readonly Route[] = [
+  ...accountRoutes,
+  ...joiningRoutes,
+  ...projectRoutes,
+  ...classRoutes,
+  ...pupilRoutes,
+]
+
+export interface Found {
+  readonly route: Route
+  readonly at: { readonly [name: string]: string }
+}
+
+const partsOf = (path: string) => path.split('/').slice(1)
+
+/** What `:name` of a pattern stands for in a path; null where the path is another one. */
+function matched(pattern: readonly string[], path: readonly string[]): Found['at'] | null {
+  if (pattern.length !== path.length) return null
+  const at: Record<string, string> = {}
+  for (const [index, part] of pattern.entries()) {
+    const given = path[index]!
+    if (!part.startsWith(':')) {
+      if (part !== given) return null
+    } else if (/^[\w-]{1,64}$/.test(given)) at[part.slice(1)] = given
+    else return null
+  }
+  return at
+}
+
+/** The route of a request below `/api/class`; else the methods that its path has: none for a path that is none of ours. */
+export function findRoute(method: string, path: string): Found | readonly Method[] {
+  const parts = partsOf(path)
+  const others: Method[] = []
+  for (const route of routes) {
+    const at = matched(partsOf(route.path), parts)
+    if (at && route.method === method) return { route, at }
+    if (at) others.push(route.method)
+  }
+  return others
+}

@@ -1,0 +1,105 @@
+import * as v from 'valibot'
+import { newToken } from '../hashes.ts'
+import { Refusal } from '../refusal.ts'
+import { route, type Answer, type Call, type Route } from '../route.ts'
+import { mounted, type Mounted } from './accounts.ts'
+import { endSessionsOfTeacher } from './accounts-store.ts'
+import { sizesOfAll } from './classes-store.ts'
+import { addInvitation, firstTeacher, makeOperator, takeInvitation } from './operators-store.ts'
+
+const days = 86_400_000
+const invitationLength = 7 * days
+
+const username = v.pipe(v.string(), v.regex(/^[a-zA-Z0-9_.]{3,30}$/))
+const password = v.pipe(v.string(), v.minLength(10), v.maxLength(128))
+const token = v.pipe(v.string(), v.maxLength(100))
+const newTeacher = v.strictObject({ token, username, password })
+
+/** What the start page asks: is there a class server, and who made it theirs? */
+async function state({ ports, caller }: Call<undefined>): Promise<Answer> {
+  const first = await firstTeacher(ports.database.db)
+  return { body: { firstTeacher: first ?? null, secure: caller.secure } }
+}
+
+async function makeTeacher(call: Call<v.InferOutput<typeof newTeacher>>): Promise<Response> {
+  const { ports, body, headers, caller } = call
+  const { db } = ports.database
+  const invitation = await takeInvitation(db, body.token, ports.now())
+  if (!invitation) throw new Refusal(403, 'linkUsedUp')
+  const id = await ports.accounts.create(body)
+  if (id === null) {
+    // The link goes on working for another name.
+    await addInvitation(db, body.token, invitation.first, invitation.endsAt)
+    throw new Refusal(409, 'usernameTaken')
+  }
+  if (invitation.first) await makeOperator(db, id, ports.now())
+  const credentials = JSON.stringify({ username: body.username, password: body.password })
+  return signedIn(await ports.accounts.forward('/sign-in/username', headers, credentials, caller))
+}
+
+/** Nothing of the account is told but that it worked; the cookies count. */
+async function signedIn(answer: Response): Promise<Response> {
+  await answer.body?.cancel()
+  const headers = new Headers()
+  for (const cookie of answer.headers.getSetCookie()) headers.append('set-cookie', cookie)
+  return new Response(null, { status: answer.ok ? 204 : answer.status, headers })
+}
+
+const signIn = v.strictObject({
+  username: v.pipe(v.string(), v.maxLength(100)),
+  password: v.pipe(v.string(), v.maxLength(200)),
+})
+
+const forward =
+  (path: Mounted) =>
+  async ({ ports, headers, body, caller }: Call<unknown>): Promise<Response> => {
+    const text = body === undefined ? '{}' : JSON.stringify(body)
+    const answer = await ports.accounts.forward(path, headers, text, caller)
+    if (path === '/get-session') return teacherOnly(answer)
+    if (answer.status === 429) throw new Refusal(429, 'tooManyTries', { seconds: 60 })
+    if (answer.status >= 400 && answer.status < 500) throw new Refusal(401, 'wrongPassword')
+    return signedIn(answer)
+  }
+
+/** The page needs the name alone. */
+async function teacherOnly(answer: Response): Promise<Response> {
+  const found = answer.ok ? ((await answer.json()) as { user: { displayUsername: string } } | null) : null
+  return Response.json({ teacher: found ? { username: found.user.displayUsername } : null })
+}
+
+const routeOf: { readonly [path in Mounted]: Route } = {
+  '/sign-in/username': route(
+    'POST',
+    '/auth/sign-in/username',
+    ['anyone'],
+    forward('/sign-in/username'),
+    signIn,
+  ),
+  '/sign-out': route('POST', '/auth/sign-out', ['anyone'], forward('/sign-out')),
+  '/get-session': route('GET', '/auth/get-session', ['anyone'], forward('/get-session')),
+}
+
+async function endAllSessions({ ports, who }: Call<undefined>): Promise<Answer> {
+  await endSessionsOfTeacher(ports.database.db, who.teacher!.id)
+  return {}
+}
+
+async function invite({ ports }: Call<undefined>): Promise<Answer> {
+  const link = newToken(ports.random)
+  const endsAt = ports.now() + invitationLength
+  await addInvitation(ports.database.db, link, 0, endsAt)
+  return { status: 201, body: { token: link, endsAt } }
+}
+
+async function sizes({ ports }: Call<undefined>): Promise<Answer> {
+  return { body: { classes: await sizesOfAll(ports.database.db) } }
+}
+
+export const accountRoutes: readonly Route[] = [
+  route('GET', '/state', ['anyone'], state),
+  route('POST', '/teachers', ['anyone'], makeTeacher, newTeacher),
+  ...mounted.map((path) => routeOf[path]),
+  route('POST', '/teachers/me/end-sessions', ['teacher'], endAllSessions),
+  route('POST', '/invitations', ['operator'], invite),
+  route('GET', '/sizes', ['operator'], sizes),
+]

@@ -1,0 +1,19 @@
+import type { Db } from '../database/database.ts'
+
+/** Id of the teacher with this username, in any capitals. */
+export async function teacherCalled(db: Db, username: string): Promise<string | undefined> {
+  const row = await db
+    .selectFrom('teacher')
+    .select('id')
+    .where('username', '=', username.toLowerCase())
+    .executeTakeFirst()
+  return row?.id
+}
+
+export async function setPassword(db: Db, teacher: string, hash: string): Promise<void> {
+  await db.updateTable('account').set({ password: hash }).where('userId', '=', teacher).execute()
+}
+
+export async function endSessionsOfTeacher(db: Db, teacher: string): Promise<void> {
+  await db.deleteFrom('teacherSession').where('userId', '=', teacher).execute()
+}

@@ -1,0 +1,103 @@
+import { beforeAll, expect, test } from 'vitest'
+import { onBothDatabases } from '../testing/databases.ts'
+import { Server } from '../testing/world.ts'
+import type { Browser } from '../testing/browser.ts'
+import { firstTeacherToken } from './first-teacher.ts'
+
+const password = 'kastanie im regen'
+
+onBothDatabases((fresh) => {
+  let server: Server
+  let teacher: Browser
+
+  beforeAll(async () => {
+    server = new Server(await fresh())
+  })
+
+  test('until there is a teacher no class can exist', async () => {
+    expect((await server.browser().get('/state')).body).toMatchObject({ firstTeacher: null })
+    const answer = await server
+      .browser()
+      .post('/classes', { name: '5b', language: 'en', grade: 5, endsOn: '2027-01-31' })
+    expect(answer.status).toBe(401)
+  })
+
+  test('the link for the first teacher lives 30 minutes, and only the newest one works', async () => {
+    const [old, late] = [await firstTeacherToken(server.ports), await firstTeacherToken(server.ports)]
+    const make = (token: string | null) =>
+      server.browser().post('/teachers', { token, username: 'eve', password })
+    expect(await make(old)).toMatchObject({ status: 403, body: { error: 'linkUsedUp' } })
+    server.later(30)
+    expect((await make(late)).status).toBe(403)
+  })
+
+  test('it makes one teacher, who is signed in, and works once', async () => {
+    const token = await firstTeacherToken(server.ports)
+    const browsers = [server.browser(), server.browser()]
+    const both = await Promise.all(
+      browsers.map((browser, at) => browser.post('/teachers', { token, username: `first.${at}`, password })),
+    )
+    expect(both.map(({ status }) => status).toSorted()).toEqual([204, 403])
+    teacher = browsers[both.findIndex(({ status }) => status === 204)]!
+    expect((await teacher.get('/classes')).body).toEqual({ classes: [] })
+    expect(await firstTeacherToken(server.ports)).toBeNull()
+    const { body } = await server.browser().get('/state')
+    expect(body).toMatchObject({ firstTeacher: { madeAt: server.now } })
+  })
+
+  test('further teachers come by invitation, under a name of their own', async () => {
+    const { token } = (await teacher.post('/invitations')).body as { token: string }
+    const other = server.browser()
+    await server.furtherTeacher(teacher, 'k.otto')
+    const taken = await other.post('/teachers', { token, username: 'K.Otto', password })
+    expect(taken).toMatchObject({ status: 409, body: { error: 'usernameTaken' } })
+    // The link is not used up by that.
+    expect((await other.post('/teachers', { token, username: 'k.otto2', password })).status).toBe(204)
+    expect((await other.post('/invitations')).status).toBe(403)
+  })
+
+  test('a teacher signs in by name and password, in any capitals, and out', async () => {
+    const browser = server.browser('10.9.0.1')
+    expect((await browser.post('/auth/sign-in/username', { username: 'K.OTTO2', password })).status).toBe(204)
+    expect((await browser.get('/auth/get-session')).body).toEqual({ teacher: { username: 'k.otto2' } })
+    await browser.post('/auth/sign-out')
+    expect((await browser.get('/auth/get-session')).body).toEqual({ teacher: null })
+    expect((await browser.get('/classes')).status).toBe(401)
+  })
+
+  test('a wrong password and a name that nobody has are answered alike', async () => {
+    const answers = []
+    for (const username of ['k.otto2', 'nobody.at.all']) {
+      const { status, body } = await server
+        .browser('10.9.0.2')
+        .post('/auth/sign-in/username', { username, password: 'wrong' })
+      answers.push({ status, body })
+    }
+    expect(answers).toEqual(Array(2).fill({ status: 401, body: { error: 'wrongPassword' } }))
+  })
+
+  test('an address that tries many passwords is stopped, whatever its headers claim', async () => {
+    const statuses = []
+    for (let tries = 0; tries < 12; tries++) {
+      const claimed = { 'x-class-address': `fd00::${tries}`, 'x-forwarded-for': `10.8.0.${tries}` }
+      const body = { username: 'k.otto2', password: `wrong ${tries}` }
+      statuses.push(
+        (await server.browser('10.9.0.3').ask('POST', '/auth/sign-in/username', body, claimed)).status,
+      )
+    }
+    expect(statuses).toEqual([...Array<number>(10).fill(401), 429, 429])
+    const right = { username: 'k.otto2', password }
+    expect((await server.browser('10.9.0.4').post('/auth/sign-in/username', right)).status).toBe(204)
+  })
+
+  test('a new password from the console ends all sessions', async () => {
+    const browser = server.browser('10.9.0.5')
+    await browser.post('/auth/sign-in/username', { username: 'k.otto2', password })
+    expect(await server.ports.accounts.reset({ username: 'K.otto2', password: 'ein neuer satz' })).toBe(true)
+    expect((await browser.get('/classes')).status).toBe(401)
+    expect((await browser.post('/auth/sign-in/username', { username: 'k.otto2', password })).status).toBe(401)
+    const renewed = { username: 'k.otto2', password: 'ein neuer satz' }
+    expect((await browser.post('/auth/sign-in/username', renewed)).status).toBe(204)
+    expect(await server.ports.accounts.reset({ username: 'nobody', password })).toBe(false)
+  })
+})

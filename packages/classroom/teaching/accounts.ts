@@ -1,0 +1,131 @@
+import { betterAuth } from 'better-auth'
+import { username } from 'better-auth/plugins/username'
+import type { Database } from '../database/database.ts'
+import { keyedHash } from '../hashes.ts'
+import type { Caller } from '../ports.ts'
+import { endSessionsOfTeacher, setPassword, teacherCalled } from './accounts-store.ts'
+
+/** A teacher who is signed in. */
+export interface Teacher {
+  readonly id: string
+  readonly username: string
+}
+
+/** Of better-auth's paths only these are mounted. */
+export const mounted = ['/sign-in/username', '/sign-out', '/get-session'] as const
+export type Mounted = (typeof mounted)[number]
+
+interface NewTeacher {
+  readonly username: string
+  readonly password: string
+}
+
+export interface Accounts {
+  /** Takes a request to one of the mounted paths. `body`: JSON text, already limited. */
+  forward(path: Mounted, headers: Headers, body: string | null, caller: Caller): Promise<Response>
+  /** Who is signed in; null for nobody. */
+  teacherOf(headers: Headers, caller: Caller): Promise<Teacher | null>
+  /** @returns the teacher's id; null where the name is taken */
+  create(teacher: NewTeacher): Promise<string | null>
+  /** Gives a teacher a new password and ends all sessions. @returns whether there is such a teacher */
+  reset(teacher: NewTeacher): Promise<boolean>
+}
+
+/** The address of a request that no proxy or browser has a say in. */
+const inside = 'http://class.internal'
+const basePath = '/api/class/auth'
+const addressHeader = 'x-class-address'
+const sessionSeconds = 12 * 3600
+
+/** better-auth keeps the address of who tries too often: it gets a made-up one that is always the same for the same. */
+function standIn(address: string, secret: Uint8Array): string {
+  const digits = keyedHash(secret, 'address', address).slice(0, 16)
+  return `fd00:${digits.match(/.{4}/g)!.slice(0, 3).join(':')}::1`
+}
+
+function options(database: Database, secret: Uint8Array) {
+  return {
+    appName: 'Botgarten',
+    baseURL: inside,
+    basePath,
+    secret: keyedHash(secret, 'accounts'),
+    database: { db: database.db, type: database.kind },
+    telemetry: { enabled: false },
+    logger: { disabled: true },
+    emailAndPassword: { enabled: true, disableSignUp: true, minPasswordLength: 10, maxPasswordLength: 128 },
+    user: { modelName: 'teacher' },
+    session: { modelName: 'teacherSession', expiresIn: sessionSeconds, disableSessionRefresh: true },
+    plugins: [username({ minUsernameLength: 3, maxUsernameLength: 30 })],
+    rateLimit: {
+      enabled: true,
+      storage: 'database' as const,
+      window: 60,
+      max: 600,
+      customRules: { '/sign-in/username': { window: 60, max: 10 }, '/get-session': false as const },
+    },
+    advanced: {
+      cookiePrefix: 'botgarten-teacher',
+      // The server adds Secure to the answer to a request that came over https.
+      useSecureCookies: false,
+      defaultCookieAttributes: { path: '/api/class' },
+      ipAddress: { ipAddressHeaders: [addressHeader] },
+    },
+    databaseHooks: {
+      session: {
+        create: {
+          before: (session: object) =>
+            Promise.resolve({ data: { ...session, ipAddress: '', userAgent: '' } }),
+        },
+      },
+    },
+  }
+}
+
+/** Accounts of teachers: better-auth on our tables. `secret` keys its cookies. */
+export function accountsOn(database: Database, secret: Uint8Array): Accounts {
+  const auth = betterAuth(options(database, secret))
+
+  function forward(path: Mounted, headers: Headers, body: string | null, { address }: Caller) {
+    const given: Record<string, string> = {
+      [addressHeader]: standIn(address, secret),
+      origin: inside,
+      cookie: headers.get('cookie') ?? '',
+    }
+    if (body !== null) given['content-type'] = 'application/json'
+    const method = path === '/get-session' ? 'GET' : 'POST'
+    const url = `${inside}${basePath}${path}`
+    return auth.handler(new Request(url, { method, headers: given, body: method === 'GET' ? null : body }))
+  }
+
+  async function teacherOf(headers: Headers, caller: Caller): Promise<Teacher | null> {
+    if (!headers.get('cookie')?.includes('botgarten-teacher')) return null
+    const answer = await forward('/get-session', headers, null, caller)
+    if (!answer.ok) throw new Error('The session of a teacher could not be read.')
+    const found = (await answer.json()) as { user: { id: string; username: string } } | null
+    return found && { id: found.user.id, username: found.user.username }
+  }
+
+  async function create({ username, password }: NewTeacher): Promise<string | null> {
+    const { internalAdapter, password: hashing } = await auth.$context
+    if (await teacherCalled(database.db, username)) return null
+    // Nobody is asked for a mail address; the column wants one of its own for each.
+    const email = `${username.toLowerCase()}@botgarten.invalid`
+    const made = { name: username, email, emailVerified: false, username, displayUsername: username }
+    const teacher = await internalAdapter.createUser(made, { method: 'admin' })
+    const credential = { userId: teacher.id, accountId: teacher.id, providerId: 'credential' }
+    await internalAdapter.linkAccount({ ...credential, password: await hashing.hash(password) })
+    return teacher.id
+  }
+
+  async function reset({ username, password }: NewTeacher): Promise<boolean> {
+    const { password: hashing } = await auth.$context
+    const { db } = database
+    const teacher = await teacherCalled(db, username)
+    if (teacher === undefined) return false
+    await setPassword(db, teacher, await hashing.hash(password))
+    await endSessionsOfTeacher(db, teacher)
+    return true
+  }
+
+  return { forward, teacherOf, create, reset }
+}

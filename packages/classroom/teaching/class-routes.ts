@@ -1,0 +1,124 @@
+import * as v from 'valibot'
+import type { ClassRow } from '../database/tables.ts'
+import { newToken } from '../hashes.ts'
+import { newCode, codeKey } from '../joining/code.ts'
+import { endSessionsOfClass } from '../joining/sessions-store.ts'
+import type { Ports } from '../ports.ts'
+import { mostSpace } from '../projects/saves-store.ts'
+import { Refusal } from '../refusal.ts'
+import { route, type Answer, type Call, type Route } from '../route.ts'
+import { addClass, changeClass, classesOf, closeClass, giveCode, sizesOf } from './classes-store.ts'
+import { carryOut } from './deleting-store.ts'
+import { announce } from './ending-store.ts'
+
+const joiningLength = 20 * 60_000
+
+const name = v.pipe(v.string(), v.trim(), v.minLength(1), v.maxLength(40))
+const language = v.picklist(['de', 'en'])
+const grade = v.pipe(v.number(), v.integer(), v.minValue(1), v.maxValue(13))
+const day = v.pipe(v.string(), v.isoDate())
+const newClass = v.strictObject({ name, language, grade, endsOn: day })
+const changes = v.partial(v.strictObject({ name, grade, endsOn: day }))
+
+/** What a teacher sees of a class. */
+const shown = (row: ClassRow, ports: Ports) => ({
+  ...{ id: row.id, name: row.name, language: row.language, grade: row.grade, code: row.code },
+  ...{ open: row.openedAt !== null, joiningUntil: row.joiningUntil > ports.now() ? row.joiningUntil : null },
+  ...{ endsOn: row.endsOn, endsSoon: row.announcedDay !== null },
+})
+
+async function list({ ports, who }: Call<undefined>): Promise<Answer> {
+  const rows = await classesOf(ports.database.db, who.teacher!.id)
+  const announced = await Promise.all(rows.map((row) => announce(ports, row)))
+  return { body: { classes: announced.map((row) => shown(row, ports)) } }
+}
+
+/** A code that no other class has; words are drawn again where one is taken. */
+async function withFreeCode(ports: Ports, language: 'de' | 'en', use: (code: string) => Promise<boolean>) {
+  for (let tries = 0; tries < 5; tries++) if (await use(codeKey(newCode(language, ports.random))!)) return
+  throw new Error('No free code was found.')
+}
+
+async function make({ ports, who, body }: Call<v.InferOutput<typeof newClass>>): Promise<Answer> {
+  refusePast(ports, body.endsOn)
+  const id = newToken(ports.random)
+  const made = {
+    openedAt: null,
+    joiningUntil: 0,
+    closedAt: 0,
+    announcedDay: null,
+    space: 0,
+    madeAt: ports.now(),
+  }
+  await withFreeCode(ports, body.language, (code) =>
+    addClass(ports.database.db, { id, teacher: who.teacher!.id, code, ...body, ...made }),
+  )
+  return { status: 201, body: { id } }
+}
+
+function refusePast(ports: Ports, endsOn: string) {
+  if (endsOn <= ports.day(0)) throw new Refusal(400, 'endsInThePast')
+}
+
+async function one({ ports, who }: Call<undefined>): Promise<Answer> {
+  const row = await announce(ports, who.class!)
+  const sizes = await sizesOf(ports.database.db, row.id)
+  return { body: { ...shown(row, ports), ...sizes, space: row.space, mostSpace } }
+}
+
+async function change({ ports, who, body }: Call<v.InferOutput<typeof changes>>): Promise<Answer> {
+  if (body.endsOn !== undefined) refusePast(ports, body.endsOn)
+  // A moved date is announced again.
+  const moved = body.endsOn === undefined ? {} : { announcedDay: null }
+  if (Object.keys(body).length > 0) await changeClass(ports.database.db, who.class!.id, { ...body, ...moved })
+  return {}
+}
+
+/** The lesson begins, and for 20 minutes newcomers can join; asked again, they can for 20 more. */
+async function open({ ports, who }: Call<undefined>): Promise<Answer> {
+  const now = ports.now()
+  const openedAt = who.class!.openedAt ?? now
+  await changeClass(ports.database.db, who.class!.id, { openedAt, joiningUntil: now + joiningLength })
+  return { body: { joiningUntil: now + joiningLength } }
+}
+
+async function close({ ports, who }: Call<undefined>): Promise<Answer> {
+  await closeClass(ports.database.db, who.class!.id, ports.now())
+  return {}
+}
+
+async function otherCode({ ports, who }: Call<undefined>): Promise<Answer> {
+  const { id, language } = who.class!
+  await withFreeCode(ports, language === 'de' ? 'de' : 'en', (code) => giveCode(ports.database.db, id, code))
+  return {}
+}
+
+async function signOutAll({ ports, who }: Call<undefined>): Promise<Answer> {
+  await endSessionsOfClass(ports.database.db, who.class!.id)
+  return {}
+}
+
+/** Deletes the class with all its data; the tombstone is there first. */
+async function remove({ ports, who, body }: Call<{ readonly name: string }>): Promise<Answer> {
+  const { id, name } = who.class!
+  if (body.name.trim() !== name) throw new Refusal(400, 'otherName')
+  await deleteForGood(ports, { kind: 'class', id })
+  return {}
+}
+
+export async function deleteForGood(ports: Ports, tombstone: { kind: 'class' | 'pupil'; id: string }) {
+  await ports.bury(tombstone)
+  await ports.database.db.transaction().execute((inside) => carryOut(inside, tombstone))
+}
+
+export const classRoutes: readonly Route[] = [
+  route('GET', '/classes', ['teacher'], list),
+  route('POST', '/classes', ['teacher'], make, newClass),
+  route('GET', '/classes/:class', ['owner'], one),
+  route('PATCH', '/classes/:class', ['owner'], change, changes),
+  route('DELETE', '/classes/:class', ['owner'], remove, v.strictObject({ name: v.string() })),
+  route('POST', '/classes/:class/open', ['owner'], open),
+  route('POST', '/classes/:class/close', ['owner'], close),
+  route('POST', '/classes/:class/code', ['owner'], otherCode),
+  route('POST', '/classes/:class/sign-out-all', ['owner'], signOutAll),
+]

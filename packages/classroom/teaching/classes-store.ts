@@ -1,0 +1,68 @@
+import type { Insertable, Updateable } from 'kysely'
+import type { Db } from '../database/database.ts'
+import type { ClassRow, ClassTable } from '../database/tables.ts'
+
+export const classOf = (db: Db, id: string, teacher: string): Promise<ClassRow | undefined> =>
+  db.selectFrom('class').selectAll().where('id', '=', id).where('teacher', '=', teacher).executeTakeFirst()
+
+export const classesOf = (db: Db, teacher: string): Promise<ClassRow[]> =>
+  db.selectFrom('class').selectAll().where('teacher', '=', teacher).orderBy('madeAt').execute()
+
+/** @returns false where another class has this code */
+export async function addClass(db: Db, row: Insertable<ClassTable>): Promise<boolean> {
+  const added = await db
+    .insertInto('class')
+    .values(row)
+    .onConflict((conflict) => conflict.column('code').doNothing())
+    .returning('id')
+    .executeTakeFirst()
+  return added !== undefined
+}
+
+export async function changeClass(db: Db, id: string, change: Updateable<ClassTable>): Promise<void> {
+  await db.updateTable('class').set(change).where('id', '=', id).execute()
+}
+
+/** The lesson is over: nobody is new any more, no hand is up. */
+export async function closeClass(db: Db, id: string, now: number): Promise<void> {
+  await changeClass(db, id, { openedAt: null, closedAt: now, joiningUntil: 0 })
+  await db.updateTable('pupil').set({ isNew: 0, handAt: null }).where('class', '=', id).execute()
+}
+
+/** How much a class holds. */
+export async function sizesOf(db: Db, classId: string) {
+  const count = async (table: 'pupil' | 'project' | 'version') =>
+    (
+      await db
+        .selectFrom(table)
+        .select((row) => row.fn.countAll<number>().as('count'))
+        .where('class', '=', classId)
+        .executeTakeFirstOrThrow()
+    ).count
+  return { pupils: await count('pupil'), projects: await count('project'), versions: await count('version') }
+}
+
+/** @returns false where another class has this code */
+export async function giveCode(db: Db, id: string, code: string): Promise<boolean> {
+  const taken = await db.selectFrom('class').select('id').where('code', '=', code).executeTakeFirst()
+  if (!taken) await changeClass(db, id, { code })
+  return !taken
+}
+
+/** What a pupil sees of the class. */
+export const classOfPupil = (db: Db, id: string) =>
+  db
+    .selectFrom('class')
+    .select(['id', 'name', 'language', 'grade', 'openedAt'])
+    .where('id', '=', id)
+    .executeTakeFirst()
+
+/** Sizes of all classes for who runs the server: no name of a class, nothing of what is in it. */
+export const sizesOfAll = (db: Db) =>
+  db
+    .selectFrom('class')
+    .leftJoin('pupil', 'pupil.class', 'class.id')
+    .select((row) => ['class.id', 'class.space', row.fn.count<number>('pupil.id').as('pupils')])
+    .groupBy(['class.id', 'class.space'])
+    .orderBy('class.id')
+    .execute()

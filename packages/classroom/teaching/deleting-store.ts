@@ -1,0 +1,23 @@
+import type { Db } from '../database/database.ts'
+import type { Tombstone } from '../ports.ts'
+import { recount } from '../projects/assets-store.ts'
+
+/**
+ * Deletes a class or a pupil with all that hangs on it. What the database remembers is the id alone, so that a device
+ * that comes back is told. Doing it again changes nothing: after a restore every tombstone is carried out.
+ */
+export async function carryOut(db: Db, { kind, id }: Tombstone): Promise<void> {
+  const pupil = await db.selectFrom('pupil').select('class').where('id', '=', id).executeTakeFirst()
+  if (kind === 'class') {
+    // The rest hangs on it, and the database deletes it along.
+    await db.deleteFrom('class').where('id', '=', id).execute()
+  } else if (pupil) {
+    await db.deleteFrom('pupil').where('id', '=', id).execute()
+    await recount(db, pupil.class)
+  }
+  await db
+    .insertInto('tombstone')
+    .values({ kind, id })
+    .onConflict((conflict) => conflict.column('id').doNothing())
+    .execute()
+}

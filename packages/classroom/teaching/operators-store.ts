@@ -1,0 +1,37 @@
+import type { Db } from '../database/database.ts'
+import { hashOf } from '../hashes.ts'
+
+export const isOperator = async (db: Db, teacher: string): Promise<boolean> =>
+  (await db.selectFrom('operator').select('teacher').where('teacher', '=', teacher).executeTakeFirst()) !==
+  undefined
+
+export async function makeOperator(db: Db, teacher: string, madeAt: number): Promise<void> {
+  await db.insertInto('operator').values({ teacher, madeAt }).execute()
+}
+
+/** The first teacher and since when; undefined before there is one. */
+export const firstTeacher = (db: Db) =>
+  db
+    .selectFrom('operator')
+    .innerJoin('teacher', 'teacher.id', 'operator.teacher')
+    .select(['teacher.displayUsername as name', 'operator.madeAt'])
+    .orderBy('operator.madeAt')
+    .executeTakeFirst()
+
+export async function addInvitation(db: Db, token: string, first: 0 | 1, endsAt: number): Promise<void> {
+  // Of the links for the first teacher only the newest one works.
+  if (first) await db.deleteFrom('invitation').where('first', '=', 1).execute()
+  await db
+    .insertInto('invitation')
+    .values({ tokenHash: hashOf(token), first, endsAt })
+    .execute()
+}
+
+/** Uses a link up: of two who come at once one gets it. @returns undefined where it does not work (any more) */
+export const takeInvitation = (db: Db, token: string, now: number) =>
+  db
+    .deleteFrom('invitation')
+    .where('tokenHash', '=', hashOf(token))
+    .where('endsAt', '>', now)
+    .returning(['first', 'endsAt'])
+    .executeTakeFirst()

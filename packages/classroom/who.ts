@@ -1,0 +1,61 @@
+import { readPupil, type Pupil } from './joining/sessions-store.ts'
+import type { Caller, Ports } from './ports.ts'
+import { Refusal } from './refusal.ts'
+import { cookieIn, pupilCookie } from './joining/cookies.ts'
+import { isOperator } from './teaching/operators-store.ts'
+import { classOf } from './teaching/classes-store.ts'
+import type { Teacher } from './teaching/accounts.ts'
+import type { ClassRow } from './database/tables.ts'
+
+/**
+ * Who may ask a route:
+ * - `anyone`: also nobody
+ * - `pupil`: joined, or showed the pictures, within this lesson
+ * - `returning`: a pupil whose lesson is over, who has to show the pictures before anything is read
+ * - `teacher`: signed in, for what names no class
+ * - `owner`: the teacher of the class that the route names
+ * - `operator`: invites teachers and sees sizes, never what is in a class
+ */
+export type Role = 'anyone' | 'pupil' | 'returning' | 'teacher' | 'owner' | 'operator'
+
+export interface Who {
+  readonly pupil: Pupil | null
+  readonly teacher: Teacher | null
+  /** The class that the route names and the teacher owns. */
+  readonly class: ClassRow | null
+}
+
+const nobody: Who = { pupil: null, teacher: null, class: null }
+
+/**
+ * Finds out whether the sender of a request has one of the roles.
+ * @throws Refusal 401 for nobody, 403 for a role that is not enough, 404 for the class of somebody else, 410 for a class that has ended
+ */
+export async function whoAsks(
+  ports: Ports,
+  roles: readonly Role[],
+  headers: Headers,
+  caller: Caller,
+  classId: string | undefined,
+): Promise<Who> {
+  if (roles.includes('anyone')) return nobody
+  if (roles.includes('pupil') || roles.includes('returning')) return pupilAsking(ports, roles, headers)
+  const teacher = await ports.accounts.teacherOf(headers, caller)
+  if (!teacher) throw new Refusal(401, 'signIn')
+  if (roles.includes('teacher')) return { ...nobody, teacher }
+  if (roles.includes('owner')) {
+    const found = await classOf(ports.database.db, classId ?? '', teacher.id)
+    // Whether another teacher has such a class is not told.
+    if (!found) throw new Refusal(404, 'noSuchClass')
+    return { ...nobody, teacher, class: found }
+  }
+  if (!(await isOperator(ports.database.db, teacher.id))) throw new Refusal(403, 'notYours')
+  return { ...nobody, teacher }
+}
+
+async function pupilAsking(ports: Ports, roles: readonly Role[], headers: Headers): Promise<Who> {
+  const pupil = await readPupil(ports, cookieIn(headers, pupilCookie))
+  if (!pupil) throw new Refusal(401, 'join')
+  if (!roles.includes(pupil.fresh ? 'pupil' : 'returning')) throw new Refusal(401, 'showPictures')
+  return { ...nobody, pupil }
+}
