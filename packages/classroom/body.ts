@@ -9,9 +9,10 @@ const mostOfProject = 5_000_000
 async function textOf(request: Request, most: number): Promise<string> {
   if (Number(request.headers.get('content-length') ?? 0) > most) throw new Refusal(413, 'tooBig', { most })
   const decoder = new TextDecoder('utf-8', { fatal: true })
+  const pieces: AsyncIterable<Uint8Array> | [] = request.body ?? []
   let [text, bytes] = ['', 0]
   try {
-    for await (const piece of request.body ?? []) {
+    for await (const piece of pieces) {
       bytes += piece.length
       if (bytes > most) throw new Refusal(413, 'tooBig', { most })
       text += decoder.decode(piece, { stream: true })

@@ -72,7 +72,7 @@ test('a body that hides its length is cut off at the limit', async () => {
   const cookie = [...child.cookies].map(([name, value]) => `${name}=${value}`).join('; ')
   const headers = { cookie, origin: 'http://lab.test', 'content-type': 'application/json' }
   const url = 'http://lab.test/api/class/projects/project-1?base=0&save=save-0001'
-  const request = new Request(url, { method: 'PUT', body: endless, headers, duplex: 'half' } as RequestInit)
+  const request = new Request(url, { method: 'PUT', body: endless, headers, duplex: 'half' })
   expect((await server.ask(request)).status).toBe(413)
   expect(sent).toBeLessThan(6_000_000)
 })

@@ -52,5 +52,5 @@ export const route = <const Schema extends v.GenericSchema | 'project' | undefin
 ): Route => ({
   ...{ method, path, roles },
   ...(body === undefined ? {} : { body }),
-  handle: handle as Route['handle'],
+  handle,
 })

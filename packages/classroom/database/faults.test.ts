@@ -47,7 +47,7 @@ test('a file that cannot be written says so, and what is in it can be read', asy
   const sqlite = new SqliteFile(file, { readonly: true })
   const { Kysely, SqliteDialect } = await import('kysely')
   const db = new Kysely<never>({ dialect: new SqliteDialect({ database: sqlite }) })
-  const readOnly = new Server({ ...database, db: db as unknown as Database['db'] })
+  const readOnly = new Server({ ...database, db })
   readOnly.now = server.now
   const child = readOnly.browser()
   for (const [name, value] of browser.cookies) child.cookies.set(name, value)

@@ -7,15 +7,18 @@ const int8 = 20
 const numeric = 1700
 /** PostgreSQL gives wide numbers and sums as text; all of ours fit a double. */
 const asNumbers = {
-  getTypeParser: (id: number, format?: 'text' | 'binary') =>
-    id === int8 || id === numeric ? Number : (pg.types.getTypeParser(id, format as 'text') as unknown),
+  getTypeParser: (id: number, format?: 'text' | 'binary'): unknown => {
+    if (id === int8 || id === numeric) return Number
+    const usual: unknown = pg.types.getTypeParser(id, format)
+    return usual
+  },
 }
 
 /** @param address `postgres://user:password@host/database` */
 export function openPostgres(address: string): Database {
   const pool = new pg.Pool({
     connectionString: address,
-    types: asNumbers as pg.CustomTypesConfig,
+    types: asNumbers,
     max: 10,
     connectionTimeoutMillis: 5000,
   })

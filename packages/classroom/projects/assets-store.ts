@@ -22,10 +22,11 @@ export async function recount(db: Db, classId: string): Promise<number> {
   await db
     .deleteFrom('asset')
     .where('class', '=', classId)
-    .where(({ not, exists, selectFrom }) =>
-      not(
-        exists(
-          selectFrom('versionAsset')
+    .where((row) =>
+      row.not(
+        row.exists(
+          row
+            .selectFrom('versionAsset')
             .select('versionAsset.hash')
             .whereRef('versionAsset.class', '=', 'asset.class')
             .whereRef('versionAsset.hash', '=', 'asset.hash'),

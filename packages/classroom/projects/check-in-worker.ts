@@ -11,7 +11,7 @@ interface Answer {
 
 export interface Checker {
   readonly check: CheckProject
-  close(): Promise<void>
+  readonly close: () => Promise<void>
 }
 
 interface Running {

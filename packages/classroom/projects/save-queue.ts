@@ -5,8 +5,8 @@ export type SaveQueue = (save: Save) => Promise<Saved>
 
 interface Waiting {
   readonly save: Save
-  resolve(saved: Saved): void
-  reject(error: unknown): void
+  readonly resolve: (saved: Saved) => void
+  readonly reject: (error: unknown) => void
 }
 
 /**
