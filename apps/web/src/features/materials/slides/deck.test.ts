@@ -1,6 +1,6 @@
 import { readItemText } from '@botgarten/content/items'
 import { expect, test } from 'vitest'
-import { slidesOf, turned } from './deck.ts'
+import { isWorkedWith, poseOn, slidesOf, turned } from './deck.ts'
 
 const deck = slidesOf(
   readItemText(
@@ -26,6 +26,22 @@ test('a picture stands beside the words, though it is written among them', () =>
     readItemText('# Deck\n\n## One\n\nWords.\n\n![Flags](flags.svg)\n'),
   ) as [unknown, (typeof deck)[0]]
   expect([words, shown].map((nodes) => nodes.map(({ type }) => type))).toEqual([['paragraph'], ['image']])
+})
+
+test('a slide with a live lab or questions is worked with, one with a picture is not', () => {
+  const slides = slidesOf(
+    readItemText(
+      '# Deck\n\n## Live\n\n::live{card=friendship file=solution}\n\n## Drawn\n\n::world{id=garden}\n',
+    ),
+  )
+  expect(slides.map(isWorkedWith)).toEqual([false, true, false])
+})
+
+test('Bo greets on the first slide, thinks at a question and else cheers on every other slide', () => {
+  const slide = (title: string, first = false) => ({ title, first, words: [], shown: [], notes: [] })
+  expect(poseOn(slide('Who are you?', true), 1)).toBe('wave')
+  expect(poseOn(slide('Who are you?'), 3)).toBe('think')
+  expect([3, 4].map((number) => poseOn(slide('Off we go!'), number))).toEqual(['cheer', 'wave'])
 })
 
 test.each([

@@ -1,4 +1,5 @@
 import type { ItemMarkdown, ItemText } from '@botgarten/content/items'
+import type { BoPose } from '#parts/bo.ts'
 
 export interface Slide {
   readonly title: string
@@ -29,6 +30,17 @@ export function slidesOf({ title, lead, sections }: ItemText): readonly Slide[] 
     slide(title, lead, [], true),
     ...sections.map((section) => slide(section.title, section.body, section.notes, false)),
   ]
+}
+
+/** Is a slide worked with, so that what it shows has the room below its words? */
+export const isWorkedWith = ({ shown }: Slide): boolean =>
+  shown.some((node) => node.type === 'embed' && ['live', 'questions', 'sort'].includes(node.embed.kind))
+
+/** How Bo stands on the slide with this number: Bo greets on the first one and thinks at a question. */
+export function poseOn({ first, title }: Slide, number: number): BoPose {
+  if (first) return 'wave'
+  if (title.endsWith('?')) return 'think'
+  return number % 2 ? 'cheer' : 'wave'
 }
 
 type Step = 'next' | 'before' | 'first' | 'last'
