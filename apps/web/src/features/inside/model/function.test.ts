@@ -1,7 +1,7 @@
 import fc from 'fast-check'
 import { expect, test } from 'vitest'
 import { trace, type Brain } from '@botgarten/learning/neural-network'
-import { answerOf, courseOf, rangeAround, rangeOf, spread } from './function.ts'
+import { answerOf, courseOf, endsOf, rangeAround, rangeOf, spread } from './function.ts'
 
 const neuron = (id: string, bias = 0) => ({ id, activation: 'identity' as const, bias })
 const brain: Brain = {
@@ -21,6 +21,15 @@ test('a curve is what the network would give, and goes through the point of now'
     }),
     { seed: 7 },
   )
+})
+
+test('the lowest and highest value of a function of two inputs are found at the ends and in the middle', () => {
+  const ranges = [
+    { least: 0, most: 100 },
+    { least: -10, most: 10 },
+  ] as const
+  expect(endsOf((x, y) => x - y, ranges)).toEqual({ least: -10, most: 110 })
+  expect(endsOf((x, y) => (x - 50) ** 2 + y ** 2, ranges)).toEqual({ least: 0, most: 2600 })
 })
 
 test('the curve of a link inside begins at its own neuron: the others stay as they are', () => {

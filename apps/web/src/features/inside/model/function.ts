@@ -62,6 +62,12 @@ export const rangeAround = (values: readonly number[]): Range => ({
 export const spread = ({ least, most }: Range, count: number): readonly number[] =>
   Array.from({ length: count }, (_, index) => least + ((most - least) * index) / (count - 1))
 
+/** Lowest and highest value of a function of two inputs, on a grid of 5 by 5 points over their ranges. */
+export function endsOf(answer: (x: number, y: number) => number, [x, y]: readonly [Range, Range]): Range {
+  const values = spread(x, 5).flatMap((one) => spread(y, 5).map((two) => answer(one, two)))
+  return { least: Math.min(...values), most: Math.max(...values) }
+}
+
 /** How a curve goes: one word for all of it. */
 export function courseOf(values: readonly number[]): 'rises' | 'falls' | 'stays' | 'bends' {
   const steps = values.slice(1).map((value, index) => value - values[index]!)
