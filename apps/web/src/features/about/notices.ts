@@ -23,3 +23,12 @@ export const libraries: readonly (readonly [name: string, whose: string, licence
   const [name = '', whose = '', licence = ''] = line.split(/\s{2,}/)
   return [name, whose, licence]
 })
+
+/** Complete texts of the licences: what each is for, and its file. */
+export const licenceTexts = [
+  ['Apache License 2.0', 'licences/Apache-2.0.txt'],
+  ['Atkinson Hyperlegible Next: SIL OFL 1.1', 'licences/OFL-atkinson-hyperlegible-next.txt'],
+  ['Baloo 2: SIL OFL 1.1', 'licences/OFL-baloo-2.txt'],
+  ['Nunito: SIL OFL 1.1', 'licences/OFL-nunito.txt'],
+  ['MIT, ISC, Blue Oak 1.0.0', 'licences/libraries.txt'],
+] as const
