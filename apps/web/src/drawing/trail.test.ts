@@ -46,11 +46,12 @@ describe('the trails of a crew', () => {
       maxLength: 60,
     })
     .map((all) => all.map((point, t) => ({ ...point, t, heading: 0 })))
-  const dotsOf = (trails: Trails, trail: readonly TrailPoint[], scale: number) =>
-    trails
-      .dots([{ id: 'bo', trail }], room, scale, ['#F28C45'])
-      .map((shape) => (shape.kind === 'path' ? shape.d : ''))
-      .join('')
+  const dotted = (trails: Trails, trail: readonly TrailPoint[], scale: number) =>
+    trails.dots([{ id: 'bo', trail }], room, scale, ['#F28C45'])
+  function dotsOf(trails: Trails, trail: readonly TrailPoint[], scale: number) {
+    const { done, growing } = dotted(trails, trail, scale)
+    return [...done, ...growing].map((shape) => (shape.kind === 'path' ? shape.d : '')).join('')
+  }
 
   test('grow to the same dots as if they had been dotted at once', () => {
     fc.assert(
@@ -60,6 +61,14 @@ describe('the trails of a crew', () => {
         expect(dotsOf(growing, trail, 2)).toBe(dotsOf(new Trails(), trail, 2))
       }),
     )
+  })
+
+  test('are the same paths but for the last dots, so that they need not be painted again', () => {
+    const line = Array.from({ length: 200 }, (_, t) => ({ x: t, y: 0, t, heading: 0 }))
+    const trails = new Trails()
+    const { done } = dotted(trails, line.slice(0, -1), 3)
+    expect(done.length).toBeGreaterThan(0)
+    expect(dotted(trails, line, 3).done).toBe(done)
   })
 
   test('begin again where time went back, and at another scale', () => {

@@ -43,6 +43,13 @@ const gap = 11
 /** In one path: what has been dotted is not read again. */
 const dotsInPath = 40
 
+/** Dots in paths: those that stay the same, and those that still grow. */
+export interface Dots {
+  /** The same object for as long as nothing is added or taken away. */
+  readonly done: readonly Command[]
+  readonly growing: readonly Command[]
+}
+
 /** Where a robot has been, dotted. Only what is new is dotted. */
 class Trail {
   #paths: Command[] = []
@@ -53,7 +60,7 @@ class Trail {
   #for = ''
 
   /** @param trail in cm; the same points as before and some more, else it is dotted from its beginning */
-  dots(trail: readonly TrailPoint[], floor: Size, scale: number, colour: string): readonly Command[] {
+  dots(trail: readonly TrailPoint[], floor: Size, scale: number, colour: string): Dots {
     const target = [scale, floor.height, colour].join()
     if (target !== this.#for || !this.#goesOn(trail)) this.#begin(target)
     if (this.#drawn.count === trail.length) return this.#all(colour)
@@ -88,8 +95,8 @@ class Trail {
     this.#dotsInLast = 0
   }
 
-  #all(colour: string): readonly Command[] {
-    return this.#last ? [...this.#paths, dotted(this.#last, colour)] : this.#paths
+  #all(colour: string): Dots {
+    return { done: this.#paths, growing: this.#last ? [dotted(this.#last, colour)] : [] }
   }
 }
 
@@ -98,17 +105,24 @@ const dotted = (d: string, stroke: string): Command => ({ kind: 'path', d, strok
 /** The trails of a crew, each in its colour. */
 export class Trails {
   readonly #trails = new Map<string, Trail>()
+  #done: readonly Command[] = []
 
   dots(
     robots: readonly { readonly id: string; readonly trail: readonly TrailPoint[] }[],
     floor: Size,
     scale: number,
     colours: readonly string[],
-  ): readonly Command[] {
-    return robots.flatMap(({ id, trail }, index) => {
+  ): Dots {
+    const all = robots.map(({ id, trail }, index) => {
       const own = this.#trails.get(id) ?? new Trail()
       this.#trails.set(id, own)
       return own.dots(trail, floor, scale, colours[index] ?? colours[0]!)
     })
+    const done = all.flatMap((one) => one.done)
+    if (!same(done, this.#done)) this.#done = done
+    return { done: this.#done, growing: all.flatMap(({ growing }) => growing) }
   }
 }
+
+const same = (a: readonly Command[], b: readonly Command[]) =>
+  a.length === b.length && a.every((one, i) => one === b[i])

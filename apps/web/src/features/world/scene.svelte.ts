@@ -7,7 +7,7 @@ import { boRadius, grabbedAt, hitOf, roundHit, type Grabbed } from '#drawing/gra
 import { turned, type Point } from '#drawing/points.ts'
 import { readingsOf } from '#drawing/senses.ts'
 import { ahead, clockwise, radiusOf } from '#drawing/things.ts'
-import { Trails } from '#drawing/trail.ts'
+import { Trails, type Dots } from '#drawing/trail.ts'
 import { drawWorld, type Chosen, type Ghost, type Scene } from '#drawing/world.ts'
 import type { Highlight } from '#figures/highlight.svelte.ts'
 import { letters } from '#figures/letters.svelte.ts'
@@ -43,6 +43,8 @@ export interface GapOnFloor {
 
 const configsOf = ({ robots }: World): ReadonlyMap<string, RobotConfig> =>
   new Map(robots.map(({ id, config }) => [id, config]))
+
+const noDots: Dots = { done: [], growing: [] }
 
 /** What a hand has chosen, and how it is turned. */
 interface Selected {
@@ -144,8 +146,17 @@ export class WorldScene {
    *  written into the page only when it changes. */
   readonly ghostNames = $derived.by(() => this.#ghosts.map(({ label }) => label).join('\n'))
 
+  readonly #dots: Dots = $derived.by(() => {
+    const { world, view, showTrail } = this.#shown()
+    const { scale } = this.#viewport
+    return showTrail ? this.#trails.dots(view.robots, world.size, scale, bodies) : noDots
+  })
+
+  /** Dots of trails that stay as they are; the others are in the shapes. */
+  readonly trail = $derived.by(() => this.#dots.done)
+
   readonly now: Scene = $derived.by(() => {
-    const { world, view, robot, showRays, showTrail } = this.#shown()
+    const { world, view, robot, showRays } = this.#shown()
     const { scale } = this.#viewport
     return {
       floor: world.size,
@@ -154,7 +165,7 @@ export class WorldScene {
       configs: this.#configs,
       things: this.things,
       colours: bodies,
-      trails: showTrail ? this.#trails.dots(view.robots, world.size, scale, bodies) : [],
+      trails: this.#dots.growing,
       sensing: showRays ? robot : null,
       ghosts: this.#ghosts,
       gap: this.#gap,

@@ -41,12 +41,20 @@ export class FloorPicture {
   readonly #width = $derived.by(() => (Math.ceil(this.#viewport.pane.width / step) + 1) * step)
   readonly #height = $derived.by(() => (Math.ceil(this.#viewport.pane.height / step) + 1) * step)
 
+  /** What is painted of the floor's box, in px of it. */
+  readonly place = $derived.by(() => ({
+    x: this.#left,
+    y: this.#top,
+    width: this.#width,
+    height: this.#height,
+  }))
+
   /** A new object whenever it has been painted again; in px of the floor's box. */
   readonly picture: Picture = $derived.by(() => {
     const world = this.#world()
     const { scale } = this.#viewport
     const ratio = devicePixelRatio.current ?? 1
-    const place = { x: this.#left, y: this.#top, width: this.#width, height: this.#height }
+    const { place } = this
     const { families } = letters
     const [width, height] = [place.width, place.height].map((length) => Math.round(length * ratio))
     const source = pictureOf(width!, height!, (context) => {
