@@ -37,8 +37,7 @@ export class TrailPicture {
   #goesOn(dots: readonly Command[], place: Size & Point, ratio: number): boolean {
     const before = this.#painted
     if (before?.place !== place || before.ratio !== ratio) return false
-    const now = new Set(dots)
-    return before.dots.every((one) => now.has(one))
+    return before.dots.every((one) => dots.includes(one))
   }
 }
 
@@ -48,12 +47,11 @@ function painted(
   ratio: number,
   before: Painted | null,
 ): Picture {
-  const known = new Set(before?.dots)
   const [width, height] = [place.width, place.height].map((length) => Math.round(length * ratio))
   const source = pictureOf(width!, height!, (context) => {
     if (before) context.drawImage(before.picture.source, 0, 0)
     context.setTransform(ratio, 0, 0, ratio, -place.x * ratio, -place.y * ratio)
-    const fresh = dots.filter((one) => !known.has(one))
+    const fresh = dots.filter((one) => !before?.dots.includes(one))
     paint(context, fresh, letters.families)
   })
   return { source, ...place }
