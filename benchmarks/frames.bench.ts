@@ -15,31 +15,65 @@ async function slowChild(browser: Browser, baseURL: string): Promise<Child> {
   return new Child(await throttled(await freshPage(browser, baseURL)), 'en')
 }
 
+interface Standing {
+  readonly id: string
+  readonly pose: { readonly x: number; readonly y: number; readonly heading: number }
+}
+
+interface Saved {
+  readonly world: { readonly robots: readonly Standing[]; readonly obstacles: readonly Standing[] }
+}
+
 /** Friendship's project with more robots, side by side, each with the same program. */
-function withRobots(text: string, count: number): string {
-  const project = JSON.parse(text) as {
-    world: { robots: { id: string; pose: { x: number; y: number; heading: number } }[] }
-  }
+function withRobots(project: Saved, count: number): Saved {
   const [bo] = project.world.robots
   const robots = Array.from({ length: count }, (_, index) => ({
     ...bo!,
     id: index === 0 ? bo!.id : `bo${index + 1}`,
     pose: { ...bo!.pose, y: bo!.pose.y - 30 * index },
   }))
-  return JSON.stringify({ ...project, name: 'Crew', world: { ...project.world, robots } })
+  return { ...project, world: { ...project.world, robots } }
 }
+
+/** The same with small things that can be pushed, in rows beside where Bo drives. */
+function withThings(project: Saved, count: number): Saved {
+  const things = Array.from({ length: count }, (_, index) => ({
+    id: `thing${index + 1}`,
+    shape: index % 2 === 0 ? { kind: 'circle', radius: 5 } : { kind: 'rectangle', width: 9, height: 9 },
+    pose: { x: 20 + 14 * (index % 10), y: 30 + 14 * Math.floor(index / 10), heading: 0 },
+    fixed: false,
+    colour: '#F7D117',
+  }))
+  return { ...project, world: { ...project.world, obstacles: things } }
+}
+
+/** What drives, and what the sketch has of it; without `change` it is the card as it opens. */
+interface Course {
+  readonly name: string
+  readonly change?: (project: Saved) => Saved
+  readonly sketched?: number
+}
+
+const courses: readonly Course[] = [
+  { name: 'one robot', sketched: 1 },
+  { name: '4 robots', change: (project) => withRobots(project, 4), sketched: 4 },
+  { name: '40 things', change: (project) => withThings(project, 40) },
+]
 
 const seconds = 6
 
 /** Robots drive with all panes live. */
-async function driving(browser: Browser, url: string, robots: number) {
+async function driving(browser: Browser, url: string, { change }: Course) {
   const child = await slowChild(browser, url)
   await child.page.addInitScript(() => localStorage.setItem('botgarten.tour', '"seen"'))
   await child.opensLab('friendship')
   await child.typesWeight(leftEye, leftWheel, 0.6)
   await child.typesWeight(leftEye, rightWheel, 0.25)
   await untilKept(child.page)
-  if (robots > 1) await child.opensProject('Crew', withRobots(await child.savesFile(), robots))
+  if (change) {
+    const project = change(JSON.parse(await child.savesFile()) as Saved)
+    await child.opensProject('Crew', JSON.stringify({ ...project, name: 'Crew' }))
+  }
   await child.pressesStart()
   await child.page.waitForTimeout(2000)
   const watched = await watchFrames(child.page, seconds)
@@ -111,16 +145,17 @@ const spread = (values: readonly number[]) =>
 
 type Watched = Awaited<ReturnType<typeof watchFrames>>
 
-/** What is measured in turn: `drive` by so many robots. */
+/** What is measured in turn; null: it has no such course. */
 interface Place {
   readonly name: string
-  readonly drive: (robots: number) => Promise<Watched>
-  readonly watched: Map<number, Watched[]>
+  readonly drive: (course: Course) => Promise<Watched> | null
+  readonly watched: ReadonlyMap<Course, Watched[]>
 }
 
 function rowsOf({ name, watched }: Place): readonly (readonly string[])[] {
-  return [...watched].map(([robots, all]) => [
-    `${name}, ${robots === 1 ? 'one robot' : `${robots} robots`}`,
+  const driven = [...watched].filter(([, all]) => all.length > 0)
+  return driven.map(([course, all]) => [
+    `${name}, ${course.name}`,
     spread(all.map(({ gaps }) => percentile(gaps, 0.95))),
     spread(all.map(({ gaps }) => median(gaps))),
     spread(all.map(({ perFrame }) => perFrame)),
@@ -140,13 +175,23 @@ export default async function frames(): Promise<Table> {
   const other = beside ? await serverOf(resolve(beside)) : null
   const browser = await launchBrowser()
   const places: readonly Place[] = [
-    ...(other ? [{ name: 'the other', drive: (robots: number) => driving(browser, other.url, robots) }] : []),
-    { name: 'this', drive: (robots: number) => driving(browser, server.url, robots) },
-    ...(path ? [{ name: 'the sketch', drive: (robots: number) => sketch(browser, path, robots) }] : []),
-  ].map((one) => ({ ...one, watched: new Map([1, 4].map((robots) => [robots, []])) }))
+    ...(other ? [{ name: 'the other', drive: (course: Course) => driving(browser, other.url, course) }] : []),
+    { name: 'this', drive: (course: Course) => driving(browser, server.url, course) },
+    ...(path
+      ? [
+          {
+            name: 'the sketch',
+            drive: ({ sketched }: Course) => (sketched ? sketch(browser, path, sketched) : null),
+          },
+        ]
+      : []),
+  ].map((one) => ({ ...one, watched: new Map(courses.map((course) => [course, [] as Watched[]])) }))
   for (let round = 0; round < rounds; round += 1)
     for (const { drive, watched } of places)
-      for (const [robots, all] of watched) all.push(await drive(robots))
+      for (const [course, all] of watched) {
+        const run = await drive(course)
+        if (run) all.push(run)
+      }
   const pulls = await knobs(browser, server.url)
   await browser.close()
   const starts = await inFreshBrowsers(server.url, 5)
