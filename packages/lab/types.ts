@@ -38,7 +38,7 @@ export interface Lack {
   readonly facts: { readonly [name: string]: number | string }
   /** From the robot to where it should have been, in cm on the floor. */
   readonly gap?: { readonly from: Place; readonly to: Place }
-  /** Nothing that comes later can mend it. */
+  /** Nothing that comes later can make up for it. */
   readonly broken?: boolean
 }
 
@@ -166,7 +166,7 @@ export interface Lab {
   /**
    * Takes another document up without beginning again: what is in both goes on from where it stands, what is new or has
    * another start pose stands there (or at the nearest free place). The way back in time ends here.
-   * `stood`: where things stood when a step was done that is taken back: there they stand again, their start is as before.
+   * `stood`: where things stood when a step was done that is undone: there they stand again, their start is as before.
    */
   rebuild(document: Document, floor?: Floor, stood?: { readonly [id: string]: Pose }): void
   /**
@@ -198,7 +198,7 @@ export interface Lab {
   setBrain(brain: string, value: Brain): void
   /**
    * Moves a robot or an obstacle by hand; an obstacle, and while no run is on a robot too, starts from there, or from
-   * `start` where a move is taken back. Returns where it came to stand.
+   * `start` where a move is undone. Returns where it came to stand.
    */
   place(id: string, pose: Pose, start?: Pose): Pose
   press(key: DriveKey, down: boolean, robot?: string): void

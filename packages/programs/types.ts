@@ -200,7 +200,7 @@ export interface Project {
   readonly brains: { readonly [networkId: string]: Brain }
   /** By program: what its robot has learned by trying. */
   readonly q?: { readonly [program: string]: Learned }
-  /** The sorting playground as it was left. Whoever opens it reads it with care: here nothing of it is trusted. */
+  /** The sorting playground as it was left. It is not checked here: the playground that opens it validates it. */
   readonly sorting?: { readonly [part: string]: unknown }
   readonly assets: { readonly [sha256: string]: { readonly type: 'image/png'; readonly base64: string } }
   readonly progress?: Progress

@@ -24,7 +24,7 @@ interface Lazy<Part> extends Feature {
 
 /**
  * The lazy part of a feature, once its messages have come too.
- * @param failed takes back the request where it cannot be loaded, so that the next press asks again
+ * @param failed withdraws the request where it cannot be loaded, so that the next press asks again
  */
 export const loadPart = <Part>({ load, words }: Lazy<Part>, failed?: () => void): Promise<Part> =>
   withWords(load(), words, failed)

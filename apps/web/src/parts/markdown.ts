@@ -1,4 +1,4 @@
-/** The Markdown a card or whoever runs a lab may write, as a syntax tree (shapes of mdast). Other kinds of nodes are not shown. */
+/** The Markdown a card or the operator of a lab may write, as a syntax tree (shapes of mdast). Other kinds of nodes are not shown. */
 export type MarkdownNode =
   | { readonly type: 'text'; readonly value: string }
   | {

@@ -52,7 +52,7 @@ interface Plug {
   readonly kind: SensorKind
 }
 
-/** `before`: how many steps could be taken back before; one more is what this goes together with. */
+/** `before`: how many steps could be undone before; one more is what this goes together with. */
 function plugIn(session: LabSession, { port, kind }: Plug, before: number): void {
   const { config } = session
   const changed = withSensor(config, port, placeFor(kind, config))

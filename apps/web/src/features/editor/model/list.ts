@@ -131,7 +131,7 @@ export function plugIn(block: BotBlock, line: string, template: Template): Block
   return neuron
 }
 
-/** Sets the lines as one change that Blockly can take back. */
+/** Sets the lines as one change that Blockly can undo. */
 function reshape(block: BotBlock, lines: readonly string[]) {
   const before = JSON.stringify(block.saveExtraState?.())
   block.loadExtraState?.({ ...block.extra, lines })

@@ -5,7 +5,7 @@ import { followNeurons } from './follow.ts'
 
 export interface Reports {
   change(program: Program): void
-  /** Blockly can take back one step more. */
+  /** Blockly can undo one step more. */
   undoStep(): void
   select(id: string | null): void
   copied(pairs: readonly Copy[]): void

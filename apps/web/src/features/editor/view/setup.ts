@@ -39,7 +39,7 @@ function nameKeys() {
     show(workspace, { ...options, message: named(options.message) })
 }
 
-/** One stack of undo holds blocks, world and weights: the page decides what Ctrl+Z takes back. */
+/** One stack of undo holds blocks, world and weights: the page decides what Ctrl+Z undoes. */
 function leaveUndoToThePage() {
   const { registry } = Blockly.ShortcutRegistry
   for (const name of ['undo', 'redo']) registry.unregister(name)

@@ -24,7 +24,7 @@ export function nameIn({ inputs, outputs, brain }: Inside, id: string): string {
   return message('net.hidden', { layer, neuron: neuron + 1 })
 }
 
-/** "Why does motor B turn with 45?"; `would`: the network has not run yet. */
+/** "Why does motor B turn at 45?"; `would`: the network has not run yet. */
 export function whyTitle(output: string, value: string, would: boolean, motor: boolean): string {
   const facts = { output, value }
   if (would) return motor ? m['inside.whyWouldTurn'](facts) : m['inside.whyWouldGet'](facts)
