@@ -21,13 +21,15 @@ export interface BoLook {
 }
 
 const line: Ink = { stroke: '#4A3428', lineWidth: 0.7 }
-const lamps: { readonly [colour in LedColour]: string } = {
+/** Colours of a lamp that shines. */
+export const lamps: { readonly [colour in LedColour]: string } = {
   green: '#2FB457',
   orange: '#FFA51F',
   red: '#F0392B',
 }
 const wheelWidth = 2.8
-const lampAt = 4.3
+/** Where the lamp sits behind Bo's middle, in cm. */
+export const lampAt = 4.3
 
 /** Where a wheel's left edge is, and its part. */
 const wheelsOf = ({ trackWidth, drive }: RobotConfig) => [

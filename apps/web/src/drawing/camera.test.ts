@@ -7,6 +7,7 @@ import {
   fromPane,
   keepOnFloor,
   needOf,
+  needOfAll,
   onFloor,
   scaleBar,
   scaleFor,
@@ -58,18 +59,35 @@ describe('the camera', () => {
     expect(scaleFor(tall, floor, needOf(robot, [block]))).toBe(2.6)
   })
 
-  test('shows the whole floor where Bo stays big enough', () => {
-    expect(scaleFor({ width: 1000, height: 700 }, floor, { width: 44, height: 100 })).toBeCloseTo(976 / 600)
+  test('shows the whole floor where Bo stays big enough, and never more than 3 px a cm of it', () => {
+    const small = { width: 300, height: 200 }
+    expect(scaleFor({ width: 1000, height: 700 }, small, { width: 44, height: 100 })).toBe(3)
+    expect(scaleFor({ width: 800, height: 524 }, small, { width: 44, height: 100 })).toBeCloseTo(2.5)
   })
 
-  test('shows all of a race track, in a tall and in a low pane', () => {
+  test('Bo, 20 cm wide, is 44 px at least where what it drives to is near', () => {
+    for (const pane of [tall, { width: 850, height: 506 }])
+      expect(20 * scaleFor(pane, floor, { width: 110, height: 110 })).toBeGreaterThanOrEqual(44)
+    expect(scaleFor(tall, floor, { width: 600, height: 600 })).toBe(1.3)
+  })
+
+  test('of several robots all are in sight where Bo stays big enough', () => {
+    const need = needOfAll([
+      { x: 100, y: 100 },
+      { x: 200, y: 160 },
+    ])
+    expect(need).toEqual({ width: 144, height: 104 })
+    expect(scaleFor(tall, floor, need)).toBeCloseTo(372 / 144)
+  })
+
+  test('shows all of a map, in a tall and in a low pane', () => {
     const track = { width: 400, height: 300 }
     for (const pane of [tall, { width: 400, height: 300 }]) {
-      const scale = scaleFor(pane, track, null)
+      const scale = scaleFor(pane, track, 'whole')
       expect(scale * track.width).toBeLessThanOrEqual(pane.width)
       expect(scale * track.height).toBeLessThanOrEqual(pane.height)
     }
-    expect(scaleFor({ width: 150, height: 150 }, track, null)).toBe(0.8)
+    expect(scaleFor({ width: 150, height: 150 }, track, 'whole')).toBe(0.8)
   })
 
   test('keeps the robot in sight wherever it is', () => {

@@ -21,6 +21,8 @@ const lag = 0.35
 // Cm around the robot that stay in sight.
 const elbowRoom = 22
 const nearest = 2.6
+/** Bo is some 20 cm wide, and 44 px of that at least where what it drives to can be seen besides. */
+const closeEnough = 2.2
 const farthest = { smallPane: 1, largePane: 1.3, perPx: 190 }
 const wholeFloor = 3
 
@@ -29,16 +31,16 @@ const wholeLeast = 0.8
 
 /**
  * Px per cm for a floor (cm) in a pane (px): the whole floor where Bo stays big enough, else so close that `need` (cm),
- * Bo and the thing next to it, just fits. `need` null: the whole floor counts, as on a race track.
+ * Bo and what is next to it, just fits. `whole`: all of the floor counts, as a map does.
  */
-export function scaleFor(pane: Size, floor: Size, need: Size | null): number {
+export function scaleFor(pane: Size, floor: Size, need: Size | 'whole'): number {
   const fit = ({ width, height }: Size, margin: number) =>
     Math.min((pane.width - margin) / width, (pane.height - margin) / height)
   const small = Math.min(pane.width, pane.height) / farthest.perPx
   const least = clamp(small, farthest.smallPane, farthest.largePane)
   const whole = fit(floor, 2 * frameWidth)
-  if (!need) return clamp(whole, wholeLeast, wholeFloor)
-  return whole >= least ? Math.min(whole, wholeFloor) : clamp(fit(need, 0), least, nearest)
+  if (need === 'whole') return clamp(whole, wholeLeast, wholeFloor)
+  return whole >= closeEnough ? Math.min(whole, wholeFloor) : clamp(fit(need, 0), least, nearest)
 }
 
 /** Px per cm beyond which a hand cannot bring the floor nearer. */
@@ -57,6 +59,12 @@ export function needOf(robot: Point, things: readonly Sight[]): Size {
   const near = nearestTo(robot, things)
   const along = (away: number) => Math.max(2 * elbowRoom, Math.abs(away) + elbowRoom + (near?.radius ?? 0))
   return { width: along((near?.x ?? robot.x) - robot.x), height: along((near?.y ?? robot.y) - robot.y) }
+}
+
+/** Room in cm for several robots with elbow room around them. */
+export function needOfAll(robots: readonly Point[]): Size {
+  const along = (places: readonly number[]) => Math.max(...places) - Math.min(...places) + 2 * elbowRoom
+  return { width: along(robots.map(({ x }) => x)), height: along(robots.map(({ y }) => y)) }
 }
 
 /** Never looks further past the edge than the frame is wide; a floor smaller than the pane stands in its middle. */

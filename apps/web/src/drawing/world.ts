@@ -1,6 +1,6 @@
 import type { RobotView, View } from '@botgarten/lab'
 import type { Obstacle, Pose, RobotConfig } from '@botgarten/simulation'
-import { drawBo, partsOf } from './bo.ts'
+import { drawBo, lampAt, lamps, partsOf } from './bo.ts'
 import { onFloor } from './camera.ts'
 import { greyOf } from './colours.ts'
 import type { Command } from './commands.ts'
@@ -106,7 +106,7 @@ function standingBo(robot: RobotView, index: number, scene: Scene): Command {
     ...onFloor(robot.pose, floor, scale),
     turn: 90 - robot.pose.heading,
     scale,
-    shapes: config ? [lookOf(robot, config, index, scene), ...bump(robot)] : [],
+    shapes: config ? [...glow(robot), lookOf(robot, config, index, scene), ...bump(robot)] : [],
   }
 }
 
@@ -213,6 +213,15 @@ function drawGhost(
     { kind: 'text', x: at.x, y: top + 17, text: label, size: 14.5, font: 'read', align: 'middle', fill: ink },
   ]
 }
+
+/** Halos of a lamp that shines, in cm about it. */
+const halos = [
+  { r: 18, opacity: 0.3 },
+  { r: 10, opacity: 0.45 },
+]
+
+const glow = ({ led }: RobotView): readonly Command[] =>
+  led ? halos.map((halo) => ({ kind: 'circle', x: 0, y: lampAt, fill: lamps[led], ...halo })) : []
 
 function senses({ view, sensing, configs, floor, scale, strong }: Scene): readonly Command[] {
   const robot = view.robots.find(({ id }) => id === sensing)

@@ -23,6 +23,7 @@ export class BuildMode {
     this.viewport = new Viewport(
       () => this.shop?.world ?? session.lab.document.world,
       () => session.robotId,
+      () => session.learns,
     )
     this.hand = new Hand((id, pose, phase) => this.place(id, pose, phase))
   }

@@ -6,6 +6,7 @@ import {
   fromPane,
   keepOnFloor,
   needOf,
+  needOfAll,
   nearestZoom,
   scaleFor,
   wholeScale,
@@ -40,14 +41,19 @@ export class Viewport {
   #zoom = new Zoom()
   #world: () => World
   #chosen: () => string
+  #whole: () => boolean
   #radii = $derived.by(() => radiiOf(this.#world()))
   /** The floor's top left corner in px of the pane. */
   corner = $derived.by(() => floorCorner(this.#at, this.pane, this.#world().size))
 
-  /** `followed`: id of the robot that the camera follows; the first where there is none of this name. */
-  constructor(world: () => World, followed: () => string = () => '') {
+  /**
+   * @param followed id of the robot that the camera follows; the first where there is none of this name
+   * @param whole is the whole floor the thing, as a map is?
+   */
+  constructor(world: () => World, followed: () => string = () => '', whole: () => boolean = () => false) {
     this.#world = world
     this.#chosen = followed
+    this.#whole = whole
   }
 
   get scale(): number {
@@ -69,9 +75,10 @@ export class Viewport {
     const { robots, obstacles, size } = this.#world()
     const things = obstacles.map(({ pose, shape }) => ({ x: pose.x, y: pose.y, radius: radiusOf(shape) }))
     const robot = this.#followed(robots)
-    // Without a thing the floor itself is the task; and of several robots none should be out of sight.
-    const near = robot && robots.length === 1 && things.length > 0
-    return scaleFor(this.pane, size, near ? needOf(robot.pose, things) : null)
+    if (this.#whole() || !robot) return scaleFor(this.pane, size, 'whole')
+    // Of several robots none should be out of sight.
+    if (robots.length > 1) return scaleFor(this.pane, size, needOfAll(robots.map(({ pose }) => pose)))
+    return scaleFor(this.pane, size, needOf(robot.pose, things))
   }
 
   #followed = <Robot extends { id: string }>(robots: readonly Robot[]): Robot | undefined =>
