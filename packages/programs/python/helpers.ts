@@ -39,9 +39,10 @@ export function helper(at: PythonAt, draft: Draft, wanted: string): string {
   return name
 }
 
-/** What a helper is for, where its name does not say it. */
-function commented(draft: Draft, wanted: string): readonly string[] {
-  const key = `python.helper.${wanted}`
-  const text = draft.say(key)
-  return text === key ? [] : [`    # ${text}`]
-}
+/** Helpers whose names do not say what they are for: words in the section `python.helper`. */
+const explained = [
+  ...['speed', 'straight', 'curve', 'distance', 'show', 'number_text', 'rgb', 'highest', 'find_groups'],
+]
+
+const commented = ({ say }: Draft, wanted: string): readonly string[] =>
+  explained.includes(wanted) ? [`    # ${say(`python.helper.${wanted}`)}`] : []

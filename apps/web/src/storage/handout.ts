@@ -1,6 +1,12 @@
 import { writeProjectFile, type Project } from '@botgarten/programs/project'
 
-const types = { json: 'application/json', xml: 'application/xml', csv: 'text/csv', zip: 'application/zip' }
+const types = {
+  json: 'application/json',
+  xml: 'application/xml',
+  csv: 'text/csv',
+  zip: 'application/zip',
+  py: 'text/x-python',
+}
 type Ending = 'botgarten.json' | 'brain.json' | keyof typeof types
 
 const nameOfFile = (name: string) => name.replace(/[^\p{L}\p{N} _-]/gu, '').slice(0, 80) || 'botgarten'

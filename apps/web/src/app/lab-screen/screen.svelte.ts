@@ -37,6 +37,10 @@ export class LabScreenState {
   readonly guide = new Guide()
   readonly handing = new HandingOut()
   readonly layout = new Layout(this)
+  /** Does the program stand beside its blocks as Python, in the place of the network? */
+  codeOpen = $state(false)
+  /** The block that is chosen. */
+  chosen = $state<string | null>(null)
   /** What the blocks can be asked to do, once they are there. */
   blocks = $state.raw<Blocks>()
   /** The network that a hand holds. */
@@ -105,6 +109,7 @@ export class LabScreenState {
   /** A card without a network has no pane for one. */
   readonly hasNetworkPane = $derived.by(
     () =>
+      this.codeOpen ||
       this.net !== null ||
       this.session.learns ||
       !['drive', 'sorting'].includes(this.card?.card.playground ?? ''),

@@ -1,0 +1,64 @@
+import { fileName, pythonFrom, type Dialect, type Learned, type PythonFile } from '@botgarten/programs/python'
+import type { LabSession } from '#lab/session.svelte.ts'
+import { readSetting, writeSetting } from '#storage/settings.ts'
+import { message } from '#words/message.ts'
+
+const empty = { stacks: [], config: { stacks: [] } }
+
+/** The program of the robot that is shown, as Python: it follows every change. */
+export class Code {
+  readonly #session: LabSession
+  readonly #title: () => string
+  #dialect = $state<Dialect>(
+    readSetting<Dialect>('dialect', 'pybricks') === 'ev3dev2' ? 'ev3dev2' : 'pybricks',
+  )
+  #learned = $state.raw<Learned>({})
+
+  /** @param title name of the project */
+  constructor(session: LabSession, title: () => string) {
+    this.#session = session
+    this.#title = title
+  }
+
+  get dialect(): Dialect {
+    return this.#dialect
+  }
+  set dialect(dialect: Dialect) {
+    this.#dialect = dialect
+    writeSetting('dialect', dialect)
+  }
+
+  get #program() {
+    return this.#session.lab.document.programs[this.#session.robot.program] ?? empty
+  }
+
+  readonly file: PythonFile = $derived.by(() => {
+    const { brain, config } = this.#session.robot
+    const { brains } = this.#session.lab.document
+    return pythonFrom(
+      {
+        ...{ name: this.#title(), program: this.#program, config, brains, set: brain },
+        ...{ dialect: this.dialect, learned: this.#learned },
+      },
+      message,
+    )
+  })
+
+  /** What was learned by trying goes along. */
+  async learn(): Promise<void> {
+    const [program, course] = [this.#program, this.#session.project.q?.[this.#session.robot.program]]
+    if (!this.#session.learns) return
+    const { learnedIn } = await import('./learned.ts')
+    this.#learned = await learnedIn(program, course)
+  }
+
+  get name(): string {
+    return fileName(this.#title())
+  }
+
+  /** Numbers of the lines that belong to a block, from 0. */
+  linesOf(block: string | null): readonly number[] {
+    if (block === null) return []
+    return this.file.lines.flatMap((blocks, line) => (blocks.includes(block) ? [line] : []))
+  }
+}

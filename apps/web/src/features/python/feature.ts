@@ -1,0 +1,9 @@
+import type { Feature } from '#parts/feature.ts'
+
+/** The program as Python for a real robot, beside the blocks; its highlighter (Lezer) is 21 kB of the budget. */
+export const python = {
+  id: 'python',
+  words: ['python', 'expert'],
+  load: () => import('./lazy.ts'),
+  budget: { part: 70_000 },
+} satisfies Feature

@@ -1,0 +1,31 @@
+import { highlightCode, tagHighlighter, tags } from '@lezer/highlight'
+import { parser } from '@lezer/python'
+
+/** A piece of a line, and what it is: `keyword`, `name`, `number`, `text`, `note`; '' for the rest. */
+export interface Piece {
+  readonly text: string
+  readonly kind: string
+}
+
+const highlighter = tagHighlighter([
+  { tag: [tags.keyword, tags.modifier, tags.operatorKeyword, tags.controlKeyword], class: 'keyword' },
+  { tag: [tags.definitionKeyword, tags.moduleKeyword, tags.self, tags.null], class: 'keyword' },
+  { tag: [tags.number, tags.bool], class: 'number' },
+  { tag: [tags.string, tags.special(tags.string)], class: 'text' },
+  { tag: tags.comment, class: 'note' },
+  { tag: [tags.function(tags.variableName), tags.function(tags.propertyName)], class: 'name' },
+  { tag: [tags.definition(tags.variableName), tags.className], class: '' },
+])
+
+/** A file of Python line by line, each in coloured pieces. */
+export function highlighted(code: string): readonly (readonly Piece[])[] {
+  const lines: Piece[][] = [[]]
+  highlightCode(
+    code.replace(/\n$/, ''),
+    parser.parse(code),
+    highlighter,
+    (text, kind) => lines.at(-1)!.push({ text, kind }),
+    () => lines.push([]),
+  )
+  return lines
+}
