@@ -1,0 +1,38 @@
+import { closeSync, existsSync, fsyncSync, openSync, readFileSync, writeSync } from 'node:fs'
+import { join } from 'node:path'
+import * as v from 'valibot'
+import type { Tombstone } from '../ports.ts'
+
+// Beside the backups and in none of them: what was deleted after a backup was made stays deleted when that is restored.
+const fileIn = (folder: string) => join(folder, 'deleted.jsonl')
+
+const tombstone = v.object({ kind: v.picklist(['class', 'pupil']), id: v.string() })
+
+/** Adds a deletion to the list; it is on the disk when this returns. */
+export function bury(folder: string, { kind, id }: Tombstone): void {
+  const file = openSync(fileIn(folder), 'a', 0o600)
+  try {
+    // A line that a cut in power left unfinished is ended first, so that it spoils no other.
+    writeSync(file, `\n${JSON.stringify({ kind, id })}\n`)
+    fsyncSync(file)
+  } finally {
+    closeSync(file)
+  }
+}
+
+function read(line: string): readonly Tombstone[] {
+  try {
+    return [v.parse(tombstone, JSON.parse(line))]
+  } catch {
+    return []
+  }
+}
+
+/** All deletions, the oldest first. A line that was not finished was never carried out. */
+export const buriedIn = (folder: string): readonly Tombstone[] =>
+  existsSync(fileIn(folder))
+    ? readFileSync(fileIn(folder), 'utf8')
+        .split('\n')
+        .filter((line) => line !== '')
+        .flatMap(read)
+    : []
