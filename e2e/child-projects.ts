@@ -45,6 +45,14 @@ export class ProjectList {
     await expect.poll(() => this.names()).toEqual(names)
   }
 
+  /** Begins an empty project under this name. */
+  async begins(name: string) {
+    await this.#child.presses('projects.new')
+    await this.#page.getByLabel(this.#child.word('projects.name'), { exact: true }).fill(name)
+    await this.#child.presses('projects.begin')
+    await this.#child.seesLab()
+  }
+
   async opensProject(name: string) {
     await this.#page.getByRole('link', { name, exact: true }).click()
     await this.#child.seesLab()

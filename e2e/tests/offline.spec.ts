@@ -183,8 +183,7 @@ for (const language of languagesOf(import.meta.filename)) {
       await list.seesNames(child.card('friendship'))
       await expect(page.getByText(child.word('projects.plainHttp'))).toBeVisible()
       await list.takesHome()
-      await child.presses('projects.new')
-      await child.seesLab()
+      await list.begins('Maze')
       expect(door.asked.length).toBe(asked)
 
       await context.setOffline(false)

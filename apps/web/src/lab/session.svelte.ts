@@ -221,6 +221,12 @@ export class LabSession {
     this.lab.resume()
   }
 
+  /** Gives the project another name, which is saved like every change. */
+  rename(name: string): void {
+    this.#extras.name = name
+    this.autosave.changed(() => this.project)
+  }
+
   /** From here on this is a project of its own. */
   continueAsCopy(id: string, name: string): Promise<void> {
     this.#extras.name = name

@@ -114,6 +114,13 @@ describe('two tabs with one project', () => {
     expect((await savedProject())?.name).toBe('theirs')
   })
 
+  test('another name is saved like every change', async () => {
+    const { session } = sessionOf()
+    session.rename('mine')
+    await session.autosave.flush()
+    expect([session.name, (await savedProject())?.name]).toEqual(['mine', 'mine'])
+  })
+
   test('a name that another tab gives is the name here too, and is saved with the next change', async () => {
     await save('friendship', friendship, 0)
     const { revision } = (await load('friendship'))!

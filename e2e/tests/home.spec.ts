@@ -1,0 +1,43 @@
+// Rooms: home, content
+import type { Locator } from '@playwright/test'
+import type { Child } from '../child.ts'
+import { expect, test } from '../house.ts'
+
+const beds = ['home.networkTitle', 'home.qTitle', 'home.sortingTitle']
+
+/** The cards of a bed, the next one first. */
+const cardsOf = (child: Child, bed: string) =>
+  child.page
+    .getByRole('article')
+    .filter({ has: child.page.getByRole('heading', { name: child.word(bed), exact: true }) })
+    .getByRole('link')
+
+/** Three cards of each bed: opened in its own way, seen, and back home. */
+async function walks(child: Child, opens: (card: Locator) => Promise<void>) {
+  await child.opensHome()
+  for (const bed of beds)
+    for (const index of [0, 1, 2]) {
+      const card = cardsOf(child, bed).nth(index)
+      const href = await card.getAttribute('href')
+      await opens(card)
+      await expect(child.page).toHaveURL(new RegExp(`${href}$`))
+      await child.seesTitle()
+      await child.page.goBack()
+      await expect(card).toBeVisible()
+    }
+}
+
+test.describe('by finger', () => {
+  test.use({ hasTouch: true, viewport: { width: 1024, height: 768 } })
+
+  test('three cards of each bed are a tap away', async ({ child }) => {
+    await walks(child, (card) => card.tap())
+  })
+})
+
+test('three cards of each bed are reached by keys', async ({ child }) => {
+  await walks(child, async (card) => {
+    await child.tabsTo(card)
+    await child.types('Enter')
+  })
+})
