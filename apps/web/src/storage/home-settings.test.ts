@@ -18,6 +18,7 @@ const drawerWith = (texts: { readonly [name: string]: string }) => {
 }
 const all: HomeSettings = {
   comfort: { projector: false, quiet: true, letters: true, aloud: false },
+  dialect: 'ev3dev2',
   language: 'de',
   'network-level': 'explorer',
   'network-tens': true,

@@ -16,6 +16,7 @@ afterEach(() => void vi.unstubAllGlobals())
 
 const good: { readonly [name in keyof typeof settings]: unknown } = {
   comfort: { projector: false, quiet: true },
+  dialect: 'ev3dev2',
   language: 'de',
   'network-level': 'explorer',
   'network-tens': true,
@@ -56,6 +57,7 @@ test.each([
   ['settings', {}],
   ['sizes', { columns: [9, 'x'] }],
   ['sizes', null],
+  ['dialect', 'pascal'],
   ['network-level', 'wizard'],
   ['q-level', 7],
   ['network-tens', 'yes'],

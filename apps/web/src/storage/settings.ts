@@ -11,6 +11,8 @@ const mostSorted = 1_000_000
 /** All that is set on a device, and what each may be. A setting without a line here would not go home. */
 export const settings = {
   comfort: v.strictObject({ projector: option, quiet: option, letters: option, aloud: option }),
+  /** For which robot a program is shown as Python. */
+  dialect: v.picklist(['pybricks', 'ev3dev2']),
   language: v.picklist(languages),
   'network-level': level,
   'network-tens': v.boolean(),
