@@ -218,6 +218,14 @@ describe('with canvases of its own', () => {
     expect(made).toMatchObject([{ width: 30, height: 30, fills: 1 }])
   })
 
+  test('what stays the same is painted again once other letters have come', () => {
+    const { canvas } = screen()
+    const shape = still(false)
+    paint(canvas, [shape], families, vi.fn())
+    paint(canvas, [shape], { ...families }, vi.fn())
+    expect(made).toHaveLength(2)
+  })
+
   test('what turns is painted finer', () => {
     const { shown, canvas } = screen()
     paint(canvas, [at(1, still(true))], families, vi.fn())

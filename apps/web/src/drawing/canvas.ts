@@ -148,6 +148,8 @@ function within([a, b, c, d, e, f]: Matrix, group: Group): Matrix {
 const finer = 1.5
 interface Still {
   readonly scale: number
+  /** Letters that come later are other ones. */
+  readonly families: Families
   readonly picture: ReturnType<typeof pictureOf>
 }
 const stills = new WeakMap<readonly Command[], Still>()
@@ -162,8 +164,9 @@ function paintStill(
 ): void {
   const scale = Math.hypot(a, b) * (group.turns ? finer : 1)
   const known = stills.get(group.shapes)
-  const picture = known?.scale === scale ? known.picture : stillOf(group.shapes, bounds, scale, families)
-  if (picture !== known?.picture) stills.set(group.shapes, { scale, picture })
+  const isKnown = known?.scale === scale && known.families === families
+  const picture = isKnown ? known.picture : stillOf(group.shapes, bounds, scale, families)
+  if (!isKnown) stills.set(group.shapes, { scale, families, picture })
   canvas.globalAlpha = opacity
   // Its own size in whole pixels: what does not turn stays as sharp as it was painted.
   canvas.drawImage(picture, bounds.x, bounds.y, picture.width / scale, picture.height / scale)
