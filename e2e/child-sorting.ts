@@ -18,6 +18,8 @@ export class SortingHands {
   async opens(source: 'things' | 'points' | 'readings' = 'things') {
     await this.#child.page.goto('/sorting')
     await expect(this.plane).toBeVisible()
+    // Its size follows from the lines around it.
+    await this.#child.page.evaluate(() => document.fonts.ready.then(() => null))
     if (source !== 'things') await this.presses(`tab.${source}`)
   }
 

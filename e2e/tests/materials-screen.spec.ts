@@ -1,5 +1,6 @@
 // Rooms: materials
 import { axeFindings } from '../axe.ts'
+import { leftEye, leftWheel } from '../child.ts'
 import { opensSettings, option } from '../child-cards.ts'
 import { expect, test } from '../house.ts'
 import { readPdf } from '../pdf.ts'
@@ -27,6 +28,10 @@ for (const language of languagesOf(import.meta.filename))
       expect(await seen()).toBe(2)
       expect(await axeFindings(page)).toEqual([])
       await child.opensLab('friendship')
+      // The last one waits until something was tried.
+      await child.typesWeight(leftEye, leftWheel, 0.3)
+      await child.pressesStart()
+      await child.seesDriving()
       await child.presses('lab.hint')
       await expect(page.getByText(child.word('lab.hintTitle', { number: 2, of: 3 }))).toBeVisible()
       await child.presses('lab.hintNext')

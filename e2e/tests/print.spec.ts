@@ -107,9 +107,11 @@ test('botgarten print without an address prints no code; what is wrong is said i
 test('the table of trials is printed filled, and nothing else of the lab', async ({ child, page }) => {
   const learner = new Learner(child)
   await learner.opens('railway')
+  await learner.guesses(5, 0, 1)
+  await child.presses('q.guessing.learn')
+  await learner.hurries()
+  await child.presses('q.inside')
   await learner.turnsTo('trials')
-  await page.getByLabel(child.word('q.guess')).fill('3-5-0-1')
-  await learner.learnsToTheEnd()
   const asked = page.evaluate(
     () => new Promise((done) => window.addEventListener('beforeprint', () => done(true))),
   )
