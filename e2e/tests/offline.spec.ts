@@ -176,7 +176,10 @@ for (const language of languagesOf(import.meta.filename)) {
       await child.presses('lab.menu')
       await child.presses('parts.share')
       await expect(page.getByRole('textbox', { name: child.word('share.address') })).toHaveValue(/\/open#1\./)
-      await child.presses('parts.close')
+      await page
+        .getByRole('dialog')
+        .getByRole('button', { name: child.word('parts.close') })
+        .click()
       await child.presses('lab.menu')
       await page.getByRole('link', { name: child.word('parts.myProjects') }).click()
       const list = new ProjectList(child)
