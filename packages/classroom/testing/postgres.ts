@@ -1,5 +1,5 @@
-import { execFile, execFileSync, spawn } from 'node:child_process'
-import { chmodSync, chownSync, existsSync, mkdtempSync, rmSync } from 'node:fs'
+import { execFile, execFileSync, spawn, spawnSync } from 'node:child_process'
+import { chmodSync, chownSync, cpSync, existsSync, mkdtempSync, rmSync } from 'node:fs'
 import { createRequire } from 'node:module'
 import { tmpdir } from 'node:os'
 import { dirname, join } from 'node:path'
@@ -35,6 +35,19 @@ function makeLinks(native: string) {
   execFileSync(process.execPath, ['scripts/hydrate-symlinks.js'], { cwd: dirname(native) })
 }
 
+/** The programs where this user may run them: a checkout in a folder of root alone is copied. */
+function within(
+  folder: string,
+  native: string,
+  as: { readonly uid?: number; readonly gid?: number },
+): string {
+  const { error } = spawnSync(join(native, 'bin', 'postgres'), ['--version'], { ...as, cwd: folder })
+  if (!error) return native
+  const copy = join(folder, 'native')
+  cpSync(native, copy, { recursive: true, verbatimSymlinks: true })
+  return copy
+}
+
 /** Why no PostgreSQL can be started here; null where it can. With CI=1 that is a failure instead. */
 export function noPostgres(): string | null {
   const why =
@@ -54,12 +67,13 @@ export function noPostgres(): string | null {
 export async function startPostgres(
   options: { readonly fsync: boolean } = { fsync: false },
 ): Promise<Postgres> {
-  const native = binaries()!
-  makeLinks(native)
+  const installed = binaries()!
+  makeLinks(installed)
   const folder = mkdtempSync(join(tmpdir(), 'botgarten-pg-'))
   const asNobody = process.getuid?.() === 0 ? nobody : {}
   chmodSync(folder, 0o700)
   if ('uid' in asNobody) chownSync(folder, nobody.uid, nobody.gid)
+  const native = within(folder, installed, asNobody)
   const [data, locale] = [join(folder, 'data'), 'C']
   const flags = ['-D', data, '-U', user, '--auth=trust', '--no-sync', '--encoding=UTF8', `--locale=${locale}`]
   await run(join(native, 'bin', 'initdb'), flags, { ...asNobody, cwd: folder })
