@@ -77,7 +77,7 @@ export class Learner {
     await this.child.presses('q.largeMap')
   }
 
-  /** A limit has stopped the learning: it can begin anew, or Bo drives already. */
+  /** A limit has stopped the learning: it can start again, or Bo is already driving. */
   async seesEnd() {
     const { child } = this
     const drives = child.page.getByRole('region', { name: child.word('q.drives') })

@@ -61,7 +61,7 @@ test('a file that is no database is refused with its code', () => {
   const file = join(folder, 'class.db')
   writeFileSync(file, 'x'.repeat(5000))
   expect(() => openSqlite(file)).toThrow(expect.objectContaining({ code: 'SQLITE_NOTADB' }))
-  // It is left as it was for whoever wants to save what is in it.
+  // It is left as it was, so that its content can still be rescued.
   expect(readFileSync(file, 'utf8')).toBe('x'.repeat(5000))
 })
 

@@ -49,7 +49,7 @@ function asked(worker: Worker, question: { id: number; text: string }, limit: nu
   })
 }
 
-/** One worker that checks one project after the other; one that takes too long is refused, and the worker started anew. */
+/** One worker that checks one project after the other; one that takes too long is refused, and the worker restarted. */
 export function checkInWorker(limit = longest): Checker {
   let running: Running | null = null
   let last: Promise<unknown> = Promise.resolve()

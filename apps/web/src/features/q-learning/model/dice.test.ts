@@ -13,7 +13,7 @@ test('a device throws a seed from 1 to 99,999, and one device another than the n
   expect(new Set(Array.from({ length: 20 }, () => throwSeed())).size).toBeGreaterThan(15)
 })
 
-test('a link pins the seed, and whoever follows it throws the same', () => {
+test('a link pins the seed, and following it throws the same dice', () => {
   fc.assert(
     fc.property(fc.integer({ min: 1, max: 999_999_999 }), (seed) => {
       const link = seedLink({ origin: 'https://lab.example', pathname: '/lab/railway' }, seed)
