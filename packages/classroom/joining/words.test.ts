@@ -1,7 +1,7 @@
 import fc from 'fast-check'
 import { codeWords } from '@botgarten/content/codes'
 import { expect, test } from 'vitest'
-import { codeKey, newCode } from './code.ts'
+import { codeKey, newCode, wordsOfKey } from './code.ts'
 import { nicknameFrom, nicknameKey } from './nickname.ts'
 import { newSecret, pictures } from './pictures.ts'
 
@@ -19,12 +19,13 @@ test.each(['', 'kite', 'kite otter', 'kite otter plum rose', '123'])('%j is no c
   expect(codeKey(text)).toBeNull(),
 )
 
-test('a new code is three words of the list, and is found by its first letters', () => {
+test('a new code is three words of the list, is found by its first letters, and is told as whole words', () => {
   for (const language of ['de', 'en'] as const) {
     const words = newCode(language, random).split(' ')
     expect(words).toHaveLength(3)
     for (const word of words) expect(codeWords(language)).toContain(word)
     expect(codeKey(words.join(' '))).toBe(words.map((word) => word.slice(0, 4)).join('-'))
+    expect(wordsOfKey(codeKey(words.join(' '))!, language)).toEqual(words)
   }
 })
 

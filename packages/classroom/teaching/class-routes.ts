@@ -1,7 +1,7 @@
 import * as v from 'valibot'
 import type { ClassRow } from '../database/tables.ts'
 import { newToken } from '../hashes.ts'
-import { newCode, codeKey } from '../joining/code.ts'
+import { newCode, codeKey, wordsOfKey } from '../joining/code.ts'
 import { endSessionsOfClass } from '../joining/sessions-store.ts'
 import type { Ports } from '../ports.ts'
 import { mostSpace } from '../projects/saves-store.ts'
@@ -20,9 +20,12 @@ const day = v.pipe(v.string(), v.isoDate())
 const newClass = v.strictObject({ name, language, grade, endsOn: day })
 const changes = v.partial(v.strictObject({ name, grade, endsOn: day }))
 
+const languageOf = ({ language }: ClassRow) => (language === 'de' ? 'de' : 'en')
+
 /** What a teacher sees of a class. */
 const shown = (row: ClassRow, ports: Ports) => ({
   ...{ id: row.id, name: row.name, language: row.language, grade: row.grade, code: row.code },
+  words: wordsOfKey(row.code, languageOf(row)),
   ...{ open: row.openedAt !== null, joiningUntil: row.joiningUntil > ports.now() ? row.joiningUntil : null },
   ...{ endsOn: row.endsOn, endsSoon: row.announcedDay !== null },
 })
@@ -88,8 +91,8 @@ async function close({ ports, who }: Call<undefined>): Promise<Answer> {
 }
 
 async function otherCode({ ports, who }: Call<undefined>): Promise<Answer> {
-  const { id, language } = who.class!
-  await withFreeCode(ports, language === 'de' ? 'de' : 'en', (code) => giveCode(ports.database.db, id, code))
+  const { id } = who.class!
+  await withFreeCode(ports, languageOf(who.class!), (code) => giveCode(ports.database.db, id, code))
   return {}
 }
 
