@@ -12,6 +12,8 @@ import { browserTests, good, take, unitTests } from './prepare/steps.mjs'
 const folder = mkdtempSync(join(tmpdir(), 'botgarten-long-'))
 
 const steps = [
+  // The build makes messages for its pages alone; a unit test compares with all of them.
+  { name: 'generated files', script: 'generate' },
   { name: 'build', script: 'build' },
   unitTests(join(folder, 'unit.json')),
   browserTests(join(folder, 'browser.json')),
