@@ -72,7 +72,7 @@ async function driving(browser: Browser, url: string, { change }: Course) {
   await untilKept(child.page)
   if (change) {
     const project = change(JSON.parse(await child.savesFile()) as Saved)
-    await child.opensProject('Crew', JSON.stringify({ ...project, name: 'Crew' }))
+    await child.opensProject('Robots', JSON.stringify({ ...project, name: 'Robots' }))
   }
   await child.pressesStart()
   await child.page.waitForTimeout(2000)

@@ -10,10 +10,10 @@ import { freshChild, throttle, throttled, untilKept, watchFrames } from './slow.
 /** So many robots circle on Friendship's floor, each with a network of weights of its own, and all panes are live. */
 async function driving(browser: Browser, url: string, robots: number) {
   const child = await freshChild(browser, url)
-  const crew = new TimeHands(child)
+  const hands = new TimeHands(child)
   await child.opensLab('friendship')
   for (let robot = 1; robot <= robots; robot += 1) {
-    if (robot > 1) await crew.adds('shared')
+    if (robot > 1) await hands.adds('shared')
     await child.typesWeight(leftEye, leftWheel, 0.6)
     await child.typesWeight(leftEye, rightWheel, (20 + 5 * robot) / 100)
   }

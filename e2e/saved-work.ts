@@ -43,7 +43,7 @@ async function solvesFriendship(child: Child) {
 
 /** Fear: two sets of weights with names, and a second robot with a program and weights of its own. */
 async function namesWeights(child: Child): Promise<string> {
-  const [net, crew] = [new NetHands(child), new TimeHands(child)]
+  const [net, robots] = [new NetHands(child), new TimeHands(child)]
   await child.opensLab('fear')
   await child.typesWeight(leftEye, rightWheel, 0.8)
   await child.typesWeight(rightEye, leftWheel, 0.75)
@@ -58,7 +58,7 @@ async function namesWeights(child: Child): Promise<string> {
   await net.opensShelf()
   await net.putsOnShelf('Wilde Äpfel')
   await child.types('Escape')
-  await crew.adds('own')
+  await robots.adds('own')
   await child.seesSaved()
   return readFileSync(await download.path(), 'utf8')
 }

@@ -1,4 +1,4 @@
-// Rooms: world, robot, debug, crew
+// Rooms: world, robot, debug, robots
 import { axeFindings } from '../axe.ts'
 import { opensSettings } from '../child-cards.ts'
 import { Builder } from '../child-build.ts'

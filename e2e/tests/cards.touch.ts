@@ -11,18 +11,18 @@ for (const language of languagesOf(import.meta.filename)) {
     test.use({ language })
 
     test('lets the Bo of Friendship drive beside the one of Fear', async ({ child, page }) => {
-      const crew = new TimeHands(child)
+      const robots = new TimeHands(child)
       await child.opensLab('fear')
       await child.dragsKnob(leftEye, rightWheel, 0.8)
       await child.dragsKnob(rightEye, leftWheel, 0.8)
       await child.button('lab.card').tap()
       await child.button('robots.beside', { card: child.card('friendship') }).tap()
-      await expect(crew.row.getByRole('button', { pressed: true })).toContainText(child.card('friendship'))
+      await expect(robots.row.getByRole('button', { pressed: true })).toContainText(child.card('friendship'))
       await child.seesWeight(leftEye, leftWheel, 0.8)
       await expect(
         page.getByText(child.word('robots.differ', { name: child.word('world.robot'), count: 4, of: 4 })),
       ).toBeVisible()
-      await crew.chip(1).tap()
+      await robots.chip(1).tap()
       await child.seesWeight(leftEye, rightWheel, 0.8)
       await child.button('lab.start').first().tap()
       await new TimeHands(child).hurries()

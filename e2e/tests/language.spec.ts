@@ -29,14 +29,14 @@ for (const language of languagesOf(import.meta.filename)) {
       test(`a robot reads on its display what another has sent it, put together by ${by}`, async ({
         child,
       }) => {
-        const crew = new TimeHands(child)
+        const robots = new TimeHands(child)
         const bo = new RobotHands(child)
         await child.opensLab('free')
         await child.opensProject('Friends', friends())
         await new BlockHands(child).joins(by, 'b1', 'b2')
-        if (by === 'hand') await crew.chip(2).click()
+        if (by === 'hand') await robots.chip(2).click()
         else {
-          await child.tabsTo(crew.chip(2))
+          await child.tabsTo(robots.chip(2))
           await child.types('Enter')
         }
         await bo.opens('panel')

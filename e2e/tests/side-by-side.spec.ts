@@ -1,4 +1,4 @@
-// Rooms: crew
+// Rooms: robots
 import { axeFindings } from '../axe.ts'
 import { leftEye, leftWheel, rightEye, rightWheel } from '../child.ts'
 import { TimeHands } from '../child-time.ts'
@@ -13,13 +13,13 @@ for (const language of languagesOf(import.meta.filename)) {
       child,
       page,
     }) => {
-      const crew = new TimeHands(child)
+      const robots = new TimeHands(child)
       await child.opensLab('fear')
       await child.typesWeight(leftEye, rightWheel, 0.8)
       await child.typesWeight(rightEye, leftWheel, 0.8)
       await child.presses('lab.card')
       await child.presses('robots.beside', { card: child.card('friendship') })
-      await expect(crew.row.getByRole('button', { pressed: true })).toContainText(child.card('friendship'))
+      await expect(robots.row.getByRole('button', { pressed: true })).toContainText(child.card('friendship'))
       await child.seesWeight(leftEye, leftWheel, 0.8)
       const first = child.word('world.robot')
       await expect(
@@ -30,16 +30,16 @@ for (const language of languagesOf(import.meta.filename)) {
       )
       expect(await axeFindings(page)).toEqual([])
 
-      await crew.chip(1).focus()
+      await robots.chip(1).focus()
       await child.types('Enter')
       await child.seesWeight(leftEye, rightWheel, 0.8)
       await child.pressesStart()
-      await crew.hurries()
+      await robots.hurries()
       await child.seesCheck('fear', 'turnsAway')
       await child.seesCheck('fear', 'neverTouches')
       await child.pressesStop()
       await child.presses('lab.undo')
-      await expect(crew.row).toHaveCount(0)
+      await expect(robots.row).toHaveCount(0)
     })
   })
 }

@@ -38,7 +38,7 @@ describe('a trail', () => {
   })
 })
 
-describe('the trails of a crew', () => {
+describe('the trails of all robots', () => {
   const room = { width: 300, height: 300 }
   const way = fc
     .array(fc.record({ x: fc.integer({ min: 0, max: 300 }), y: fc.integer({ min: 0, max: 300 }) }), {

@@ -102,7 +102,7 @@ class Trail {
 
 const dotted = (d: string, stroke: string): Command => ({ kind: 'path', d, stroke, lineWidth: 4 })
 
-/** The trails of a crew, each in its colour. */
+/** The trails of all robots, each in its colour. */
 export class Trails {
   readonly #trails = new Map<string, Trail>()
   #done: readonly Command[] = []

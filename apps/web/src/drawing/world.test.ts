@@ -86,9 +86,9 @@ describe('the world as it is painted', () => {
   })
 
   test('a second robot has its number and its own colour', () => {
-    const crew = { ...scene, view: { robots: [bo, { ...bo, id: 'bo2' }] } }
+    const several = { ...scene, view: { robots: [bo, { ...bo, id: 'bo2' }] } }
     const configs = new Map([...scene.configs, ['bo2', defaultConfig]])
-    const drawn = drawWorld({ ...crew, configs })
+    const drawn = drawWorld({ ...several, configs })
     expect(written(drawn)).toEqual(['2'])
     expect(JSON.stringify(drawn)).toContain('#5AA9DE')
   })

@@ -42,7 +42,7 @@ export interface Scene {
   readonly view: Pick<View, 'robots'>
   readonly configs: ReadonlyMap<string, RobotConfig>
   readonly things: readonly { readonly pose: Pose; readonly thing: Obstacle }[]
-  /** Of bodies, by the robot's place in the crew. */
+  /** Of bodies, by the robot's place among all. */
   readonly colours: readonly string[]
   /** Dots of trails, already commands. */
   readonly trails: readonly Command[]

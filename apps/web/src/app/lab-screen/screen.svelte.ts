@@ -2,7 +2,7 @@ import { createContext, tick } from 'svelte'
 import type { Difference } from '@botgarten/programs/open-roberta'
 import { textOf } from '#figures/card/face.ts'
 import { HandingOut } from '../handing-out.svelte.ts'
-import { Crew } from '#features/crew/feature.ts'
+import { Robots } from '#features/robots/feature.ts'
 import type { Held } from '#lab/blocks.ts'
 import { inside } from '#features/inside/feature.ts'
 import type { Learner } from '#features/q-learning/feature.ts'
@@ -31,7 +31,7 @@ export class LabScreenState {
   readonly ui: LabUi
   readonly build: BuildMode
   readonly time: TimeMachine
-  readonly crew: Crew
+  readonly robots: Robots
   readonly highlight: Highlight
   readonly tools = new RobotTools()
   readonly guide = new Guide()
@@ -59,7 +59,7 @@ export class LabScreenState {
       async (failed) => (await loadPart(world, failed)).openWorkshop,
     )
     this.time = new TimeMachine(this.session)
-    this.crew = new Crew(this.session)
+    this.robots = new Robots(this.session)
     this.highlight = new Highlight(
       () => this.neurons,
       () => this.session.robotId,

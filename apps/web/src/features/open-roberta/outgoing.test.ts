@@ -32,10 +32,10 @@ it('every program of every project has a file, under a name that is free', () =>
 it('robots with programs of their own have a file each, those that share one have one', () => {
   const [bo] = world.robots
   const robots = [bo!, { ...bo!, id: 'two', program: 'other' }, { ...bo!, id: 'three' }]
-  const crew = { ...foreign, programs: { ...foreign.programs, other: foreign.programs['main']! } }
+  const several = { ...foreign, programs: { ...foreign.programs, other: foreign.programs['main']! } }
   const project = parseProject(
     JSON.stringify({
-      ...crew,
+      ...several,
       world: {
         ...world,
         robots: robots.map((one) => ({ ...one, program: one.id === 'two' ? 'other' : 'main' })),

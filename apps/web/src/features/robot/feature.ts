@@ -2,7 +2,7 @@ import type { Feature } from '#parts/feature.ts'
 
 export { addNeuron, applyFix } from './plug.ts'
 
-/** Bo's own parts: building it, what it senses, its panel. */
+/** One robot: building it, what it senses, its panel. Several in one world: `features/robots`. */
 export const robot = {
   id: 'robot',
   words: ['robot'],

@@ -92,11 +92,11 @@ export class Viewport {
   target({ robots, obstacles }: View) {
     const robot = this.#followed(robots)
     if (!robot || !this.open) return null
-    const crew = robots.length > 1
-    const things = (crew ? robots.filter((one) => one !== robot) : obstacles).map(({ id, pose }) => ({
+    const several = robots.length > 1
+    const things = (several ? robots.filter((one) => one !== robot) : obstacles).map(({ id, pose }) => ({
       x: pose.x,
       y: pose.y,
-      radius: this.#radii.get(id) ?? (crew ? bodyRadius : 0),
+      radius: this.#radii.get(id) ?? (several ? bodyRadius : 0),
     }))
     return aim(robot.pose, things, this.scale, this.pane, this.#world().size)
   }

@@ -69,7 +69,7 @@ export function load(session: LabSession, net: NetworkOutline, text: string): st
   return name
 }
 
-/** Robots that a brain can be given to: all others in the world, by their place in the crew. */
+/** Robots that a brain can be given to: all others in the world, by their place among all robots. */
 export const others = (session: LabSession): readonly { readonly id: string; readonly index: number }[] =>
   robotsOf(session).flatMap(({ id }, index) => (id === session.robotId ? [] : [{ id, index }]))
 

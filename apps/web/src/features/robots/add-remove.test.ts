@@ -5,7 +5,7 @@ import { biasRow, withWeight } from '@botgarten/learning/neural-network'
 import { networks, parseProject, type Program } from '@botgarten/programs'
 import { cardConfig, paintFloor, type World } from '@botgarten/simulation'
 import { describe, expect, it } from 'vitest'
-import { withoutRobot, withRobot } from './crew.ts'
+import { withoutRobot, withRobot } from './add-remove.ts'
 
 const solution = content.program('friendship', 'solution')!
 
@@ -96,10 +96,11 @@ describe('a robot more', () => {
   })
 
   it('has a name of its own, whatever is there', () => {
-    let crew = document
-    for (let more = 0; more < 3; more++) crew = withRobot(crew, 'bo', more === 1 ? 'own' : 'shared').document
-    expect(crew.world.robots.map(({ id }) => id)).toEqual(['bo', 'bo2', 'bo3', 'bo4'])
-    expect(withRobot(withoutRobot(crew, 'bo3'), 'bo', 'shared').id).toBe('bo3')
+    let grown = document
+    for (let more = 0; more < 3; more++)
+      grown = withRobot(grown, 'bo', more === 1 ? 'own' : 'shared').document
+    expect(grown.world.robots.map(({ id }) => id)).toEqual(['bo', 'bo2', 'bo3', 'bo4'])
+    expect(withRobot(withoutRobot(grown, 'bo3'), 'bo', 'shared').id).toBe('bo3')
   })
 
   it('leaves the others their weights when one of a set is changed', () => {

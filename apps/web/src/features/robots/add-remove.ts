@@ -10,7 +10,9 @@ import {
 } from '@botgarten/learning/neural-network'
 import { networks, type Program } from '@botgarten/programs'
 import type { Pose, RobotPlacement } from '@botgarten/simulation'
-import type { NewRobot } from '#figures/robots.ts'
+
+/** `shared`: the same program, weights of its own · `own`: a program of its own, with weights of its own. */
+export type NewRobot = 'shared' | 'own'
 
 const noProgram: Program = { stacks: [], config: { stacks: [] } }
 

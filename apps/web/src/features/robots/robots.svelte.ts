@@ -1,11 +1,10 @@
 import { weightsFor, withBeside } from './beside.ts'
-import { withoutRobot, withRobot } from './crew.ts'
+import { withoutRobot, withRobot, type NewRobot } from './add-remove.ts'
 import type { LabSession } from '#lab/session.svelte.ts'
 import { most } from '@botgarten/programs'
-import type { NewRobot } from '#figures/robots.ts'
 
 /** The robots of a world, for the row of chips: who is there, whose program and network are shown. */
-export class Crew {
+export class Robots {
   #session: LabSession
   /** Does the child choose what a new robot is to be? */
   asking = $state(false)

@@ -10,7 +10,7 @@ export interface Link {
 /** Another robot with the same blocks and a weight set of its own. */
 export interface Twin {
   readonly robot: string
-  /** Its place in the crew, from 0. */
+  /** Its place among all robots, from 0. */
   readonly index: number
   readonly weights: Weights
 }
