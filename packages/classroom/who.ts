@@ -56,6 +56,13 @@ export async function whoAsks(
 async function pupilAsking(ports: Ports, roles: readonly Role[], headers: Headers): Promise<Who> {
   const pupil = await readPupil(ports, cookieIn(headers, pupilCookie))
   if (!pupil) throw new Refusal(401, 'join')
+  refuseOther(headers, pupil)
   if (!roles.includes(pupil.fresh ? 'pupil' : 'returning')) throw new Refusal(401, 'showPictures')
   return { ...nobody, pupil }
+}
+
+/** A page says whose it is: left open while another child has signed in, it neither sends nor gets anything of theirs. */
+function refuseOther(headers: Headers, { id }: Pupil): void {
+  const meant = headers.get('botgarten-pupil')
+  if (meant !== null && meant !== id) throw new Refusal(403, 'otherPupil')
 }

@@ -1,17 +1,17 @@
 /** The twelve pictures; their names and drawings are the page's. */
 export const pictures = [
-  'boat',
-  'key',
-  'leaf',
-  'moon',
-  'apple',
-  'bell',
-  'fish',
-  'hat',
-  'kite',
-  'star',
   'tree',
-  'drum',
+  'cup',
+  'boat',
+  'star',
+  'house',
+  'fish',
+  'leaf',
+  'key',
+  'sun',
+  'ball',
+  'flag',
+  'moon',
 ] as const
 
 type Picture = (typeof pictures)[number]

@@ -72,6 +72,15 @@ onBothDatabases((fresh) => {
     })
   })
 
+  test('a page that is left open sends nothing under the pupil who came after', async () => {
+    const { browser, id } = await pupil()
+    const path = '/projects/project-1?base=0&save=save-of-a-former-pupil'
+    const send = (of: string) => browser.ask('PUT', path, projectText('a'), { 'botgarten-pupil': of })
+    expect(await send('another')).toMatchObject({ status: 403, body: { error: 'otherPupil' } })
+    expect((await browser.get('/projects')).body).toEqual({ projects: [] })
+    expect((await send(id)).status).toBe(200)
+  })
+
   test('the same work from two devices is no conflict', async () => {
     const { browser } = await pupil()
     await save(browser, 0, projectText('same'))
