@@ -1,4 +1,4 @@
-// The arrows of the house: numbers ← learning, simulation ← blocks ← programs ← lab, maps ← experiments ← content ← classroom, apps; messages ← apps.
+// The arrows of the house: numbers ← learning, simulation ← blocks ← programs ← lab, maps ← experiments ← content ← classroom ← server, apps; messages ← apps.
 const rooms = [
   'numbers',
   'learning',
@@ -11,6 +11,7 @@ const rooms = [
   'content',
   'messages',
   'classroom',
+  'server',
 ]
 const mayKnow = {
   numbers: [],
@@ -24,6 +25,8 @@ const mayKnow = {
   experiments: ['lab', 'maps', 'programs', 'learning', 'simulation', 'numbers'],
   // To check what is uploaded and to read forms; nothing of the lab.
   classroom: ['programs', 'content'],
+  // One process for lab and class: real clock, disk, sockets.
+  server: ['classroom', 'content'],
   content: ['experiments', 'lab', 'maps', 'programs', 'blocks', 'learning', 'simulation', 'numbers'],
 }
 const path = (room) => `^packages/${room}/`

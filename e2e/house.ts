@@ -1,6 +1,6 @@
 import { expect, test as base, type BrowserContext } from '@playwright/test'
-import { startServer } from '../scripts/server.ts'
 import { Child } from './child.ts'
+import { serverWithData } from './class-server.ts'
 import type { Language } from './words.ts'
 
 interface Wishes {
@@ -40,7 +40,7 @@ export const test = base.extend<Wishes, Worker>({
   house: [
     // eslint-disable-next-line no-empty-pattern -- Playwright reads the names of what is asked for
     async ({}, use) => {
-      const server = await startServer({ port: 0, host: '127.0.0.1' })
+      const server = await serverWithData()
       await use(server.url)
       await server.close()
     },

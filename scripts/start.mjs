@@ -3,14 +3,16 @@ import { spawn } from 'node:child_process'
 import { buildWhenNeeded } from './prepare/build.mjs'
 import { house, inHouse } from './prepare/house.mjs'
 import { installWhenNeeded } from './prepare/install.mjs'
-import { whenParentEnds } from './prepare/parent.mjs'
-import { portFrom } from './prepare/port.mjs'
 import { asScript } from './prepare/run.mjs'
 import { runtime } from './prepare/runtime.mjs'
+import { whenParentEnds } from '../packages/server/parent.mjs'
 
-function serve(port) {
-  const args = ['--disable-warning=ExperimentalWarning', inHouse('scripts', 'serve.ts'), String(port)]
-  const server = spawn(runtime(), args, { cwd: house, stdio: 'inherit' })
+/** @param {readonly string[]} options */
+function serve(options) {
+  const cli = inHouse('apps', 'cli', 'botgarten.ts')
+  const env = { ...process.env, BOTGARTEN_ENDS_WITH_PARENT: '1' }
+  const args = ['--disable-warning=ExperimentalWarning', cli, 'serve', ...options]
+  const server = spawn(runtime(), args, { cwd: house, env, stdio: 'inherit' })
   for (const signal of ['SIGINT', 'SIGTERM', 'SIGHUP']) process.on(signal, () => server.kill(signal))
   // Who calls this script from a shell of their own may leave that shell and keep the lab.
   if (process.env.npm_lifecycle_event) whenParentEnds(() => server.kill('SIGTERM'))
@@ -18,8 +20,7 @@ function serve(port) {
 }
 
 await asScript(async () => {
-  const port = portFrom(process.argv.slice(2))
   await installWhenNeeded()
   await buildWhenNeeded()
-  return serve(port)
+  return serve(process.argv.slice(2))
 })

@@ -33,6 +33,8 @@ export const commands: Commands = {
   convert: () => convert,
   // Loaded when it is asked for: it alone needs a browser.
   print: async () => (await import('./print/print.ts')).print,
+  // These alone need databases.
+  serve: async () => (await import('./serve.ts')).serve,
 }
 
 /** The command that a call names, as far as its words lead. `path`: those words. */

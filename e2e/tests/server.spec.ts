@@ -1,4 +1,4 @@
-// Rooms: scripts
+// Rooms: server
 import { expect, test } from '../house.ts'
 
 /** A policy as its directives and what each allows. */

@@ -38,6 +38,8 @@ export interface Ports {
   readonly log: (line: LogLine) => void
   /** How pages reach the server where a proxy stands before it, such as `https://lab.example.org`; else null. */
   readonly publicOrigin: string | null
+  /** The first teacher is there: the link that lies about is of no use any more. */
+  readonly teacherMade: () => void
 }
 
 /** What the socket knows of a request, and no header may claim. */

@@ -3,9 +3,9 @@ import { keyedHash, newToken, sameHash } from '../hashes.ts'
 import type { Ports } from '../ports.ts'
 import { Refusal } from '../refusal.ts'
 import { route, type Answer, type Call, type Route } from '../route.ts'
-import { classOfPupil } from '../teaching/classes-store.ts'
 import { codeKey } from './code.ts'
 import { cookie, pupilCookie } from './cookies.ts'
+import { meOf } from './me.ts'
 import { nicknameFrom, nicknameKey } from './nickname.ts'
 import { newSecret, pictures } from './pictures.ts'
 import { addPupil, classToJoin, countWrongOf, pupilCalled, pupilOf, setHand, unlock } from './pupils-store.ts'
@@ -97,15 +97,9 @@ async function refuseUnknown({ ports, triers }: Call<unknown>): Promise<never> {
   throw new Refusal(403, 'wrongPictures')
 }
 
-async function me({ ports, who }: Call<undefined>): Promise<Answer> {
-  const { id, class: classId, nickname, fresh } = who.pupil!
-  const { db } = ports.database
-  const row = await classOfPupil(db, classId)
-  const pupil = await pupilOf(db, classId, id)
-  const { name = '', language = 'en', grade = 0, openedAt = null } = row ?? {}
-  const of = { id: classId, name, language, grade, open: openedAt !== null }
-  return { body: { id, nickname, fresh, hand: (pupil?.handAt ?? null) !== null, class: of } }
-}
+const me = async ({ ports, who }: Call<undefined>): Promise<Answer> => ({
+  body: await meOf(ports, who.pupil!),
+})
 
 async function showPictures(call: Call<{ readonly pictures: Shown }>): Promise<Answer> {
   const { ports, who, body, triers } = call

@@ -1,11 +1,15 @@
 import * as v from 'valibot'
 import { newToken } from '../hashes.ts'
+import { cookieIn, pupilCookie } from '../joining/cookies.ts'
+import { meOf } from '../joining/me.ts'
+import { readPupil } from '../joining/sessions-store.ts'
+import type { Ports } from '../ports.ts'
 import { Refusal } from '../refusal.ts'
 import { route, type Answer, type Call, type Route } from '../route.ts'
 import { mounted, type Mounted } from './accounts.ts'
 import { endSessionsOfTeacher } from './accounts-store.ts'
 import { sizesOfAll } from './classes-store.ts'
-import { addInvitation, firstTeacher, makeOperator, takeInvitation } from './operators-store.ts'
+import { addInvitation, firstTeacher, isOperator, makeOperator, takeInvitation } from './operators-store.ts'
 
 const days = 86_400_000
 const invitationLength = 7 * days
@@ -15,10 +19,29 @@ const password = v.pipe(v.string(), v.minLength(10), v.maxLength(128))
 const token = v.pipe(v.string(), v.maxLength(100))
 const newTeacher = v.strictObject({ token, username, password })
 
-/** What the start page asks: is there a class server, and who made it theirs? */
-async function state({ ports, caller }: Call<undefined>): Promise<Answer> {
-  const first = await firstTeacher(ports.database.db)
-  return { body: { firstTeacher: first ?? null, secure: caller.secure } }
+/** The pupil of a request, if one has joined on this device. `ended`: the class is no more. */
+async function pupilAsking(ports: Ports, headers: Headers) {
+  try {
+    const pupil = await readPupil(ports, cookieIn(headers, pupilCookie))
+    return { pupil: pupil && (await meOf(ports, pupil)), ended: false }
+  } catch (error) {
+    if (error instanceof Refusal && error.status === 410) return { pupil: null, ended: true }
+    throw error
+  }
+}
+
+/** What every page asks first: is there a class server, who made it theirs, and who sits here? */
+async function state({ ports, headers, caller }: Call<undefined>): Promise<Answer> {
+  const { db } = ports.database
+  const first = await firstTeacher(db)
+  const found = await ports.accounts.teacherOf(headers, caller)
+  const teacher = found && { username: found.username, operator: await isOperator(db, found.id) }
+  return {
+    body: {
+      ...{ firstTeacher: first ?? null, secure: caller.secure, teacher },
+      ...(await pupilAsking(ports, headers)),
+    },
+  }
 }
 
 async function makeTeacher(call: Call<v.InferOutput<typeof newTeacher>>): Promise<Response> {
@@ -32,7 +55,10 @@ async function makeTeacher(call: Call<v.InferOutput<typeof newTeacher>>): Promis
     await addInvitation(db, body.token, invitation.first, invitation.endsAt)
     throw new Refusal(409, 'usernameTaken')
   }
-  if (invitation.first) await makeOperator(db, id, ports.now())
+  if (invitation.first) {
+    await makeOperator(db, id, ports.now())
+    ports.teacherMade()
+  }
   const credentials = JSON.stringify({ username: body.username, password: body.password })
   return signedIn(await ports.accounts.forward('/sign-in/username', headers, credentials, caller))
 }

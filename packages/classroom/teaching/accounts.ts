@@ -8,12 +8,17 @@ import { endSessionsOfTeacher, setPassword, teacherCalled } from './accounts-sto
 /** A teacher who is signed in. */
 export interface Teacher {
   readonly id: string
+  /** As it was typed when the account was made. */
   readonly username: string
 }
 
 /** Of better-auth's paths only these are mounted. */
 export const mounted = ['/sign-in/username', '/sign-out', '/get-session'] as const
 export type Mounted = (typeof mounted)[number]
+
+interface Session {
+  readonly user: { readonly id: string; readonly displayUsername: string }
+}
 
 interface NewTeacher {
   readonly username: string
@@ -101,8 +106,8 @@ export function accountsOn(database: Database, secret: Uint8Array): Accounts {
     if (!headers.get('cookie')?.includes('botgarten-teacher')) return null
     const answer = await forward('/get-session', headers, null, caller)
     if (!answer.ok) throw new Error('The session of a teacher could not be read.')
-    const found = (await answer.json()) as { user: { id: string; username: string } } | null
-    return found && { id: found.user.id, username: found.user.username }
+    const found = (await answer.json()) as Session | null
+    return found && { id: found.user.id, username: found.user.displayUsername }
   }
 
   async function create({ username, password }: NewTeacher): Promise<string | null> {

@@ -14,3 +14,7 @@ export async function firstTeacherToken(
   await addInvitation(db, token, 1, ports.now() + lifetime)
   return token
 }
+
+/** Has somebody made this server theirs? */
+export const hasTeacher = async ({ database }: Pick<Ports, 'database'>): Promise<boolean> =>
+  (await firstTeacher(database.db)) !== undefined

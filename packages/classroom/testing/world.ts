@@ -29,6 +29,7 @@ export class Server {
       bury: (tombstone) => Promise.resolve(void this.buried.push(tombstone)),
       log: (line) => void this.logged.push(line),
       publicOrigin: null,
+      teacherMade: () => {},
       ...changes,
     }
   }

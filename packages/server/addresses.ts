@@ -14,12 +14,3 @@ export function addresses(
     .map(({ family, address }) => (family === 'IPv6' ? `[${address}]` : address))
   return ['localhost', ...others].map((host) => `http://${host}:${port}`)
 }
-
-/** What `npm start` prints when the lab is open. */
-export const greeting = (addresses: readonly string[], version: string): string =>
-  [
-    '',
-    'Botgarten is open at',
-    ...addresses.map((address) => `  ${address}`),
-    `Ctrl+C closes it. Version ${version}.`,
-  ].join('\n')

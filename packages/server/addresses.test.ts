@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest'
-import { addresses, greeting } from './addresses.ts'
+import { addresses } from './addresses.ts'
 
 const at = (address: string, family: 'IPv4' | 'IPv6', internal = false) => ({
   ...{ address, internal, mac: '00:00:00:00:00:00', netmask: '', cidr: null },
@@ -22,10 +22,4 @@ test('this machine comes first, then every address of the network, IPv6 in brack
 
 test('link-local IPv6 is left out: a browser takes no zone', () => {
   expect(addresses(80, { eth0: [at('fe80::1', 'IPv6')], gone: undefined })).toEqual(['http://localhost:80'])
-})
-
-test('npm start says where the lab is open, how it is closed, and its version', () => {
-  expect(greeting(['http://localhost:4173', 'http://192.0.2.7:4173'], '1.2.3')).toBe(
-    '\nBotgarten is open at\n  http://localhost:4173\n  http://192.0.2.7:4173\nCtrl+C closes it. Version 1.2.3.',
-  )
 })

@@ -1,0 +1,113 @@
+import { networkInterfaces } from 'node:os'
+import {
+  addresses,
+  CannotServe,
+  inRepository,
+  openClassServer,
+  startServer,
+  writeLink,
+  type ClassServer,
+  type RunningServer,
+} from '@botgarten/server'
+import { whenParentEnds } from '@botgarten/server/parent'
+import { codeInTerminal } from '@botgarten/server/terminal'
+import root from '../../package.json' with { type: 'json' }
+import type { Command } from './commands.ts'
+import { CallError, FileError } from './errors.ts'
+import { options, refuseMore, wholeNumberIn } from './options.ts'
+import { message } from './words.ts'
+import { sayProblem } from './serve-problems.ts'
+
+const known = {
+  port: { type: 'string' },
+  host: { type: 'string' },
+  data: { type: 'string' },
+  database: { type: 'string' },
+  'behind-proxy': { type: 'string' },
+  'public-address': { type: 'string' },
+  'begin-anew': { type: 'boolean' },
+} as const
+
+type Values = ReturnType<typeof options<typeof known>>['values']
+
+/** `botgarten serve`: the lab and the class, until it is told to stop. It is what `npm start` runs. */
+export const serve: Command = { options: known, execute: open }
+
+const usualPort = 4173
+/** In which folder all of a class server lies where none is named. */
+export const usualData = inRepository('data')
+
+async function open(args: string[]): Promise<string> {
+  const { values, positionals } = options(args, known)
+  refuseMore(positionals)
+  const port = wholeNumberIn('port', values.port, usualPort, 0, 65_535)
+  const folder = values.data ?? usualData
+  try {
+    const classServer = await openClassServer({ ...classOptions(values), data: folder })
+    const server = await listen(classServer, port, values.host)
+    stopWhenTold(server)
+    return [greeting(server), await invitation(classServer, server, folder)].filter(Boolean).join('\n\n')
+  } catch (error) {
+    throw sayProblem(error)
+  }
+}
+
+function classOptions(values: Values) {
+  const {
+    database,
+    'behind-proxy': proxies,
+    'public-address': address,
+    'begin-anew': beginAnew = false,
+  } = values
+  if (database !== undefined && !/^postgres(ql)?:\/\//.test(database))
+    throw new CallError('call.database', { text: database })
+  const publicAddress = address === undefined ? undefined : originOf(address)
+  return { database, publicAddress, proxies: proxies?.split(',').map((one) => one.trim()) ?? [], beginAnew }
+}
+
+function originOf(address: string): string {
+  if (!URL.canParse(address) || !/^https?:$/.test(new URL(address).protocol))
+    throw new CallError('call.address', { text: address })
+  return new URL(address).origin
+}
+
+async function listen(classServer: ClassServer, port: number, host?: string): Promise<RunningServer> {
+  try {
+    return await startServer({ port, classServer, ...(host === undefined ? {} : { host }) })
+  } catch (error) {
+    await classServer.close()
+    const { code } = error as NodeJS.ErrnoException
+    if (code === 'EADDRINUSE') throw new FileError('serve.portTaken', { port, next: port + 1 })
+    if (code === 'EACCES') throw new FileError('serve.portForbidden', { port, usual: usualPort })
+    throw error instanceof CannotServe
+      ? error
+      : new FileError('serve.notOpened', { why: code ?? String(error) })
+  }
+}
+
+function stopWhenTold(server: RunningServer) {
+  const stop = () => void server.close()
+  for (const signal of ['SIGINT', 'SIGTERM', 'SIGHUP'] as const) process.once(signal, stop)
+  // Of `npm start`: npm passes no signal on to what it runs.
+  if (process.env['BOTGARTEN_ENDS_WITH_PARENT']) whenParentEnds(stop)
+}
+
+const addressesOf = ({ port }: RunningServer) => addresses(port, networkInterfaces())
+
+const greeting = (server: RunningServer) =>
+  message('serve.open', {
+    addresses: addressesOf(server)
+      .map((address) => `  ${address}`)
+      .join('\n'),
+    version: root.version,
+  })
+
+/** How the first teacher comes to an account; '' where there is one. The terminal sees the link, else a file has it. */
+async function invitation(classServer: ClassServer, server: RunningServer, folder: string): Promise<string> {
+  const token = await classServer.firstTeacher()
+  if (token === null) return ''
+  const [own, other = own] = addressesOf(server)
+  const link = `${classServer.ports.publicOrigin ?? other!}/teacher/start#${token}`
+  if (!process.stdout.isTTY) return message('serve.linkInFile', { path: writeLink(folder, link) })
+  return message('serve.link', { link, code: codeInTerminal(link) })
+}

@@ -1,0 +1,103 @@
+// A class server of a test: the whole product on a data folder that nobody has used, asked over HTTP as pages do.
+import { mkdtempSync, rmSync } from 'node:fs'
+import { tmpdir } from 'node:os'
+import { join } from 'node:path'
+import type { Cookie } from '@playwright/test'
+import {
+  openClassServer,
+  startServer,
+  type ClassServer,
+  type RunningServer,
+} from '../packages/server/index.ts'
+
+/** The product as `npm start` opens it. No teacher has made it theirs. */
+export async function serverWithData(): Promise<RunningServer & { readonly classServer: ClassServer }> {
+  const data = mkdtempSync(join(tmpdir(), 'botgarten-data-'))
+  const classServer = await openClassServer({ data })
+  const server = await startServer({ port: 0, host: '127.0.0.1', classServer })
+  return {
+    ...server,
+    classServer,
+    async close() {
+      await server.close()
+      rmSync(data, { recursive: true, force: true })
+    },
+  }
+}
+
+interface Answered {
+  readonly status: number
+  readonly body: unknown
+}
+
+/** Somebody with cookies of their own who asks the class server. */
+export class Asker {
+  private readonly jar = new Map<string, string>()
+  private readonly url: string
+
+  constructor(url: string) {
+    this.url = url
+  }
+
+  /** For `context.addCookies`: a browser in which this one is signed in. */
+  get cookies(): Pick<Cookie, 'name' | 'value' | 'domain' | 'path' | 'httpOnly' | 'sameSite'>[] {
+    const shared = { domain: new URL(this.url).hostname, path: '/api/class', httpOnly: true } as const
+    return [...this.jar].map(([name, value]) => ({ name, value, ...shared, sameSite: 'Lax' }))
+  }
+
+  /** @param path below `/api/class` @param body text as it is; anything else as JSON */
+  async ask(method: string, path: string, body?: unknown): Promise<Answered> {
+    const cookie = [...this.jar].map(([name, value]) => `${name}=${value}`).join('; ')
+    const headers = new Headers({ origin: this.url })
+    if (body !== undefined) headers.set('content-type', 'application/json')
+    if (cookie !== '') headers.set('cookie', cookie)
+    const text = body === undefined ? null : typeof body === 'string' ? body : JSON.stringify(body)
+    const answer = await fetch(`${this.url}/api/class${path}`, { method, headers, body: text })
+    for (const line of answer.headers.getSetCookie()) {
+      const [, name = '', value = ''] = /^([^=]+)=([^;]*)/.exec(line) ?? []
+      this.jar.set(name, value)
+    }
+    const given = await answer.text()
+    return { status: answer.status, body: given === '' ? null : (JSON.parse(given) as unknown) }
+  }
+}
+
+export interface ClassOfTest extends RunningServer {
+  readonly classServer: ClassServer
+  /** Signed in as `m.weber`, password `kastanie im regen`. */
+  readonly teacher: Asker
+  /** The class 5b: English, grade 5, open, joining is open. */
+  readonly id: string
+  /** Its code as it is typed, such as `kite otter plum`. */
+  readonly code: string
+  /** A pupil who has just joined. `pictures`: the three in their order. */
+  pupil(nickname: string): Promise<{ asker: Asker; id: string; pictures: readonly string[] }>
+}
+
+/** A server with a teacher and an open class. */
+export async function classOfTest(language: 'en' | 'de' = 'en'): Promise<ClassOfTest> {
+  const server = await serverWithData()
+  const teacher = new Asker(server.url)
+  const token = await server.classServer.firstTeacher()
+  const done = async (method: string, path: string, body?: unknown) => {
+    const answer = await teacher.ask(method, path, body)
+    if (answer.status >= 300) throw new Error(`${method} ${path}: ${answer.status}`)
+    return answer.body
+  }
+  await done('POST', '/teachers', { token, username: 'm.weber', password: 'kastanie im regen' })
+  const made = { name: '5b', language, grade: 5, endsOn: server.classServer.ports.day(120) }
+  const { id } = (await done('POST', '/classes', made)) as { id: string }
+  await done('POST', `/classes/${id}/open`)
+  const { words } = (await done('GET', `/classes/${id}`)) as { words: readonly string[] }
+  const code = words.join(' ')
+  return {
+    ...{ ...server, teacher, id, code },
+    async pupil(nickname) {
+      const asker = new Asker(server.url)
+      const { status, body } = await asker.ask('POST', '/join', { code, nickname })
+      if (status !== 201) throw new Error(`${nickname} could not join: ${status}`)
+      const { id, pictures } = body as { id: string; pictures: readonly string[] }
+      return { asker, id, pictures }
+    },
+  }
+}

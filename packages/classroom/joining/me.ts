@@ -1,0 +1,13 @@
+import type { Ports } from '../ports.ts'
+import { classOfPupil } from '../teaching/classes-store.ts'
+import { pupilOf } from './pupils-store.ts'
+import type { Pupil } from './sessions-store.ts'
+
+/** What a pupil's page knows of itself and of the class. */
+export async function meOf({ database: { db } }: Ports, { id, class: classId, nickname, fresh }: Pupil) {
+  const row = await classOfPupil(db, classId)
+  const pupil = await pupilOf(db, classId, id)
+  const { name = '', language = 'en', grade = 0, openedAt = null } = row ?? {}
+  const of = { id: classId, name, language, grade, open: openedAt !== null }
+  return { id, nickname, fresh, hand: (pupil?.handAt ?? null) !== null, class: of }
+}

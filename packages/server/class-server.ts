@@ -1,0 +1,145 @@
+import { existsSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
+import type { IncomingMessage, ServerResponse } from 'node:http'
+import { join } from 'node:path'
+import {
+  base,
+  firstTeacherToken,
+  handle,
+  lastBackup,
+  migrate,
+  openDataFolder,
+  openPostgres,
+  secretIn,
+  type Database,
+  type Ports,
+} from '@botgarten/classroom'
+import { brokenIn, prepareDataFolder } from './data-folder.ts'
+import { callerOf, requestOf, send } from './http.ts'
+import { lockFolder } from './lock.ts'
+import { startNights } from './nights.ts'
+import { portsOn } from './ports.ts'
+import { CannotServe, causeIn } from './problem.ts'
+
+export interface ClassOptions {
+  /** The folder of database, key and backups. */
+  readonly data: string
+  /** `postgres://…` in place of the file in the folder. */
+  readonly database?: string | undefined
+  /** How pages reach the server where a proxy stands before it: `https://lab.example.org`. */
+  readonly publicAddress?: string | undefined
+  /** Addresses of proxies whose word on who asks counts. */
+  readonly proxies?: readonly string[]
+  /** Begins anew although a broken database was set aside. */
+  readonly beginAnew?: boolean
+}
+
+export interface ClassServer {
+  readonly ports: Ports
+  /** Is a request one to the class? */
+  owns(path: string): boolean
+  answer(request: IncomingMessage, response: ServerResponse): Promise<void>
+  /** The secret of the link that makes the first teacher; null where there is one already. */
+  firstTeacher(): Promise<string | null>
+  close(): Promise<void>
+}
+
+const linkFile = 'first-teacher.txt'
+
+/** For who starts the server without a terminal: the link in a file that its owner alone can read. */
+export function writeLink(folder: string, link: string): string {
+  const path = join(folder, linkFile)
+  rmSync(path, { force: true })
+  writeFileSync(path, `${link}\n`, { mode: 0o600, flag: 'wx' })
+  return path
+}
+
+async function openFile(folder: string, beginAnew: boolean): Promise<Database> {
+  const before = beginAnew ? null : brokenIn(folder)
+  const opened =
+    before === null
+      ? await openDataFolder(folder).catch((error: unknown) => {
+          throw new CannotServe('noDatabase', { why: causeIn(error) })
+        })
+      : { kind: 'broken' as const, aside: before, lastBackup: lastBackup(folder) }
+  if (opened.kind === 'open') return opened.database
+  const { aside, lastBackup: backup } = opened
+  throw backup === null
+    ? new CannotServe('broken', { path: aside })
+    : new CannotServe('brokenWithBackup', { path: aside, backup })
+}
+
+async function openServer(address: string): Promise<Database> {
+  try {
+    const database = openPostgres(address)
+    await migrate(database)
+    return database
+  } catch (error) {
+    throw new CannotServe('noDatabase', { why: causeIn(error) })
+  }
+}
+
+/** The key of codes and pictures. Several nodes on one database share it: `BOTGARTEN_KEY` names its file. */
+function keyFor(folder: string): Uint8Array {
+  const named = process.env['BOTGARTEN_KEY']
+  if (!named) return secretIn(folder)
+  if (!existsSync(named)) throw new CannotServe('noKey', { path: named })
+  const key = new Uint8Array(readFileSync(named))
+  if (key.length < 32) throw new CannotServe('noKey', { path: named })
+  return key
+}
+
+/**
+ * Opens the class server of a folder.
+ * @throws {CannotServe} where the folder is in use, is no place for it, or its database is broken
+ */
+export async function openClassServer(options: ClassOptions): Promise<ClassServer> {
+  const folder = prepareDataFolder(options.data)
+  const free = lockFolder(folder)
+  try {
+    const secret = keyFor(folder)
+    const database = await (options.database === undefined
+      ? openFile(folder, options.beginAnew ?? false)
+      : openServer(options.database))
+    return serverOn(database, secret, folder, options, free)
+  } catch (error) {
+    free()
+    throw error
+  }
+}
+
+function serverOn(
+  database: Database,
+  secret: Uint8Array,
+  folder: string,
+  { publicAddress = null, proxies = [] }: { publicAddress?: string | null; proxies?: readonly string[] },
+  free: () => void,
+): ClassServer {
+  const teacherMade = () => rmSync(join(folder, linkFile), { force: true })
+  const { ports, close } = portsOn(database, secret, { folder, publicAddress, teacherMade })
+  const stopNights = startNights(ports, folder)
+
+  async function answer(incoming: IncomingMessage, response: ServerResponse) {
+    let request: Request
+    try {
+      request = requestOf(incoming)
+    } catch {
+      return void response.writeHead(405).end()
+    }
+    await send(await handle(request, ports, callerOf(incoming, proxies)), response)
+    // What was not read of a body that was refused is read to nowhere, so that the sender hears the answer.
+    if (!incoming.complete) incoming.resume()
+  }
+
+  return {
+    ports,
+    owns: (path) => path === base || path.startsWith(`${base}/`),
+    answer,
+    firstTeacher: () => firstTeacherToken(ports),
+    async close() {
+      await stopNights()
+      await close()
+      await database.close()
+      free()
+    },
+  }
+}

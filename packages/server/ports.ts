@@ -1,0 +1,49 @@
+import { randomBytes } from 'node:crypto'
+import {
+  accountsOn,
+  bury,
+  checkInWorker,
+  saveQueueOn,
+  type Database,
+  type LogLine,
+  type Ports,
+} from '@botgarten/classroom'
+
+/** The ISO day where this machine stands, so many days from today. */
+export function dayHere(offset: number): string {
+  const date = new Date()
+  date.setDate(date.getDate() + offset)
+  const parts = [date.getFullYear(), date.getMonth() + 1, date.getDate()]
+  return parts.map((part) => String(part).padStart(2, '0')).join('-')
+}
+
+/** Only what went wrong on our side is written: a route's pattern, a status, a code. */
+function logTrouble({ method, route, status, error = '' }: LogLine): void {
+  if (status >= 500) console.error(`${method} ${route} ${status} ${error}`.trim())
+}
+
+export interface PortOptions {
+  readonly folder: string
+  readonly publicAddress: string | null
+  readonly teacherMade: () => void
+}
+
+/** Everything real: clock, randomness, a worker that checks projects. */
+export function portsOn(database: Database, secret: Uint8Array, options: PortOptions) {
+  const checker = checkInWorker()
+  const ports: Ports = {
+    database,
+    now: () => Date.now(),
+    day: dayHere,
+    random: (bytes) => new Uint8Array(randomBytes(bytes)),
+    secret,
+    accounts: accountsOn(database, secret),
+    checkProject: checker.check,
+    save: saveQueueOn(database),
+    bury: (tombstone) => Promise.resolve(bury(options.folder, tombstone)),
+    log: logTrouble,
+    publicOrigin: options.publicAddress,
+    teacherMade: options.teacherMade,
+  }
+  return { ports, close: checker.close }
+}
