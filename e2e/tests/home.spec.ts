@@ -1,5 +1,6 @@
 // Rooms: home, content
 import type { Locator } from '@playwright/test'
+import { axeFindings } from '../axe.ts'
 import type { Child } from '../child.ts'
 import { expect, test } from '../house.ts'
 
@@ -35,9 +36,20 @@ test.describe('by finger', () => {
   })
 })
 
-test('three cards of each bed are reached by keys', async ({ child }) => {
+test('three cards of each bed are reached by keys, and the free lab begins empty under a name', async ({
+  child,
+  page,
+}) => {
   await walks(child, async (card) => {
     await child.tabsTo(card)
     await child.types('Enter')
   })
+  await child.tabsTo(page.getByRole('button', { name: child.word('home.free') }))
+  await child.types('Enter')
+  await expect(page.getByLabel(child.word('projects.name'), { exact: true })).toBeFocused()
+  expect(await axeFindings(page)).toEqual([])
+  await child.types(...'Maze', 'Enter')
+  await child.seesLab()
+  await expect(page.getByRole('heading', { level: 1 })).toHaveText('Maze')
+  await expect(child.canvas.locator('.blocklyDraggable')).toHaveCount(1)
 })

@@ -1,5 +1,5 @@
 import { describe, expect, test } from 'vitest'
-import { isDone, nextOf, type BedCard } from './home.ts'
+import { firstSentence, isDone, nextOf, type BedCard } from './home.ts'
 
 const card = (label: string, passed: number, of: number): BedCard => ({
   ...{ href: `/lab/${label}`, number: '', label, goal: '', picture: null, group: null },
@@ -24,4 +24,12 @@ describe('the card to play next', () => {
   test('a playground without goals is never done', () => {
     expect([card('vessels', 0, 0), card('tidy up', 2, 2)].map(isDone)).toEqual([false, true])
   })
+})
+
+test('a tile says the first sentence of what its card is about', () => {
+  const goal = 'Bo has only one try. Give Bo more of them, until Bo drives the short way.'
+  expect(firstSentence(goal, 'en')).toBe('Bo has only one try.')
+  const german = 'Sperre die Strecke zwischen 2 und 3. Lass Bo dann lernen und fahren.'
+  expect(firstSentence(german, 'de')).toBe('Sperre die Strecke zwischen 2 und 3.')
+  expect(firstSentence('', 'en')).toBe('')
 })

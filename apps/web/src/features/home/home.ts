@@ -52,6 +52,8 @@ export interface HomeProps {
   learning: readonly BedCard[]
   sorting: readonly BedCard[]
   onopenfile: (file: File) => void
+  /** A new project is asked for. */
+  onnew: () => void
 }
 
 /** Were the goals reached from every start place? A playground without goals is never done. */
@@ -81,6 +83,10 @@ function levelOf(card: string, kept: readonly Listed[]): Level {
   return { passed: new Set(solved).size, of }
 }
 
+/** The first sentence of a text: a tile has room for one. */
+export const firstSentence = (text: string, locale: string): string =>
+  [...new Intl.Segmenter(locale, { granularity: 'sentence' }).segment(text)][0]?.segment.trim() ?? ''
+
 /** The cards of one bed, what they are about, and how far each has been solved on this device. */
 export const bedOf = (bed: Playground, kept: readonly Listed[], goals: Goals): BedCard[] =>
   allCards
@@ -89,7 +95,7 @@ export const bedOf = (bed: Playground, kept: readonly Listed[], goals: Goals): B
       href: resolve('/lab/[card]', { card: id }),
       number: bed === 'network' ? code.replace(/^\D+/, '') : '',
       label: titleOf(id),
-      goal: goals[id]?.[language.locale] ?? goals[id]?.['en'] ?? '',
+      goal: firstSentence(goals[id]?.[language.locale] ?? goals[id]?.['en'] ?? '', language.locale),
       picture: pictureOf(id),
       group: group ?? null,
       level: levelOf(id, kept),

@@ -117,13 +117,6 @@ export class ProjectList {
     await this.#did(outcome, { text: m['projects.doubled']({ name }) })
   }
 
-  /** Saves a new project of the free lab. Returns its id; where nothing can be saved, the lab says so. */
-  async begin(project: Project): Promise<string> {
-    const id = freshId('free')
-    await save(id, project, 0)
-    return id
-  }
-
   throwAway(one: Listed): Promise<void> {
     return this.#throwAway(one.id, shownName(one))
   }
