@@ -62,6 +62,14 @@ export function drawWay(map: MapFile, stations: readonly number[]): DrawnWay {
   }
 }
 
+/** Was the floor of this world drawn from this map? Its discs lie on stations then. */
+export function liesOn(map: MapFile, { size, areas }: Pick<Scene, 'size' | 'areas'>): boolean {
+  const whole = worldSizeOf(map)
+  if (size.width !== whole.width || size.height !== whole.height || areas.length === 0) return false
+  const places = map.stations.map((_, station) => placeOf(map, station))
+  return areas.every(({ pose }) => places.some(({ x, y }) => x === pose.x && y === pose.y))
+}
+
 /** Unit vector along a line at one of its points. */
 function alongAt(points: readonly Point[], index: number): Point {
   const from = points[Math.max(0, index - 1)]!

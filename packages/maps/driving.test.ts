@@ -4,7 +4,7 @@ import { addBlocks, blockFrom, toolbox, type Template } from '@botgarten/blocks'
 import { learning as blocks, learningToolbox } from '@botgarten/blocks/packs/learning'
 import { cardConfig, paintFloor, TICKS_PER_SECOND, type Pose } from '@botgarten/simulation'
 import { describe, expect, test } from 'vitest'
-import { drawWay, driveSeconds, wayThrough, withLearnedWay, type MapFile } from './index.ts'
+import { drawWay, driveSeconds, liesOn, wayThrough, withLearnedWay, type MapFile } from './index.ts'
 
 const mapNamed = (id: string): MapFile => content.mapFile(id)!
 
@@ -64,6 +64,17 @@ describe('a way over stations', () => {
 
   test('over a road that is not there is refused', () => {
     expect(() => drawWay(mapNamed('railway'), [0, 3])).toThrow('No road leads from 0 to 3.')
+  })
+
+  test('lies on the map that it was drawn from, and on no other floor', () => {
+    const map = mapNamed('railway')
+    const { scene } = drawWay(map, [3, 5, 0, 1])
+    expect(liesOn(map, scene)).toBe(true)
+    expect(liesOn(mapNamed('forest'), scene)).toBe(false)
+    expect(liesOn(map, { ...scene, areas: [] })).toBe(false)
+    const [disc, ...discs] = scene.areas
+    const moved = { ...disc!, pose: { ...disc!.pose, x: disc!.pose.x + 1 } }
+    expect(liesOn(map, { ...scene, areas: [moved, ...discs] })).toBe(false)
   })
 })
 

@@ -1,5 +1,5 @@
 export type * from './types.ts'
-export { drawWay, type DrawnWay } from './drawn.ts'
+export { drawWay, liesOn, type DrawnWay } from './drawn.ts'
 export { courseOf, isShortest, learnedFor, learningKey, sectionsOf, withLearnedWay } from './learn.ts'
 export { pointsAlong, segmentsOf } from './path.ts'
 export type { Point } from './point.ts'

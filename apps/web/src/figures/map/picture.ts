@@ -6,6 +6,8 @@ import type { QLearner } from '@botgarten/learning/q-learning'
 export interface Picture {
   /** Address of an image: scenery and roads never change. */
   readonly scene: string
+  /** The same, pale: under what is drawn on it. */
+  readonly pale: string
   /** What lies on the roads, and fog. */
   readonly covers: SVGGElement
   /** The stations: over everything that rides. */
@@ -31,7 +33,7 @@ export function takeApart(text: string, { stations: places }: MapFile): Picture 
   const fog = [...covers.querySelectorAll('[id^=fog-]')]
   const isCity = root.getAttribute('data-map') === 'city'
   return {
-    ...{ scene: imageOf(root), covers, stations },
+    ...{ scene: imageOf(root), pale: imageOf(root, 0.4), covers, stations },
     cover(visited, worth) {
       for (const road of roads) fade(road, worth.get(road.id.slice('cover-'.length)) ?? 0, isCity)
       fog.forEach((patch, station) => set(patch, 'visibility', visited[station] ? 'hidden' : 'visible'))
@@ -45,11 +47,13 @@ const layersOf = (root: Element, ids: readonly string[]) =>
   ids.flatMap((id) => root.querySelector(`#${id}`) ?? [])
 
 /** A thousand houses and trees are one thing for the browser then. */
-function imageOf(root: Element): string {
+function imageOf(root: Element, opacity = 1): string {
   const viewBox = root.getAttribute('viewBox') ?? ''
   const [, , width = '1600', height = '1000'] = viewBox.split(' ')
   const image = make('svg', { viewBox, width, height })
-  image.append(...layersOf(root, ['scenery', 'roads']))
+  const layers = make('g', { opacity })
+  layers.append(...layersOf(root, ['scenery', 'roads']).map((layer) => layer.cloneNode(true)))
+  image.append(layers)
   return `data:image/svg+xml,${encodeURIComponent(new XMLSerializer().serializeToString(image))}`
 }
 

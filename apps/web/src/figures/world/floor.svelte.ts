@@ -14,7 +14,8 @@ export class FloorPicture {
   readonly #world: () => World
   readonly #url: () => string | null
   readonly #viewport: Viewport
-  #image = $state.raw<HTMLImageElement | null>(null)
+  #image = $state.raw<ImageBitmap | null>(null)
+  #loaded: string | null = null
 
   constructor(world: () => World, url: () => string | null, viewport: Viewport) {
     this.#world = world
@@ -25,15 +26,19 @@ export class FloorPicture {
   /** Loads the picture that lies on the ground; for an effect. */
   load(): void {
     const url = this.#url()
-    if (this.#image?.dataset['url'] === url) return
+    if (this.#loaded === url) return
+    this.#loaded = url
     this.#image = null
     if (url === null) return
     const image = new Image()
-    image.dataset['url'] = url
-    image.onload = () => {
-      if (this.#url() === url) this.#image = image
-    }
+    image.onload = () => void this.#flatten(image, url)
     image.src = url
+  }
+
+  /** A drawing is made pixels once, not whenever the floor is painted again. */
+  async #flatten(image: HTMLImageElement, url: string): Promise<void> {
+    const pixels = await createImageBitmap(image)
+    if (this.#loaded === url) this.#image = pixels
   }
 
   readonly #left = $derived.by(() => Math.floor(-this.#viewport.corner.x / step) * step)

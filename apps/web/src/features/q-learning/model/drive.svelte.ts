@@ -1,4 +1,5 @@
 import type { Course } from '@botgarten/learning/q-learning'
+import { liesOn } from '@botgarten/maps'
 import type { LearningOutline } from '@botgarten/programs'
 import type { LabSession } from '#lab/session.svelte.ts'
 import type { LabUi } from '#lab/ui.svelte.ts'
@@ -48,6 +49,18 @@ export class Drive {
     if (this.#floor.lies(learned.stage, learned.stations)) return false
     void this.draw(true)
     return true
+  }
+
+  /** Shows the map pale under the way that was drawn from it, so that floor and map are seen to be one. */
+  showMap(stage: Stage | null): void {
+    const { world } = this.#session.lab.document
+    this.#session.below = stage && liesOn(stage.map, world) ? stage.picture.pale : null
+  }
+
+  /** Bo drives: the floor stands large, and where one part is seen at a time it is the one. */
+  comeForward(): void {
+    this.front = 'floor'
+    if (this.#ui.page === 'network') this.#ui.page = 'world'
   }
 
   swap(): void {

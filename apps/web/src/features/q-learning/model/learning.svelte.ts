@@ -105,8 +105,9 @@ export class Learning {
         if (this.#task) untrack(() => this.guess.forget())
       })
       $effect(() => {
-        if (session.lab.facts.phase === 'running') this.drive.front = 'floor'
+        if (session.lab.facts.phase === 'running') untrack(() => this.drive.comeForward())
       })
+      $effect(() => this.drive.showMap(this.#stage))
     })
     const leave = pauseWhenAway(() => this.pause())
     return () => {
@@ -114,6 +115,7 @@ export class Learning {
       leave()
       this.pause()
       this.session.learnFirst = () => this.session.learns
+      this.drive.showMap(null)
     }
   }
 
