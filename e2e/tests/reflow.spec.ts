@@ -5,11 +5,12 @@ import { expect, test } from '../house.ts'
 import { outOfReach } from '../reach.ts'
 import { languages } from '../words.ts'
 
-/** WCAG 1.4.10: 1280 px at 400 %; a school laptop of 1366 × 768 at the same; a phone, a tablet, and that laptop. */
+/** WCAG 1.4.10: 1280 px at 400 %; a school laptop of 1366 × 768 at the same; a phone, a tablet both ways, and that laptop. */
 const sizes = [
   { width: 320, height: 256 },
   { width: 342, height: 192 },
   { width: 390, height: 844 },
+  { width: 768, height: 1024 },
   { width: 1024, height: 768 },
   { width: 1366, height: 768 },
 ]

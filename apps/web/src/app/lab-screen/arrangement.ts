@@ -59,32 +59,19 @@ function columnsDesigned(free: number): readonly [program: number, world: number
   return [program, Math.min(free - program - designed.network, designed.worldMost)]
 }
 
-/** The widest choice of a block that learns ends here, with the toolbox beside it. */
-const leastLearning = 365
-
-/** Learning by trying has a map: it gets the larger half. */
-const columnsLearning = (free: number): readonly [program: number, world: number] => [
-  Math.min(Math.max(leastLearning, 0.29 * free), designed.programMost),
-  Math.min(0.252 * free, designed.worldMost),
-]
-
-function columns(area: Area, sizes: PaneSizes['columns'], learns: boolean): readonly [Border, Border] {
+function columns(area: Area, sizes: PaneSizes['columns']): readonly [Border, Border] {
   const free = area.width - 2 * gap
-  const asDesigned = learns ? columnsLearning(free) : columnsDesigned(free)
-  const wanted = sizes ? [sizes[0] * area.width, sizes[1] * area.width] : asDesigned
+  const wanted = sizes ? [sizes[0] * area.width, sizes[1] * area.width] : columnsDesigned(free)
   const program = border('x', wanted[0] ?? 0, least.program, free - least.world - least.network)
   const world = border('x', wanted[1] ?? 0, least.world, free - program.at - least.network)
   return [program, world]
 }
 
-function stacked(area: Area, sizes: PaneSizes['stacked'], learns: boolean): readonly [Border, Border] {
-  const [program, world] = sizes ?? (learns ? [0.385, 0.52] : [0.456, 0.435])
-  const [upper, lower] = learns
-    ? [least.programHeight, least.worldHeight]
-    : [least.worldHeight, least.networkHeight]
+function stacked(area: Area, sizes: PaneSizes['stacked']): readonly [Border, Border] {
+  const [program, world] = sizes ?? [0.456, 0.435]
   return [
     border('x', program * area.width, least.program, area.width - gap - least.network),
-    border('y', world * area.height, upper, area.height - gap - lower),
+    border('y', world * area.height, least.worldHeight, area.height - gap - least.networkHeight),
   ]
 }
 
@@ -97,14 +84,9 @@ function rows(area: Area, sizes: PaneSizes['rows']): readonly [Border, Border] {
 }
 
 /** The two borders of an arrangement, as the child has dragged them or as they are designed; none when panes are pages. */
-export function bordersOf(
-  arrangement: Arrangement,
-  area: Area,
-  sizes: PaneSizes,
-  learns = false,
-): readonly Border[] {
-  if (arrangement === 'columns') return columns(area, sizes.columns, learns)
-  if (arrangement === 'stacked') return stacked(area, sizes.stacked, learns)
+export function bordersOf(arrangement: Arrangement, area: Area, sizes: PaneSizes): readonly Border[] {
+  if (arrangement === 'columns') return columns(area, sizes.columns)
+  if (arrangement === 'stacked') return stacked(area, sizes.stacked)
   return arrangement === 'rows' ? rows(area, sizes.rows) : []
 }
 
@@ -134,15 +116,12 @@ export function gridOfTwo(arrangement: Arrangement, borders: readonly Border[]):
 }
 
 /** `grid-template` of an arrangement. */
-export function gridOf(arrangement: Arrangement, borders: readonly Border[], learns = false): string {
+export function gridOf(arrangement: Arrangement, borders: readonly Border[]): string {
   const [a, b] = borders.map((border) => `${border.at}px`)
   switch (arrangement) {
     case 'columns':
       return `"program first world second network" ${rest} / ${a} ${gap}px ${b} ${gap}px ${rest}`
     case 'stacked':
-      // A map wants height: it stands beside program and world.
-      if (learns)
-        return `"program first network" ${b} "second first network" ${gap}px "world first network" ${rest} / ${a} ${gap}px ${rest}`
       return `"program first world" ${b} "program first second" ${gap}px "program first network" ${rest} / ${a} ${gap}px ${rest}`
     case 'rows':
       return `"world first network" ${b} "second second second" ${gap}px "program program program" ${rest} / ${a} ${gap}px ${rest}`

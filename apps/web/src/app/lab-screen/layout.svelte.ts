@@ -36,9 +36,7 @@ export class Layout {
     () => this.arrangement === 'stacked' && !this.#ui.filled && this.#screen.hasNetworkPane && !this.learning,
   )
   /** Learning by trying has the whole lab: its program is folded, and its world stands within it. */
-  readonly learning = $derived.by(
-    () => this.#screen.session.learns && ['columns', 'stacked'].includes(this.arrangement),
-  )
+  readonly learning = $derived.by(() => this.#screen.session.learns && !this.pages)
   /** px of the folded program: what stands beside the map begins below it. */
   foldedHeight = $state(0)
   #unfolded = $state<boolean | null>(null)

@@ -64,6 +64,8 @@ export class LabScreenState {
       () => this.neurons,
       () => this.session.robotId,
     )
+    // A card about learning by trying begins where Bo learns, where one part is seen at a time.
+    if (this.card?.card.playground === 'q-learning') this.ui.page = 'network'
     this.session.moveBlocks = (direction, program) => this.blocks?.moveBlocks(direction, program) ?? false
   }
 
