@@ -45,6 +45,11 @@ export class Learner {
     return this.child.button('q.station', { station })
   }
 
+  /** What the roads of a station are worth. */
+  row(station: number): Locator {
+    return this.child.page.locator('.drawer tbody tr').nth(station)
+  }
+
   road(from: number, to: number): Locator {
     return this.child.button('q.road', { from, to })
   }
@@ -86,6 +91,16 @@ export class Learner {
 
   async seesWay(...stations: readonly number[]) {
     await expect(this.child.page.locator('.best ol b, .line .way b')).toHaveText(stations.map(String))
+  }
+
+  /** Map, numbers under their heads, and the table (or the row of the move) are seen together, nothing of them cut. */
+  async seesAllTogether(rows: 'all' | 'now') {
+    const { page } = this.child
+    const heads = await page.locator('.statistics dt').all()
+    const table = page.locator('.drawer tbody tr')
+    const seen = rows === 'all' ? await table.all() : [table.filter({ has: page.locator('button.now') })]
+    for (const part of [page.locator('.space .frame'), ...heads, ...seen])
+      await expect(part).toBeInViewport({ ratio: 0.99 })
   }
 
   /** The move that is shown, and how far it has come. */

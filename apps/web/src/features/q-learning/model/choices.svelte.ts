@@ -27,11 +27,28 @@ export class Marked {
     return this.#road
   }
 
+  /** The road to show on the map: what is pointed at, else what was tapped. */
+  get shownRoad(): readonly [number, number] | null {
+    const { chosen } = this
+    return this.#road ?? (chosen?.kind === 'road' ? [chosen.a, chosen.b] : null)
+  }
+
   point(road: readonly [number, number] | null): void {
     this.#road = road
   }
 
   is(from: number, to: number): boolean {
+    const { chosen } = this
+    if (
+      chosen?.kind === 'road' &&
+      `${chosen.a}-${chosen.b}` === [from, to].toSorted((a, b) => a - b).join('-')
+    )
+      return true
     return this.#road?.[0] === from && this.#road[1] === to
+  }
+
+  /** The station that was tapped: its row stands out in the table. */
+  get station(): number | null {
+    return this.chosen?.kind === 'station' ? this.chosen.station : null
   }
 }
