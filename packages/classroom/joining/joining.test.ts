@@ -112,6 +112,14 @@ onBothDatabases((fresh) => {
     expect((await server.browser().post('/look', { code })).status).toBe(200)
   })
 
+  test('a teacher stops joining, and who is in stays in', async () => {
+    const { id, code } = await server.openClass(teacher)
+    const child = await server.pupil(code, 'Fuchs')
+    await teacher.post(`/classes/${id}/stop-joining`)
+    expect((await server.browser().post('/look', { code })).status).toBe(404)
+    expect((await child.browser.get('/projects')).status).toBe(200)
+  })
+
   test('twenty wrong codes stop a device and two hundred an address, for ten minutes', async () => {
     server.later(15)
     const { code } = await server.openClass(teacher)

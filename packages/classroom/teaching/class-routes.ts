@@ -90,6 +90,12 @@ async function close({ ports, who }: Call<undefined>): Promise<Answer> {
   return {}
 }
 
+/** Who is in goes on; nobody joins any more. */
+async function stopJoining({ ports, who }: Call<undefined>): Promise<Answer> {
+  await changeClass(ports.database.db, who.class!.id, { joiningUntil: 0 })
+  return {}
+}
+
 async function otherCode({ ports, who }: Call<undefined>): Promise<Answer> {
   const { id } = who.class!
   await withFreeCode(ports, languageOf(who.class!), (code) => giveCode(ports.database.db, id, code))
@@ -122,6 +128,7 @@ export const classRoutes: readonly Route[] = [
   route('DELETE', '/classes/:class', ['owner'], remove, v.strictObject({ name: v.string() })),
   route('POST', '/classes/:class/open', ['owner'], open),
   route('POST', '/classes/:class/close', ['owner'], close),
+  route('POST', '/classes/:class/stop-joining', ['owner'], stopJoining),
   route('POST', '/classes/:class/code', ['owner'], otherCode),
   route('POST', '/classes/:class/sign-out-all', ['owner'], signOutAll),
 ]

@@ -29,14 +29,16 @@ export class Browser {
     headers: Record<string, string> = {},
   ): Promise<Answered> {
     const cookie = [...this.cookies].map(([name, value]) => `${name}=${value}`).join('; ')
-    const origin = method === 'GET' ? {} : { origin: host }
     const text = body === undefined ? null : typeof body === 'string' ? body : JSON.stringify(body)
-    const typed = text === null ? {} : { 'content-type': 'application/json' }
+    const all = new Headers(headers)
+    if (cookie !== '') all.set('cookie', cookie)
+    if (method !== 'GET' && !all.has('origin')) all.set('origin', host)
+    if (text !== null && !all.has('content-type')) all.set('content-type', 'application/json')
     const answer = await this.send(
       new Request(`${host}/api/class${path}`, {
         method,
         body: text,
-        headers: { ...(cookie === '' ? {} : { cookie }), ...origin, ...typed, ...headers },
+        headers: all,
       }),
     )
     for (const one of answer.headers.getSetCookie()) this.keep(one)
