@@ -4,9 +4,9 @@ import type { CardProgram } from '@botgarten/content'
 import { networks } from '@botgarten/programs'
 import { expect, test } from 'vitest'
 import { unitScale } from '#drawing/track.ts'
-import { coveredIn, drawnLayout, knobsIn, type DrawnNet, drawnNet } from './netLayout.ts'
+import { coveredIn, drawnLayout, knobsIn, type DrawnNet, drawnNet } from './still-layout.ts'
 
-const content = new URL('../../../../../../content/', import.meta.url)
+const content = new URL('../../../../../content/', import.meta.url)
 const files = globSync('cards/network/*/{start,solution}.json', { cwd: content }).sort()
 const nets = files.flatMap((file) => {
   const { programs, brains } = JSON.parse(readFileSync(new URL(file, content), 'utf8')) as CardProgram
