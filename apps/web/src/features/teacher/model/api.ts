@@ -1,0 +1,71 @@
+import * as v from 'valibot'
+
+/** Why the class server did not do what it was asked. Words for it: `teacher.refused.<code>`. */
+export class Refused extends Error {
+  /** `noServer`: it cannot be reached, or there is none. */
+  readonly code: string
+  readonly status: number
+
+  constructor(code: string, status: number) {
+    super(code)
+    this.code = code
+    this.status = status
+  }
+}
+
+type Method = 'GET' | 'POST' | 'PUT' | 'PATCH' | 'DELETE'
+type Fetch = (path: string, init: RequestInit) => Promise<Response>
+
+const refusal = v.object({ error: v.string() })
+
+async function refusedBy(answer: Response): Promise<Refused> {
+  const body = await answer.json().catch(() => null)
+  const given = v.safeParse(refusal, body)
+  return new Refused(given.success ? given.output.error : 'noServer', answer.status)
+}
+
+/** Speaks to the class server. Every method throws Refused. */
+export class ClassApi {
+  readonly #fetch: Fetch
+
+  constructor(fetch: Fetch = (path, init) => globalThis.fetch(path, init)) {
+    this.#fetch = fetch
+  }
+
+  /** A request whose answer counts only as done. */
+  async tell(method: Method, path: string, body?: unknown): Promise<void> {
+    await (await this.#send(method, path, body)).body?.cancel()
+  }
+
+  /** A request whose answer is read. An answer of another shape is that of a server that is none of ours. */
+  async ask<Schema extends v.GenericSchema>(
+    schema: Schema,
+    method: Method,
+    path: string,
+    body?: unknown,
+  ): Promise<v.InferOutput<Schema>> {
+    const answer = await this.#send(method, path, body)
+    const read = v.safeParse(schema, await answer.json().catch(() => null))
+    if (!read.success) throw new Refused('noServer', answer.status)
+    return read.output
+  }
+
+  async #send(method: Method, path: string, body: unknown): Promise<Response> {
+    const json =
+      body === undefined
+        ? {}
+        : { body: JSON.stringify(body), headers: { 'content-type': 'application/json' } }
+    const answer = await this.#fetch(`/api/class${path}`, { method, ...json }).catch(() => null)
+    if (!answer) throw new Refused('noServer', 0)
+    if (!answer.ok) throw await refusedBy(answer)
+    return answer
+  }
+}
+
+export const api = new ClassApi()
+
+/** The code of what was thrown, for the sentence that says it. */
+export const codeOf = (error: unknown): string => {
+  if (error instanceof Refused) return error.code
+  throw error
+}

@@ -1,0 +1,104 @@
+import * as answers from './answers.ts'
+import type { ClassInFull, Pupil } from './answers.ts'
+import { codeOf, type ClassApi } from './api.ts'
+import { saveClass, saveEverything } from './export.ts'
+
+/** One class as its teacher sees it, and what can be done with it. */
+export class School {
+  readonly id: string
+  readonly #api: ClassApi
+  #row = $state.raw<ClassInFull | null>(null)
+  #pupils = $state.raw<readonly Pupil[]>([])
+  #refused = $state<string | null>(null)
+
+  constructor(api: ClassApi, id: string) {
+    this.#api = api
+    this.id = id
+  }
+
+  /** Null until it has been asked for. */
+  get row(): ClassInFull | null {
+    return this.#row
+  }
+
+  /** From A to Z. */
+  get pupils(): readonly Pupil[] {
+    return this.#pupils
+  }
+
+  /** Why the last wish was not done; null where it was. */
+  get refused(): string | null {
+    return this.#refused
+  }
+
+  async load(): Promise<void> {
+    await this.#try(async () => {
+      const [row, { pupils }] = await Promise.all([
+        this.#api.ask(answers.classInFull, 'GET', this.at('')),
+        this.#api.ask(answers.pupils, 'GET', this.at('/pupils')),
+      ])
+      this.#row = row
+      this.#pupils = pupils
+    })
+  }
+
+  /** Address of something in the class. */
+  at = (path: string): string => `/classes/${this.id}${path}`
+
+  /** Newcomers can join for 20 minutes. @returns whether it was done, as all of these */
+  open = () => this.#do('POST', '/open')
+  /** Who is in goes on; nobody joins any more. */
+  stopJoining = () => this.#do('POST', '/stop-joining')
+  /** The lesson is over. */
+  close = () => this.#do('POST', '/close')
+  newCode = () => this.#do('POST', '/code')
+  signOutAll = () => this.#do('POST', '/sign-out-all')
+  change = (change: { name?: string; grade?: number; endsOn?: string }) => this.#do('PATCH', '', change)
+  rename = (pupil: string, nickname: string) => this.#do('PATCH', `/pupils/${pupil}`, { nickname })
+  removePupil = (pupil: string) => this.#do('DELETE', `/pupils/${pupil}`)
+  unlock = (pupil: string) => this.#do('POST', `/pupils/${pupil}/unlock`)
+  handDown = (pupil: string) => this.#do('POST', `/pupils/${pupil}/hand-down`)
+
+  /** Deletes the class with everything; `name` is what was typed. */
+  async deleteAll(name: string): Promise<boolean> {
+    return (await this.#try(() => this.#api.tell('DELETE', this.at(''), { name }))) !== null
+  }
+
+  /** Three new pictures for a pupil, told once; null where it was refused. */
+  async newPictures(pupil: string): Promise<readonly string[] | null> {
+    const given = await this.#try(() =>
+      this.#api.ask(answers.pictures, 'POST', this.at(`/pupils/${pupil}/pictures`)),
+    )
+    await this.load()
+    return given?.pictures ?? null
+  }
+
+  /** All about one pupil, or about the whole class, as a file. */
+  exported = (pupil?: Pupil) =>
+    this.#try(() =>
+      pupil
+        ? saveEverything(this.#api, this.id, pupil)
+        : saveClass(this.#api, { id: this.id, name: this.#row?.name ?? '' }, this.#pupils),
+    )
+
+  async #do(method: 'POST' | 'PATCH' | 'DELETE', path: string, body?: unknown): Promise<boolean> {
+    const done = await this.#try(async () => {
+      await this.#api.tell(method, this.at(path), body)
+      return true
+    })
+    if (done) await this.load()
+    return done === true
+  }
+
+  /** @returns null where the server refused, and keeps why */
+  async #try<Result>(act: () => Promise<Result>): Promise<Result | null> {
+    try {
+      const result = await act()
+      this.#refused = null
+      return result
+    } catch (error) {
+      this.#refused = codeOf(error)
+      return null
+    }
+  }
+}
