@@ -1,3 +1,5 @@
+import type { Course } from '@botgarten/learning/q-learning'
+
 /** Time that one frame can be late for: a page that slept does not catch up. */
 const LONGEST = 250
 
@@ -35,6 +37,20 @@ export class Clock {
 /** Resolves when a frame has been drawn: what follows is a task of its own. */
 export const nextFrame = (): Promise<unknown> =>
   new Promise((done) => requestAnimationFrame(() => setTimeout(done)))
+
+/** Learns again up to a move, in slices that leave time for frames. Returns false once it is not wanted any more. */
+export async function replay(
+  course: Course,
+  moves: number,
+  isWanted: () => boolean,
+): Promise<boolean> {
+  while (course.made < moves && !course.over) {
+    course.advance(Math.min(20_000, moves - course.made))
+    await new Promise(requestAnimationFrame)
+    if (!isWanted()) return false
+  }
+  return true
+}
 
 /** Pauses what plays when the page is hidden or Escape is pressed. Returns how to end it. */
 export function pauseWhenAway(pause: () => void): () => void {

@@ -5,7 +5,7 @@ import { learningIn, type Learned } from '@botgarten/programs'
 import type { LabUi } from '#lab/ui.svelte.ts'
 import type { LabSession } from '#lab/session.svelte.ts'
 import { loadStage, courseOn, type Stage } from '#figures/map/stage.ts'
-import { pauseWhenAway } from './clock.ts'
+import { pauseWhenAway, replay } from './clock.ts'
 import { throwSeed } from './dice.ts'
 import { Drive, type LearnedWay } from './drive.svelte.ts'
 import { taskKey } from './guess.ts'
@@ -146,11 +146,8 @@ export class Learning {
   /** Learns again what was learned when the page was left: the same seed gives the same (running.md 2). */
   async #goOn(kept: Learned, key: string): Promise<void> {
     const course = this.#course!
-    while (course.made < kept.moves && !course.over) {
-      course.advance(Math.min(20_000, kept.moves - course.made))
-      await new Promise(requestAnimationFrame)
-      if (key !== this.#key || course !== this.#course) return
-    }
+    const isWanted = () => key === this.#key && course === this.#course
+    if (!(await replay(course, kept.moves, isWanted))) return
     this.#noted = kept.noted
     this.#show(1)
     this.records.draw(course.episodes)

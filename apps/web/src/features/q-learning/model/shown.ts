@@ -69,3 +69,13 @@ export function movesFrom({ first, meant }: QWorld, station: number): ReadonlyMa
   const [begin, end] = [first[station]!, first[station + 1]!]
   return new Map(Array.from(meant.subarray(begin, end), (to, index) => [to, begin + index]))
 }
+
+/** Of each station how many roads leave it, the closed ones too. */
+export const roadCounts = (
+  { states, first }: QWorld,
+  closed: readonly (readonly [from: number, to: number])[],
+): number[] =>
+  Array.from({ length: states }, (_, station) => {
+    const shut = closed.filter(([from]) => from === station).length
+    return first[station + 1]! - first[station]! + shut
+  })

@@ -1,0 +1,51 @@
+import { expect, test } from 'vitest'
+import { m } from '#words/message.ts'
+import { Hands } from '../model/hands.ts'
+import { actionsOf } from './map-actions.ts'
+
+/** Of a map on which the road from 3 to 2 is closed in that direction. */
+function handsAndSteps() {
+  const steps: unknown[] = []
+  const outline = {
+    ...{
+      blocks: { map: 'map', behaviour: 'how' },
+      map: 'railway',
+      start: 3,
+      goal: 1,
+      episodes: 10,
+      moves: 100,
+    },
+    closed: [[3, 2]] as [number, number][],
+    settings: { rules: 'standard', algorithm: 'q', alpha: 0.5, gamma: 0.8, nu: 0.1, rho: 0.5 } as const,
+  }
+  const hands = new Hands(() => outline, {
+    setFields: (_, fields) => steps.push(fields),
+    setClosed: (_, roads) => steps.push(roads),
+  })
+  return { hands, steps }
+}
+
+test('a station can become the start or the goal', () => {
+  const { hands, steps } = handsAndSteps()
+  for (const { act } of actionsOf({ kind: 'station', station: 5 }, hands)) act()
+  expect(steps).toEqual([
+    { START: '5', FINISH: '1' },
+    { START: '3', FINISH: '5' },
+  ])
+})
+
+test('a road can be made all that it is not', () => {
+  const { hands, steps } = handsAndSteps()
+  const actions = actionsOf({ kind: 'road', a: 3, b: 2 }, hands)
+  expect(actions.map(({ label }) => label)).toEqual([
+    m['q.openRoad'](),
+    m['q.closeRoad'](),
+    m['q.closeOne']({ from: 2, to: 3 }),
+  ])
+  for (const { act } of actions) act()
+  expect(steps).toEqual([[], [[3, 2], [2, 3]], [[2, 3]]]) // prettier-ignore
+})
+
+test('start and goal together are chosen by number, not by buttons', () => {
+  expect(actionsOf({ kind: 'ends' }, handsAndSteps().hands)).toEqual([])
+})
