@@ -1,6 +1,15 @@
 import fc from 'fast-check'
 import { expect, test } from 'vitest'
-import { arrangementOf, bordersOf, gap, gridOfTwo, moved, nextPane, scrollsAsPage } from './arrangement.ts'
+import {
+  arrangementOf,
+  bordersOf,
+  byKey,
+  gap,
+  gridOfTwo,
+  moved,
+  nextPane,
+  scrollsAsPage,
+} from './arrangement.ts'
 
 test('visual.md 3: the width of the window decides the arrangement, a low one shows pages', () => {
   const at = (width: number, height = 768) => arrangementOf({ width, height })
@@ -75,4 +84,12 @@ test('F6 goes round the panes, Shift and F6 the other way, from outside to the f
   expect([null, ...panes].map((here) => nextPane(panes, here, true))).toEqual([
     ...['network', 'network', 'program', 'world'],
   ])
+})
+
+test('keys move a border along its axis, in small or large steps, or to its ends; other keys do not', () => {
+  const border = { axis: 'x', at: 400, min: 340, max: 700 } as const
+  expect([byKey(border, 'ArrowLeft', false), byKey(border, 'ArrowRight', true)]).toEqual([384, 464])
+  expect([byKey(border, 'Home', false), byKey(border, 'End', false)]).toEqual([340, 700])
+  expect(byKey(border, 'ArrowUp', false)).toBeUndefined()
+  expect(byKey({ ...border, axis: 'y' }, 'ArrowUp', false)).toBe(384)
 })

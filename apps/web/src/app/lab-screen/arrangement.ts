@@ -105,6 +105,14 @@ export function moved(
   return { [arrangement]: [shares[0] ?? 0, shares[1] ?? 0] }
 }
 
+/** Where a key puts a border; undefined: the key is not for it. `far`: in large steps. */
+export function byKey({ axis, at, min, max }: Border, key: string, far: boolean): number | undefined {
+  const [less, more] = axis === 'x' ? ['ArrowLeft', 'ArrowRight'] : ['ArrowUp', 'ArrowDown']
+  const step = far ? 64 : 16
+  const places: { [key: string]: number } = { [less]: at - step, [more]: at + step, Home: min, End: max }
+  return places[key]
+}
+
 const rest = 'minmax(0, 1fr)'
 
 /** `grid-template` where there is no network to show: the program as it is with one, the world has the rest. */

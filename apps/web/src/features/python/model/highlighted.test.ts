@@ -1,5 +1,5 @@
 import { expect, it } from 'vitest'
-import { highlighted } from './highlighted.ts'
+import { highlighted, lineByKey } from './highlighted.ts'
 
 const kinds = (code: string) =>
   highlighted(code).map((line) =>
@@ -22,4 +22,13 @@ it('nothing is lost or added', () => {
     .map((line) => line.map((piece) => piece.text).join(''))
     .join('\n')
   expect(`${text}\n`).toBe(code)
+})
+
+it('keys lead from line to line, and not beyond the first and the last', () => {
+  const from = (line: number) =>
+    ['ArrowUp', 'ArrowDown', 'PageDown', 'Home', 'End'].map((key) => lineByKey(key, line, 20))
+  expect(from(2)).toEqual([1, 3, 17, 0, 19])
+  expect(from(0)).toEqual([0, 1, 15, 0, 19])
+  expect(from(19)).toEqual([18, 19, 19, 0, 19])
+  expect(lineByKey('a', 2, 20)).toBeUndefined()
 })

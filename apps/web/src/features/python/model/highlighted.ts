@@ -29,3 +29,12 @@ export function highlighted(code: string): readonly (readonly Piece[])[] {
   )
   return lines
 }
+
+const steps: { readonly [key: string]: number } = {
+  ...{ ArrowDown: 1, ArrowUp: -1, PageDown: 15, PageUp: -15 },
+  ...{ Home: -Infinity, End: Infinity },
+}
+
+/** Where a key leads among `count` lines; undefined: it leads nowhere. */
+export const lineByKey = (key: string, line: number, count: number): number | undefined =>
+  steps[key] === undefined ? undefined : Math.max(0, Math.min(count - 1, line + steps[key]))

@@ -39,11 +39,7 @@ export const nextFrame = (): Promise<unknown> =>
   new Promise((done) => requestAnimationFrame(() => setTimeout(done)))
 
 /** Learns again up to a move, in slices that leave time for frames. Returns false once it is not wanted any more. */
-export async function replay(
-  course: Course,
-  moves: number,
-  isWanted: () => boolean,
-): Promise<boolean> {
+export async function replay(course: Course, moves: number, isWanted: () => boolean): Promise<boolean> {
   while (course.made < moves && !course.over) {
     course.advance(Math.min(20_000, moves - course.made))
     await new Promise(requestAnimationFrame)

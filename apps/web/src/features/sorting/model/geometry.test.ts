@@ -1,6 +1,6 @@
 import fc from 'fast-check'
 import { expect, test } from 'vitest'
-import { apart, fieldIn, hullOf, spotOf, under, type Spot } from './geometry.ts'
+import { apart, fieldIn, hullOf, spotOf, under, type Spot, stepByKey } from './geometry.ts'
 
 const room = fc.record({
   width: fc.integer({ min: 300, max: 2000 }),
@@ -97,4 +97,12 @@ test('of a square with a spot inside it is the square', () => {
     { x: 0, y: 4 },
   ]
   expect(hullOf([...square, { x: 2, y: 2 }])).toEqual(square)
+})
+
+test('arrow keys move a flag in small or large steps, other keys do not', () => {
+  expect([stepByKey('ArrowLeft', false), stepByKey('ArrowDown', true)]).toEqual([
+    { x: -10, y: 0 },
+    { x: 0, y: 40 },
+  ])
+  expect(stepByKey('Home', false)).toBeNull()
 })

@@ -124,3 +124,17 @@ export function hullOf(spots: readonly Spot[]): Spot[] {
   if (sorted.length < 3) return sorted
   return [...half(sorted), ...half(sorted.toReversed())]
 }
+
+const ways: { readonly [key: string]: Spot } = {
+  ArrowLeft: { x: -1, y: 0 },
+  ArrowRight: { x: 1, y: 0 },
+  ArrowUp: { x: 0, y: -1 },
+  ArrowDown: { x: 0, y: 1 },
+}
+
+/** How far a key moves a flag, in px; null: the key is not for it. `far`: in large steps. */
+export function stepByKey(key: string, far: boolean): Spot | null {
+  const way = ways[key]
+  const length = far ? 40 : 10
+  return way ? { x: way.x * length, y: way.y * length } : null
+}
