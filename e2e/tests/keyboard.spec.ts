@@ -75,7 +75,9 @@ for (const language of languagesOf(import.meta.filename)) {
         for (const goal of ['near', 'neverTouches', 'stays']) await child.seesCheck('friendship', goal)
         await child.tabsAndPresses('lab.successStart', { number: 2 })
         // At this speed Bo may have passed it by now.
-        const second = child.button('lab.place', { number: 2 }).or(child.button('lab.placePassed', { number: 2 }))
+        const second = child
+          .button('lab.place', { number: 2 })
+          .or(child.button('lab.placePassed', { number: 2 }))
         await expect(second).toHaveAttribute('aria-pressed', 'true')
         await expect(child.button('lab.placePassed', { number: 1 })).toBeVisible()
       })

@@ -38,6 +38,16 @@ export class Clock {
 export const nextFrame = (): Promise<unknown> =>
   new Promise((done) => requestAnimationFrame(() => setTimeout(done)))
 
+/** Calls at most once in so many ms. Told the time of every frame. */
+export function atMostEvery(ms: number, act: () => void): (now: number) => void {
+  let last = 0
+  return (now) => {
+    if (now - last < ms) return
+    last = now
+    act()
+  }
+}
+
 /** Learns again up to a move, in slices that leave time for frames. Returns false once it is not wanted any more. */
 export async function replay(course: Course, moves: number, isWanted: () => boolean): Promise<boolean> {
   while (course.made < moves && !course.over) {

@@ -5,7 +5,7 @@ import { learningIn, type Learned } from '@botgarten/programs'
 import type { LabUi } from '#lab/ui.svelte.ts'
 import type { LabSession } from '#lab/session.svelte.ts'
 import { loadStage, courseOn, type Stage } from '#figures/map/stage.ts'
-import { pauseWhenAway, replay } from './clock.ts'
+import { atMostEvery, pauseWhenAway, replay } from './clock.ts'
 import { throwSeed } from './dice.ts'
 import { Drive, type LearnedWay } from './drive.svelte.ts'
 import { taskKey } from './guess.ts'
@@ -35,7 +35,7 @@ export class Learning {
     course: () => this.#course!,
     onend: () => this.#end(),
     onpause: () => this.#halt('paused'),
-    onframe: (now) => this.#saveNowAndThen(now),
+    onframe: atMostEvery(KEEP_EVERY, () => this.#keep()),
   })
   outline = $derived.by(() => learningIn(this.session.program))
   #key = $derived(this.outline ? learningKey(this.outline) : '')
@@ -45,7 +45,6 @@ export class Learning {
   #course: Course | null = null
   #state = $state<State>('ready')
   #seed = $state(1)
-  #keptAt = 0
   /** Has this run been written into the table? */
   #noted = false
 
@@ -241,12 +240,6 @@ export class Learning {
       this.#show(1)
       this.#keep()
     }
-  }
-
-  #saveNowAndThen(now: number): void {
-    if (now - this.#keptAt < KEEP_EVERY || this.#state !== 'playing') return
-    this.#keptAt = now
-    this.#keep()
   }
 
   #end(): void {
