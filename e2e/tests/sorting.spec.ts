@@ -183,6 +183,7 @@ for (const language of languagesOf(import.meta.filename)) {
 
     test('the cards are solved by their programs: groups on every tile, names on every colour', async ({
       child,
+      page,
     }) => {
       for (const card of ['tidy-up', 'new-colours'] as const) {
         await child.opensLab(card)
@@ -190,6 +191,9 @@ for (const language of languagesOf(import.meta.filename)) {
         await child.pressesStart()
         await new TimeHands(child).hurries()
         await child.seesCheck(card, 'shows', true, 60_000)
+        // Flags and readings stand beside the world.
+        await expect(page.getByRole('region', { name: child.word('sorting.collected.title') })).toBeVisible()
+        expect(await axeFindings(page)).toEqual([])
         await child.pressesStop()
       }
     })
