@@ -5,12 +5,22 @@ import { leftEye, leftWheel, rightEye, rightWheel, type Child } from '../e2e/chi
 import { buildWhenNeeded } from '../scripts/prepare/build.mjs'
 import { startServer } from '../scripts/server.ts'
 import { serverOf } from './beside.ts'
-import { median, percentile, type Table } from './bench.ts'
-import { framesDuring, freshChild, throttle, throttled, untilKept } from './slow.ts'
+import type { Table } from './bench.ts'
+import {
+  frameCells,
+  frameColumns,
+  frameNotes,
+  framesDuring,
+  freshChild,
+  rounds,
+  throttle,
+  throttled,
+  untilKept,
+  type Watched,
+} from './slow.ts'
 
 async function atFriendship(browser: Browser, url: string): Promise<Child> {
   const child = await freshChild(browser, url)
-  await throttled(child.page)
   await child.opensLab('friendship')
   await untilKept(child.page)
   await child.typesWeight(leftEye, leftWheel, 0.6)
@@ -42,28 +52,24 @@ async function pulls(page: Page, child: Child, seconds: number) {
   await page.mouse.up()
 }
 
-type Watched = Awaited<ReturnType<typeof framesDuring>>
-
 /** A knob is pulled without the field; readings are taken for it all over the floor; it is pulled with it. */
 async function measure(browser: Browser, url: string): Promise<readonly Watched[]> {
   const child = await atFriendship(browser, url)
   const { page } = child
+  await throttled(page)
   // The whole floor, and with it every arrow, is in sight.
   await child.presses('world.all')
-  const without = await framesDuring(page, () => pulls(page, child, 5))
+  const without = await framesDuring(page, () => pulls(page, child, 4))
   await child.typesWeight(rightEye, rightWheel, 0.8)
   const reading = await framesDuring(page, async () => {
     await showsField(child)
     await page.waitForTimeout(3000)
   })
-  const pulling = await framesDuring(page, () => pulls(page, child, 10))
+  const pulling = await framesDuring(page, () => pulls(page, child, 6))
   await page.context().close()
   return [without, reading, pulling]
 }
 
-const rounds = Number(process.env['BOTGARTEN_ROUNDS'] ?? 5)
-const spread = (values: readonly number[]) =>
-  `${median(values).toFixed(1)} ms (${Math.min(...values).toFixed(1)} to ${Math.max(...values).toFixed(1)})`
 const acts = ['knob pulled without the field', 'readings taken for the field', 'knob pulled with the field']
 
 /** The field of arrows on a slow laptop; beside another checkout, built, whose folder BOTGARTEN_BESIDE names. */
@@ -82,19 +88,13 @@ export default async function field(): Promise<Table> {
   return {
     title: 'The field of 400 arrows',
     how: `Friendship in Chromium at ${throttle} × CPU throttle, 1366 × 768, density 1; a knob is pulled to and fro with as many movements as the page takes, once the lab is kept for times without a network, ${rounds} times each, in turn: medians, least and most. Goals: 95th percentile ≤ 18 ms, no task over 50 ms.`,
-    columns: ['what', 'between frames, 95th percentile', 'median', 'main thread a frame', 'longest task'],
+    columns: ['what', ...frameColumns],
     rows: places.flatMap(({ name, runs }) =>
       acts.map((act, index) => {
         const all = runs.map((run) => run[index]!)
-        return [
-          `${name}, ${act}`,
-          spread(all.map(({ gaps }) => percentile(gaps, 0.95))),
-          spread(all.map(({ gaps }) => median(gaps))),
-          spread(all.map(({ perFrame }) => perFrame)),
-          spread(all.map(({ longest }) => longest)),
-        ]
+        return [`${name}, ${act}`, ...frameCells(all)]
       }),
     ),
-    notes: ['Headless, drawn by the processor: no graphics card helps.'],
+    notes: frameNotes,
   }
 }

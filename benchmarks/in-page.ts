@@ -58,3 +58,21 @@ export function askMillisecondsToMove(robot: Element) {
     addEventListener('click', begin, { capture: true, once: true })
   })
 }
+
+/** How many of eight places so many px around each knob that is seen answer to a finger. */
+export function placesThatAnswer(away: number) {
+  const room = document.querySelector('.playground .scroll')!.getBoundingClientRect()
+  const around = [...document.querySelectorAll('.playground [role=slider]')].flatMap((knob) => {
+    const { x, y, width, height } = knob.getBoundingClientRect()
+    return Array.from({ length: 8 }, (_, k) => ({
+      x: x + width / 2 + away * Math.cos((k * Math.PI) / 4),
+      y: y + height / 2 + away * Math.sin((k * Math.PI) / 4),
+    }))
+  })
+  const seen = around.filter(
+    ({ x, y }) => x > room.left && x < room.right - 12 && y > room.top && y < room.bottom - 12,
+  )
+  const answers = ({ x, y }: { readonly x: number; readonly y: number }) =>
+    document.elementFromPoint(x, y)!.matches('.stage *')
+  return { answer: seen.filter(answers).length, places: seen.length }
+}

@@ -1,5 +1,6 @@
 import type { Browser, Page } from '@playwright/test'
 import { Child } from '../e2e/child.ts'
+import { median, percentile } from './bench.ts'
 import { noteFrames } from './in-page.ts'
 import { mainThreadOf } from './trace.ts'
 
@@ -14,16 +15,21 @@ export async function throttled(page: Page): Promise<Page> {
   return page
 }
 
-/** The lab's usual window in a fresh profile, at full speed. */
-export async function freshPage(browser: Browser, baseURL: string): Promise<Page> {
+/** The lab's usual window in a fresh profile, at full speed. @param density pixels of the screen per px */
+export async function freshPage(browser: Browser, baseURL: string, density = 1): Promise<Page> {
   const viewport = { width: 1366, height: 768 }
-  const context = await browser.newContext({ baseURL, viewport, locale: 'en-GB' })
+  const context = await browser.newContext({
+    baseURL,
+    viewport,
+    locale: 'en-GB',
+    deviceScaleFactor: density,
+  })
   return context.newPage()
 }
 
 /** A child in a fresh profile who is not offered the tour. */
-export async function freshChild(browser: Browser, baseURL: string): Promise<Child> {
-  const page = await freshPage(browser, baseURL)
+export async function freshChild(browser: Browser, baseURL: string, density = 1): Promise<Child> {
+  const page = await freshPage(browser, baseURL, density)
   await page.addInitScript(() => localStorage.setItem('botgarten.tour', '"seen"'))
   return new Child(page, 'en')
 }
@@ -69,3 +75,32 @@ export async function framesDuring(page: Page, act: () => Promise<void>) {
     perFrame: work / frames,
   }
 }
+
+export type Watched = Awaited<ReturnType<typeof framesDuring>>
+
+/** So often each is measured, in turn with what it is compared with. */
+export const rounds = Number(process.env['BOTGARTEN_ROUNDS'] ?? 5)
+
+const spread = (values: readonly number[]) =>
+  `${median(values).toFixed(1)} ms (${Math.min(...values).toFixed(1)} to ${Math.max(...values).toFixed(1)})`
+
+export const frameColumns = [
+  'between frames, 95th percentile',
+  'median',
+  'main thread a frame',
+  'longest task',
+] as const
+
+/** Medians, least and most of what was watched again and again; as in `frameColumns`. */
+export const frameCells = (all: readonly Watched[]): readonly string[] => [
+  spread(all.map(({ gaps }) => percentile(gaps, 0.95))),
+  spread(all.map(({ gaps }) => median(gaps))),
+  spread(all.map(({ perFrame }) => perFrame)),
+  spread(all.map(({ longest }) => longest)),
+]
+
+/** How frames are measured, for whoever reads a table. */
+export const frameNotes = [
+  'Headless, drawn by the processor: no graphics card helps. The throttle slows the main thread alone.',
+  'Main thread and tasks: time of the processor, so that what other programs do meanwhile does not count.',
+]

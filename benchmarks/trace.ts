@@ -12,7 +12,7 @@ interface Event {
 }
 
 export interface MainThread {
-  /** Milliseconds of every task, in order. */
+  /** Milliseconds of the processor for every task, in order: what other programs do meanwhile does not count. */
   readonly tasks: readonly number[]
   /** Frames that the main thread handed on to be drawn. A page runs several pieces of code for one of them. */
   readonly frames: number
@@ -24,7 +24,7 @@ export function mainThreadOf(trace: string): MainThread {
   const threads = events.filter(({ name, args }) => name === 'thread_name' && args?.name === 'CrRendererMain')
   const own = threads.map(({ pid, tid }) => events.filter((event) => event.pid === pid && event.tid === tid))
   const found = own.map((mine) => ({
-    tasks: mine.filter(isTask).map(({ dur = 0 }) => dur / 1000),
+    tasks: mine.filter(isTask).map(({ dur = 0, tdur }) => (tdur ?? dur) / 1000),
     frames: mine.filter(({ name }) => name === 'Commit').length,
   }))
   const [busiest] = found.sort((a, b) => b.frames - a.frames)

@@ -24,6 +24,7 @@ declare global {
         partAt(x: number, y: number): string | null
       }
     | undefined
+  var copyOf: (canvas: HTMLCanvasElement) => CanvasRenderingContext2D
 }
 
 /** What the canvases of a page show. */
@@ -83,19 +84,39 @@ export class Painted {
   }
 
   /** The colour that the canvas has that is painted at a point of the screen, `r,g,b,a` with 0 to 255 each. */
-  colourAt(spot: Spot): Promise<string> {
+  async colourAt(spot: Spot): Promise<string> {
+    await this.#page.evaluate(copyOfCanvas)
     return this.#page.evaluate((at) => {
       const canvas = [...document.querySelectorAll('canvas')].findLast((one) => {
         const { left, right, top, bottom } = one.getBoundingClientRect()
+        if (getComputedStyle(one).visibility === 'hidden') return false
         return at.x >= left && at.x < right && at.y >= top && at.y < bottom
       })
       if (!canvas) throw new Error(`Nothing is painted at ${at.x}, ${at.y}.`)
       const { left, top, width } = canvas.getBoundingClientRect()
-      const ratio = canvas.width / width
-      const { data } = canvas
-        .getContext('2d')!
-        .getImageData(Math.round((at.x - left) * ratio), Math.round((at.y - top) * ratio), 1, 1)
-      return data.join()
+      const copy = globalThis.copyOf(canvas)
+      const ratio = copy.canvas.width / width
+      const [x, y] = [(at.x - left) * ratio, (at.y - top) * ratio]
+      return copy.getImageData(Math.round(x), Math.round(y), 1, 1).data.join()
     }, spot)
   }
+
+  /** What is painted on a canvas, as the address of a PNG. */
+  async drawing(canvas: Locator): Promise<string> {
+    await this.#page.evaluate(copyOfCanvas)
+    return canvas.evaluate((one) => globalThis.copyOf(one as HTMLCanvasElement).canvas.toDataURL())
+  }
+}
+
+/** A canvas that a worker paints says nothing of itself: it is looked at through another one. */
+async function copyOfCanvas() {
+  globalThis.copyOf = (canvas) => {
+    const { width, height } = canvas
+    const context = Object.assign(document.createElement('canvas'), { width, height }).getContext('2d')!
+    context.drawImage(canvas, 0, 0, width, height)
+    return context
+  }
+  // What the page has asked for is painted by then.
+  const frame = () => new Promise((done) => requestAnimationFrame(done))
+  for (let passed = 0; passed < 3; passed += 1) await frame()
 }

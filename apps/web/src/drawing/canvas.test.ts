@@ -120,6 +120,18 @@ test('corners are never rounder than half a side, lines close, opacities multipl
   ])
 })
 
+test('many lines at once are one stroke', () => {
+  const points = new Float32Array([0, 0, 1, 2, NaN, NaN, 3, 4, 5, 6])
+  const told = painted([{ kind: 'lines', points, stroke: '#111' }])
+  expect(told.filter((one) => /To|stroke$/.test(one))).toEqual([
+    'moveTo 0 0',
+    'lineTo 1 2',
+    'moveTo 3 4',
+    'lineTo 5 6',
+    'stroke',
+  ])
+})
+
 test('a pale group is painted elsewhere first, so that what lies under its shapes is not seen through them', () => {
   const shapes: Command[] = [
     { kind: 'circle', x: 0, y: 0, r: 1 },
@@ -224,6 +236,15 @@ describe('with canvases of its own', () => {
     paint(canvas, [shape], families, vi.fn())
     paint(canvas, [shape], { ...families }, vi.fn())
     expect(made).toHaveLength(2)
+  })
+
+  test('of what grows only the new part is painted, over a picture of the rest', () => {
+    const { canvas } = screen()
+    const [a, b, c] = [1, 2, 3].map((r): Command => ({ kind: 'circle', x: 0, y: 0, r, fill: '#000' }))
+    const bounds = { x: -5, y: -5, width: 10, height: 10 }
+    const trail = (...shapes: Command[]): Command => ({ kind: 'group', still: bounds, grows: true, shapes })
+    for (const one of [trail(a!, b!), trail(a!, b!, c!), trail(b!)]) paint(canvas, [one], families, vi.fn())
+    expect(made.map(({ fills }) => fills)).toEqual([2, 1, 1])
   })
 
   test('what turns is painted finer', () => {

@@ -8,7 +8,8 @@ import {
   type Rect,
   type Stripes,
 } from './commands.ts'
-import { pictureOf } from './picture.ts'
+import { beginsWith } from './prefix.ts'
+import { pictureOf, type PictureContext } from './picture.ts'
 import type { Point, Size } from './points.ts'
 
 /** What a canvas must be able to do. */
@@ -41,7 +42,7 @@ export type Canvas = Pick<
 >
 
 /** Another canvas as large as the one that is painted on, and empty. */
-export type Layer = () => CanvasRenderingContext2D
+export type Layer = () => PictureContext
 
 /** A picture of what seldom changes, and where it lies; in px. */
 export interface Picture extends Point, Size {
@@ -150,9 +151,13 @@ interface Still {
   readonly scale: number
   /** Letters that come later are other ones. */
   readonly families: Families
+  readonly bounds: Size & Point
+  readonly shapes: readonly Command[]
   readonly picture: ReturnType<typeof pictureOf>
 }
 const stills = new WeakMap<readonly Command[], Still>()
+/** The last picture of a group that grows, by its first shape. */
+const grown = new WeakMap<Command, Still>()
 
 function paintStill(
   canvas: Canvas,
@@ -163,25 +168,62 @@ function paintStill(
   opacity: number,
 ): void {
   const scale = Math.hypot(a, b) * (group.turns ? finer : 1)
-  const known = stills.get(group.shapes)
-  const isKnown = known?.scale === scale && known.families === families
-  const picture = isKnown ? known.picture : stillOf(group.shapes, bounds, scale, families)
-  if (!isKnown) stills.set(group.shapes, { scale, families, picture })
+  const picture = pictureOfStill(group, bounds, scale, families)
   canvas.globalAlpha = opacity
   // Its own size in whole pixels: what does not turn stays as sharp as it was painted.
   canvas.drawImage(picture, bounds.x, bounds.y, picture.width / scale, picture.height / scale)
 }
 
-function stillOf(
-  shapes: readonly Command[],
-  { x, y, width, height }: Size & Point,
+function pictureOfStill(
+  { shapes, grows }: Group,
+  bounds: Size & Point,
   scale: number,
   families: Families,
 ): Still['picture'] {
+  const look = { scale, families, bounds }
+  const known = stills.get(shapes)
+  if (known && isAlike(known, look)) return known.picture
+  const before = grows && shapes[0] ? grown.get(shapes[0]) : undefined
+  const still = { ...look, shapes, picture: stillOf(shapes, look, goesOn(before, shapes, look)) }
+  stills.set(shapes, still)
+  if (grows && shapes[0]) grown.set(shapes[0], still)
+  return still.picture
+}
+
+/** These shapes are not painted again: their picture need not wait until somebody tidies up. */
+export function forget(shapes: readonly Command[]): void {
+  const still = stills.get(shapes)
+  if (!still) return
+  stills.delete(shapes)
+  const [first] = shapes
+  if (first && grown.get(first) === still) grown.delete(first)
+  if ('close' in still.picture) still.picture.close()
+}
+
+type Look = Pick<Still, 'scale' | 'families' | 'bounds'>
+
+const isAlike = (a: Look, b: Look) =>
+  a.scale === b.scale &&
+  a.families === b.families &&
+  a.bounds.x === b.bounds.x &&
+  a.bounds.y === b.bounds.y &&
+  a.bounds.width === b.bounds.width &&
+  a.bounds.height === b.bounds.height
+
+/** What is in the picture before, if the shapes are those of then and some more. */
+const goesOn = (before: Still | undefined, shapes: readonly Command[], look: Look): Still | undefined =>
+  before && isAlike(before, look) && beginsWith(shapes, before.shapes) ? before : undefined
+
+function stillOf(
+  shapes: readonly Command[],
+  { bounds: { x, y, width, height }, scale, families }: Look,
+  before: Still | undefined,
+): Still['picture'] {
   const whole = (length: number) => Math.max(1, Math.ceil(length * scale))
   return pictureOf(whole(width), whole(height), (context) => {
+    if (before) context.drawImage(before.picture, 0, 0)
     context.setTransform(scale, 0, 0, scale, -x * scale, -y * scale)
-    paint(context, shapes, families)
+    paint(context, before ? shapes.slice(before.shapes.length) : shapes, families)
   })
 }
 
@@ -195,6 +237,7 @@ function paintShape(canvas: Canvas, command: Shape, families: Families, opacity:
   if (command.kind === 'circle')
     canvas.ellipse(command.x, command.y, command.r, command.ry ?? command.r, 0, 0, 2 * Math.PI)
   else if (command.kind === 'rect') outline(canvas, command)
+  else if (command.kind === 'lines') trace(canvas, command.points)
   else {
     command.points.forEach(({ x, y }, i) => (i === 0 ? canvas.moveTo(x, y) : canvas.lineTo(x, y)))
     if (command.closed) canvas.closePath()
@@ -205,6 +248,18 @@ function paintShape(canvas: Canvas, command: Shape, families: Families, opacity:
 function outline(canvas: Canvas, { x, y, width, height, round = 0 }: Rect): void {
   // As SVG has it, and a canvas would not: corners are never rounder than half a side.
   canvas.roundRect(x, y, width, height, Math.min(round, width / 2, height / 2))
+}
+
+function trace(canvas: Canvas, points: Float32Array): void {
+  let begins = true
+  for (let i = 0; i < points.length; i += 2) {
+    const [x, y] = [points[i]!, points[i + 1]!]
+    if (Number.isNaN(x)) begins = true
+    else if (begins) {
+      canvas.moveTo(x, y)
+      begins = false
+    } else canvas.lineTo(x, y)
+  }
 }
 
 function ink(canvas: Canvas, look: Ink, path?: Path2D): void {

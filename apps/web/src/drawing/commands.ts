@@ -38,6 +38,9 @@ type Line = {
   readonly closed?: boolean
 } & Ink
 
+/** Many lines at once: x and y of point after point; between two lines stands a point that is not a number. */
+type Lines = { readonly kind: 'lines'; readonly points: Float32Array } & Ink
+
 /** `ry`: the upright half axis of an ellipse. */
 type Circle = { readonly kind: 'circle'; readonly r: number; readonly ry?: number } & Point & Ink
 
@@ -80,11 +83,21 @@ export type Group = {
   readonly still?: Size & Point
   /** It is seen turned by any angle: the picture is finer than the canvas. */
   readonly turns?: boolean
+  /** More is put behind what it has: only that is painted. */
+  readonly grows?: boolean
   readonly shapes: readonly Command[]
 } & Partial<Point>
 
-export type Command = Path | Line | Circle | Rect | Letters | Group
+export type Command = Path | Line | Lines | Circle | Rect | Letters | Group
 
 /** Along x and y. */
 export const scales = ({ scale = 1 }: Group): readonly [number, number] =>
   typeof scale === 'number' ? [scale, scale] : scale
+
+/** The same as SVG path data. */
+export const pathOfLines = (points: Float32Array): string =>
+  Array.from({ length: points.length / 2 }, (_, i) => {
+    const [x, y] = [points[2 * i]!, points[2 * i + 1]!]
+    const begins = i === 0 || Number.isNaN(points[2 * i - 2])
+    return Number.isNaN(x) ? '' : `${begins ? 'M' : 'L'}${x} ${y}`
+  }).join('')

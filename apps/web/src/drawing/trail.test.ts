@@ -71,6 +71,22 @@ describe('the trails of all robots', () => {
     expect(dotted(trails, line, 3).done).toBe(done)
   })
 
+  test('of several robots keep their order: new dots stand behind those that are painted', () => {
+    const line = (y: number) => Array.from({ length: 200 }, (_, t) => ({ x: t, y, t, heading: 0 }))
+    const trails = new Trails()
+    const at = (count: number) =>
+      trails.dots(
+        [0, 50].map((y) => ({ id: `bo${y}`, trail: line(y).slice(0, count) })),
+        room,
+        5,
+        ['#F28C45', '#2F9C95'],
+      ).done
+    const [before, after] = [at(100), at(200)]
+    expect(before.length).toBeGreaterThan(1)
+    expect(after.length).toBeGreaterThan(before.length)
+    expect(after.slice(0, before.length)).toEqual(before)
+  })
+
   test('begin again where time went back, and at another scale', () => {
     fc.assert(
       fc.property(way, (trail) => {

@@ -105,6 +105,7 @@ const dotted = (d: string, stroke: string): Command => ({ kind: 'path', d, strok
 /** The trails of all robots, each in its colour. */
 export class Trails {
   readonly #trails = new Map<string, Trail>()
+  /** In the order in which they have come: what is painted already stays in front. */
   #done: readonly Command[] = []
 
   dots(
@@ -118,11 +119,20 @@ export class Trails {
       this.#trails.set(id, own)
       return own.dots(trail, floor, scale, colours[index] ?? colours[0]!)
     })
-    const done = all.flatMap((one) => one.done)
-    if (!same(done, this.#done)) this.#done = done
+    this.#done = ordered(
+      this.#done,
+      all.flatMap(({ done }) => done),
+    )
     return { done: this.#done, growing: all.flatMap(({ growing }) => growing) }
   }
 }
 
-const same = (a: readonly Command[], b: readonly Command[]) =>
-  a.length === b.length && a.every((one, i) => one === b[i])
+/** Those of now, as they stood before, new ones behind; the same list when nothing is new and nothing is gone. */
+function ordered(before: readonly Command[], now: readonly Command[]): readonly Command[] {
+  const kept = new Set(before)
+  const fresh = now.filter((one) => !kept.has(one))
+  const gone = before.length + fresh.length > now.length
+  if (fresh.length === 0 && !gone) return before
+  const left = new Set(now)
+  return [...(gone ? before.filter((one) => left.has(one)) : before), ...fresh]
+}

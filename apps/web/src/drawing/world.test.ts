@@ -4,7 +4,7 @@ import fc from 'fast-check'
 import { describe, expect, test } from 'vitest'
 import { boRadius, grabbedAt, hitOf, roundHit } from './grab.ts'
 import type { Command } from './commands.ts'
-import { drawWorld, type Scene } from './world.ts'
+import { drawResting, drawWorld, type Scene } from './world.ts'
 
 const floor = { width: 200, height: 100 }
 const bo: RobotView = {
@@ -33,6 +33,8 @@ const scene: Scene = {
   view: { robots: [bo] },
   configs: new Map([['bo', defaultConfig]]),
   things: [{ pose: crate.pose, thing: crate }],
+  moving: [{ pose: crate.pose, thing: crate }],
+  resting: [],
   colours: ['#F28C45', '#5AA9DE'],
   trails: [],
   sensing: null,
@@ -62,7 +64,7 @@ describe('the world as it is painted', () => {
 
   test('a shadow falls the same way however its thing is turned', () => {
     for (const heading of [0, 90, 211]) {
-      const turned = { ...scene, things: [{ pose: { ...crate.pose, heading }, thing: crate }] }
+      const turned = { ...scene, moving: [{ pose: { ...crate.pose, heading }, thing: crate }] }
       expect(group(group(drawWorld(turned), 0).shapes, 0)).toMatchObject({ x: 3, y: 4, opacity: 0.12 })
     }
   })
@@ -98,6 +100,15 @@ describe('the world as it is painted', () => {
     const seeing = { ...bo, rays: { '4': [ray] } } as RobotView
     expect(written(drawWorld({ ...scene, view: { robots: [seeing] } }))).toEqual([])
     expect(written(drawWorld({ ...scene, view: { robots: [seeing] }, sensing: 'bo' }))).toEqual(['50'])
+  })
+
+  test('of many things that rest there is one picture, the same shapes for as long as they rest', () => {
+    const things = Array.from({ length: 10 }, () => ({ pose: crate.pose, thing: crate }))
+    const place = { x: 0, y: 0, width: 400, height: 200 }
+    expect(drawResting(things, floor, 2, place)).toMatchObject([{ kind: 'group', still: place }])
+    expect(drawResting(things.slice(0, 2), floor, 2, place)).toHaveLength(2)
+    const resting = drawResting(things, floor, 2, place)
+    expect(drawWorld({ ...scene, moving: [], resting })[0]).toBe(resting[0])
   })
 
   test('a robot that stood there is grey, one that would stand there is pale, both with their names', () => {

@@ -34,6 +34,12 @@ export interface Chosen {
   readonly handle: Point
 }
 
+/** A thing where it stands. */
+export interface Placed {
+  readonly pose: Pose
+  readonly thing: Obstacle
+}
+
 /** All that moves, as it is to be painted. Poses in cm. */
 export interface Scene {
   readonly floor: Size
@@ -41,7 +47,12 @@ export interface Scene {
   readonly scale: number
   readonly view: Pick<View, 'robots'>
   readonly configs: ReadonlyMap<string, RobotConfig>
-  readonly things: readonly { readonly pose: Pose; readonly thing: Obstacle }[]
+  /** All, for a hand. */
+  readonly things: readonly Placed[]
+  /** Those of them that move. */
+  readonly moving: readonly Placed[]
+  /** Those that do not, as they are painted. */
+  readonly resting: readonly Command[]
   /** Of bodies, by the robot's place among all. */
   readonly colours: readonly string[]
   /** Dots of trails, already commands. */
@@ -64,10 +75,11 @@ const tomato = '#C9401F'
 
 /** Everything in its order, from the floor up. */
 export function drawWorld(scene: Scene): readonly Command[] {
-  const { trails, things, ghosts, view, chosen, gap } = scene
+  const { trails, resting, moving, ghosts, view, chosen, gap } = scene
   return [
     ...trails,
-    ...things.map(({ pose, thing }) => standing(thing, pose, scene)),
+    ...resting,
+    ...moving.map((one) => standing(one, scene)),
     ...ghosts.flatMap((ghost) => drawGhost(ghost, scene)),
     ...view.robots.map((robot, index) => standingBo(robot, index, scene)),
     ...(chosen ? ring(chosen) : []),
@@ -80,7 +92,7 @@ export function drawWorld(scene: Scene): readonly Command[] {
 const looks = new WeakMap<Obstacle, readonly Command[]>()
 
 /** A thing with its shadow, which falls the same way however the thing is turned. */
-function standing(thing: Obstacle, pose: Pose, { floor, scale }: Scene): Command {
+function standing({ thing, pose }: Placed, { floor, scale }: Pick<Scene, 'floor' | 'scale'>): Command {
   const turn = clockwise(pose.heading)
   const known = looks.get(thing)
   const look = known ?? drawThing(thing)
@@ -94,6 +106,23 @@ function standing(thing: Obstacle, pose: Pose, { floor, scale }: Scene): Command
       { kind: 'group', turn, shapes: look },
     ],
   }
+}
+
+/** From so many on, one picture of all costs less than each by itself. */
+const many = 8
+
+/**
+ * Things that rest: the same command for the same things, painted as a picture.
+ * @param place what is seen of the floor, in px of its box
+ */
+export function drawResting(
+  things: readonly Placed[],
+  floor: Size,
+  scale: number,
+  place: Size & Point,
+): readonly Command[] {
+  const shapes = things.map((one) => standing(one, { floor, scale }))
+  return things.length < many ? shapes : [{ kind: 'group', still: place, shapes }]
 }
 
 const shade: Command = { kind: 'circle', x: 0, y: 0.5, r: 12.2, ry: 11.4, fill: ink, opacity: 0.1 }

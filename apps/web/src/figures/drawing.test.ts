@@ -15,6 +15,11 @@ test('shapes become the elements of SVG with their ink', () => {
   )
 })
 
+test('many lines at once are one path', () => {
+  const points = new Float32Array([0, 0, 1, 2, NaN, NaN, 3, 4, 5, 6])
+  expect(svg([{ kind: 'lines', points, stroke: '#000' }])).toContain('d="M0 0L1 2M3 4L5 6"')
+})
+
 test('a group is moved, then turned, then scaled', () => {
   expect(svg([{ kind: 'group', x: 5, y: 6, turn: 90, scale: [2, 3], shapes: [] }])).toBe(
     '<g transform="translate(5 6) rotate(90) scale(2 3)"></g>',

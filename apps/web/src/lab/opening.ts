@@ -36,10 +36,12 @@ export interface Packs {
 
 /** What a route of the lab shows: a card, or `free`; null where no card has this name. */
 export async function openLab(name: string, projectId: string | null, packs: Packs): Promise<Opened | null> {
+  // What the device holds is looked up while the card travels.
+  const stored = load(projectId ?? name)
   const card = name === 'free' ? null : await loadCard(name)
   if (name !== 'free' && !card) return null
   const fresh = card ? cardProject(card.world, card.card, card.start, card.card.id) : await loadFreeLab()
-  const kept = await readKept(projectId ?? name, name, fresh)
+  const kept = readKept(projectId ?? name, name, fresh, await stored)
   const project = kept.project ?? fresh
   const [floor, expert] = await Promise.all([
     floorOf(project),
@@ -64,8 +66,7 @@ export async function openLab(name: string, projectId: string | null, packs: Pac
  * A kept project is read as carefully as a stranger's file. One that is damaged or too much stays where it is, and what of
  * it can be opened becomes a project of its own.
  */
-async function readKept(id: string, place: string, fresh: Project) {
-  const kept = await load(id)
+function readKept(id: string, place: string, fresh: Project, kept: Awaited<ReturnType<typeof load>>) {
   if (!kept) return { id, revision: 0, project: null, error: null, damaged: null }
   try {
     const project = parseProject(kept.project)

@@ -1,6 +1,6 @@
 import { emptyBrain, weightsOf } from '@botgarten/learning/neural-network'
 import type { Standpoint } from '@botgarten/lab/why'
-import type { Picture } from '#drawing/canvas.ts'
+import type { Group } from '#drawing/commands.ts'
 import { drawn, type Neuron } from '#figures/network/neurons.ts'
 import type { LabSession } from '#lab/session.svelte.ts'
 import { Drives } from './model/drives.svelte.ts'
@@ -30,7 +30,7 @@ export class Inside {
   readonly drives: Drives
   readonly field: Field
   /** What Bo would do all over the floor, painted. */
-  fieldPicture = $state.raw<Picture | null>(null)
+  fieldArrows = $state.raw<Group | null>(null)
   page = $state<Page | null>(null)
   /** The link that was touched last: ids of its two neurons. */
   link = $state.raw<readonly [from: string, to: string] | null>(null)

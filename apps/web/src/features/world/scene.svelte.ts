@@ -4,11 +4,12 @@ import { partAt, partsOf } from '#drawing/bo.ts'
 import { onFloor } from '#drawing/camera.ts'
 import type { Gap } from '#drawing/gap.ts'
 import { boRadius, grabbedAt, hitOf, roundHit, type Grabbed } from '#drawing/grab.ts'
-import { turned, type Point } from '#drawing/points.ts'
+import { turned, type Point, type Size } from '#drawing/points.ts'
+import { Resting } from '#drawing/resting.ts'
 import { readingsOf } from '#drawing/senses.ts'
 import { ahead, clockwise, radiusOf } from '#drawing/things.ts'
 import { Trails, type Dots } from '#drawing/trail.ts'
-import { drawWorld, type Chosen, type Ghost, type Scene } from '#drawing/world.ts'
+import { drawResting, drawWorld, type Chosen, type Ghost, type Scene } from '#drawing/world.ts'
 import type { Highlight } from '#figures/highlight.svelte.ts'
 import { letters } from '#figures/letters.svelte.ts'
 import { bodies, robotName } from '#figures/robot-names.ts'
@@ -32,6 +33,8 @@ export interface Shown {
   readonly showTrail: boolean
   readonly gap: GapOnFloor | null
   readonly inside: Slots['inside'] | null
+  /** What is seen of the floor, in px of its box. */
+  readonly place: Size & Point
 }
 
 /** From one place to another, in cm, with what is written at it. */
@@ -81,6 +84,15 @@ export class WorldScene {
     this.#standing = standing(view, world, this.#standing)
     return this.#standing
   })
+
+  readonly #split = new Resting<Standing>()
+  readonly #apart = $derived.by(() => this.#split.split(this.things))
+  readonly #restingThings = $derived.by(() => this.#apart.resting)
+  readonly #floor = $derived.by(() => this.#shown().world.size)
+  readonly #place = $derived.by(() => this.#shown().place)
+  readonly #resting = $derived.by(() =>
+    drawResting(this.#restingThings, this.#floor, this.#viewport.scale, this.#place),
+  )
 
   readonly selected: Selected | null = $derived.by(() => {
     const id = this.#hand.selected
@@ -164,6 +176,8 @@ export class WorldScene {
       view,
       configs: this.#configs,
       things: this.things,
+      moving: this.#apart.moving,
+      resting: this.#resting,
       colours: bodies,
       trails: this.#dots.growing,
       sensing: showRays ? robot : null,

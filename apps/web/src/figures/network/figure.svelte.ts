@@ -15,7 +15,7 @@ import {
   type Signal,
   type Theme,
 } from '#drawing/net.ts'
-import type { Command } from '#drawing/commands.ts'
+import type { Command, Group } from '#drawing/commands.ts'
 import type { NetworkLayout } from '#drawing/network.ts'
 import { formatNumber } from '#drawing/numbers.ts'
 import { distance, type Point, type Size } from '#drawing/points.ts'
@@ -89,6 +89,9 @@ function steady<T>(): (next: T) => T {
     return last.value
   }
 }
+
+/** So many looks of rings are remembered. */
+const mostRings = 500
 
 const forcedColours = new MediaQuery('(forced-colors: active)', false)
 
@@ -213,7 +216,17 @@ export class NetFigure {
     return this.#steadyNodes(nodes)
   })
 
-  readonly #rings = $derived.by(() => this.#nodes.map((node) => drawNode(node, this.#radius, this.#theme)))
+  readonly #ringLooks = new Map<string, Group>()
+  /** The same shapes for what looks the same: numbers that tremble are painted once. */
+  #ring({ id: _, at, ...look }: NodeLook & { readonly id: string }): Command {
+    const value = look.value === null ? null : Math.round(look.value)
+    const key = JSON.stringify([{ ...look, value }, this.#radius, this.#theme])
+    if (this.#ringLooks.size > mostRings) this.#ringLooks.clear()
+    const known = this.#ringLooks.get(key) ?? drawNode({ ...look, value, at }, this.#radius, this.#theme)
+    this.#ringLooks.set(key, known)
+    return { ...known, ...at }
+  }
+  readonly #rings = $derived.by(() => this.#nodes.map((node) => this.#ring(node)))
 
   /** Links a signal can be on. */
   readonly carriers = $derived.by(() => {

@@ -1,6 +1,6 @@
 import fc from 'fast-check'
 import { expect, test } from 'vitest'
-import { arrowOf, headOf } from './draw-field.ts'
+import { arrowOf, drawField, headOf } from './draw-field.ts'
 
 const pose = { x: 50, y: 40, heading: 90 }
 const tip = (left: number, right: number) => arrowOf(pose, left, right, 12).at(-1)!
@@ -43,4 +43,36 @@ test('a head lies behind its tip, on both sides', () => {
   expect(one.x).toBeLessThan(10)
   expect(one.y).toBeCloseTo(-other.y, 9)
   expect(Math.abs(one.y)).toBeGreaterThan(1)
+})
+
+const drawn = {
+  poses: [
+    { x: 10, y: 10, heading: 0 },
+    { x: 30, y: 10, heading: 0 },
+    { x: 90, y: 10, heading: 0 },
+  ],
+  inputs: [],
+  spacing: 12,
+  answers: [[80, 80], null, [80, 80]],
+  wheels: { left: 0, right: 1 },
+  colours: [{ colour: '#111111' }, { colour: '#222222' }],
+  floor: { width: 100, height: 100 },
+  scale: 2,
+  window: { left: 0, top: 0, width: 100, height: 200 },
+}
+
+test('arrows stand where Bo has room and somebody looks, an arrow and its head a place', () => {
+  const [lines, dots] = drawField(drawn).shapes
+  if (lines?.kind !== 'lines' || dots?.kind !== 'lines') throw new Error('no lines')
+  const gaps = (points: Float32Array) => points.filter(Number.isNaN).length / 2
+  expect(gaps(lines.points)).toBe(1)
+  expect([...dots.points]).toEqual([20, 180, 20, 180])
+})
+
+test('a network that does not drive has a disc in the colour of its strongest output', () => {
+  const wheels = { left: -1, right: -1 }
+  expect(drawField({ ...drawn, wheels, answers: [[20, 80], [0, 0], null] }).shapes).toMatchObject([
+    { kind: 'circle', x: 20, y: 180, fill: '#222222', stroke: '#4A3428' },
+    { kind: 'circle', x: 60, y: 180, r: 1.5, fill: '#4A3428' },
+  ])
 })

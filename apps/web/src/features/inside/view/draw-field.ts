@@ -1,6 +1,6 @@
 import type { Pose } from '@botgarten/simulation'
 import { onFloor } from '#drawing/camera.ts'
-import type { PictureContext } from '#drawing/picture.ts'
+import type { Command, Group } from '#drawing/commands.ts'
 import { clamp, type Point, type Size } from '#drawing/points.ts'
 import type { Readings } from '../model/field.svelte.ts'
 
@@ -63,78 +63,76 @@ interface Drawn extends Readings {
 }
 
 const ARROW = '#8A1F41'
+const LINE = '#4A3428'
 
-/** Draws the field onto an empty canvas: arrows for a network that drives, else a disc in the colour of the strongest output, as large as it is. */
-export function drawField(context: PictureContext, drawn: Drawn): void {
+/** Arrows for a network that drives, else a disc in the colour of the strongest output, as large as it is. */
+export function drawField(drawn: Drawn): Group {
   const { window, wheels } = drawn
-  context.translate(-window.left, -window.top)
-  if (wheels.left < 0 && wheels.right < 0) return drawDiscs(context, drawn)
-  drawArrows(context, drawn)
+  const { left: x, top: y, width, height } = window
+  const drives = wheels.left >= 0 || wheels.right >= 0
+  const shapes = drives ? drawArrows(drawn) : drawDiscs(drawn)
+  return { kind: 'group', still: { x, y, width, height }, shapes }
 }
 
-/** All arrows are two paths: drawing each by itself would take a frame. */
-function drawArrows(context: PictureContext, drawn: Drawn): void {
+/** All arrows are two commands: to paint each by itself would take a frame. */
+function drawArrows(drawn: Drawn): readonly Command[] {
   const { poses, spacing, answers, wheels, floor, scale } = drawn
   const width = clamp(spacing * scale * 0.075, 0.9, 2.4)
-  const lines = new Path2D()
-  const dots = new Path2D()
+  const [lines, dots] = [new Pen(), new Pen()]
   poses.forEach((pose, index) => {
     const answer = answers[index]
     if (!answer) return
     const middle = onFloor(pose, floor, scale)
     if (!isSeen(drawn, middle)) return
-    dots.moveTo(middle.x + width, middle.y)
-    dots.arc(middle.x, middle.y, width, 0, 7)
+    dots.line([middle, middle])
     const points = arrowOf(pose, answer[wheels.left] ?? 0, answer[wheels.right] ?? 0, spacing)
     if (points.length > 0) addArrow(lines, points, spacing, (point) => onFloor(point, floor, scale))
   })
-  context.lineWidth = width
-  context.lineCap = context.lineJoin = 'round'
-  context.strokeStyle = context.fillStyle = ARROW
-  context.stroke(lines)
-  context.fill(dots)
+  return [
+    { kind: 'lines', points: lines.points, stroke: ARROW, lineWidth: width },
+    { kind: 'lines', points: dots.points, stroke: ARROW, lineWidth: 2 * width },
+  ]
+}
+
+/** Writes lines one behind the other. */
+class Pen {
+  readonly #points: number[] = []
+
+  line(points: readonly Point[]): void {
+    if (this.#points.length > 0) this.#points.push(NaN, NaN)
+    for (const { x, y } of points) this.#points.push(x, y)
+  }
+
+  get points(): Float32Array {
+    return new Float32Array(this.#points)
+  }
 }
 
 /** With one arrow of margin. */
-function isSeen({ window, spacing, scale }: Drawn, { x, y }: Point): boolean {
+function isSeen(
+  { window, spacing, scale }: Pick<Drawn, 'window' | 'spacing' | 'scale'>,
+  { x, y }: Point,
+): boolean {
   const margin = spacing * scale
   const across = x > window.left - margin && x < window.left + window.width + margin
   return across && y > window.top - margin && y < window.top + window.height + margin
 }
 
-function addArrow(
-  path: Path2D,
-  points: readonly Point[],
-  spacing: number,
-  at: (point: Point) => Point,
-): void {
-  points.forEach((point, index) => {
-    const { x, y } = at(point)
-    if (index === 0) path.moveTo(x, y)
-    else path.lineTo(x, y)
-  })
-  const tip = at(points.at(-1)!)
-  const [one, other] = headOf(points, spacing * 0.2).map(at) as [Point, Point]
-  path.moveTo(one.x, one.y)
-  path.lineTo(tip.x, tip.y)
-  path.lineTo(other.x, other.y)
+function addArrow(pen: Pen, points: readonly Point[], spacing: number, at: (point: Point) => Point): void {
+  const [one, other] = headOf(points, spacing * 0.2)
+  pen.line(points.map(at))
+  pen.line([one, points.at(-1)!, other].map(at))
 }
 
-function drawDiscs(context: PictureContext, drawn: Drawn): void {
-  const { poses, spacing, answers, colours, floor, scale } = drawn
-  context.strokeStyle = '#4A3428'
-  context.lineWidth = 1.5
-  poses.forEach((pose, index) => {
+function drawDiscs({ poses, spacing, answers, colours, floor, scale, ...drawn }: Drawn): readonly Command[] {
+  return poses.flatMap((pose, index) => {
     const answer = answers[index]
-    if (!answer) return
+    const { x, y } = onFloor(pose, floor, scale)
+    if (!answer || !isSeen({ spacing, scale, ...drawn }, { x, y })) return []
     const strongest = answer.indexOf(Math.max(...answer))
     const value = Math.max(0, Math.min(100, answer[strongest] ?? 0))
-    const { x, y } = onFloor(pose, floor, scale)
-    if (!isSeen(drawn, { x, y })) return
-    context.beginPath()
-    context.arc(x, y, Math.max(1.5, spacing * scale * 0.36 * Math.sqrt(value / 100)), 0, 7)
-    context.fillStyle = value > 0 ? (colours[strongest]?.colour ?? ARROW) : '#4A3428'
-    context.fill()
-    if (value > 0) context.stroke()
+    const r = Math.max(1.5, spacing * scale * 0.36 * Math.sqrt(value / 100))
+    const fill = value > 0 ? (colours[strongest]?.colour ?? ARROW) : LINE
+    return [{ kind: 'circle', x, y, r, fill, ...(value > 0 ? { stroke: LINE, lineWidth: 1.5 } : {}) }]
   })
 }

@@ -1,0 +1,30 @@
+import fc from 'fast-check'
+import { expect, test } from 'vitest'
+import { nearer } from './gradual.svelte.ts'
+
+const keyOf = (one: number) => one
+const lists = fc.uniqueArray(fc.integer({ min: 0, max: 200 }), { maxLength: 120 })
+
+test('a list arrives at the one it follows, a few items at a time', () => {
+  fc.assert(
+    fc.property(lists, lists, (from, to) => {
+      let list: readonly number[] = from
+      for (let step = 0; step < 60; step += 1) {
+        const next = nearer(list, to, keyOf)
+        const [before, after] = [new Set(list), new Set(next)]
+        expect(next.filter((one) => !before.has(one)).length).toBeLessThanOrEqual(6)
+        expect(list.filter((one) => !after.has(one)).length).toBeLessThanOrEqual(6)
+        list = next
+      }
+      expect(list).toEqual(to)
+    }),
+  )
+})
+
+test('what is there already is the wanted one at once: a knob goes with its weight', () => {
+  const [old, fresh] = [
+    { key: 1, at: 0 },
+    { key: 1, at: 9 },
+  ]
+  expect(nearer([old], [fresh], ({ key }) => key)).toEqual([fresh])
+})
