@@ -3,6 +3,7 @@ import type { Finding, Template } from '@botgarten/blocks'
 import type { Program } from '@botgarten/programs'
 import type { RobotConfig } from '@botgarten/simulation'
 import { setClosed } from '../model/closed-roads.ts'
+import { inject } from './audio.ts'
 import { keepEscape, listen, type Reports } from './events.ts'
 import { show, type Fill } from './large/fill.ts'
 import * as layers from './layers.ts'
@@ -59,7 +60,7 @@ export class Pane {
     this.#program = program
     this.#reports = reports
     this.#looks = looks
-    this.#workspace = Blockly.inject(host, options(locale, media, looks))
+    this.#workspace = inject(host, options(locale, media, looks))
     this.toolbox = new Toolbox(this.#workspace, () => wordsIn(this.#locale), {
       speak: () => speak(this.#locale),
       redraw: () => this.#redraw(),

@@ -3,6 +3,7 @@ import { asset } from '$app/paths'
 import { stacksOf, toolbox, type Block, type Template } from '@botgarten/blocks'
 import type { Program } from '@botgarten/programs'
 import '../editor.css'
+import { inject } from '../audio.ts'
 import { fetchBlocklyWords } from '../blockly-words.ts'
 import { fontReady, options } from '../looks.ts'
 import { loadFor, loadLearning } from '../../model/packs.ts'
@@ -77,7 +78,7 @@ function drawn(
   host.style.cssText = 'position:absolute;left:-4000px;width:1200px;height:900px;visibility:hidden'
   document.body.append(host)
   const media = asset('blockly/sprites.svg').replace('sprites.svg', '')
-  const workspace = Blockly.inject(host, {
+  const workspace = inject(host, {
     ...options(locale, media, { letters, large: false }),
     ...{ toolbox: undefined, readOnly: true, plugins: {}, grid: undefined, zoom: { startScale: 1 } },
     move: { scrollbars: false, drag: false, wheel: false },
