@@ -65,7 +65,7 @@ export function steps(minutes: number): Steps[] {
   return [
     { name: 'one robot alone', document: alone },
     crowd,
-    { name: 'a crew of eight robots', document: robots(8) },
+    { name: 'eight robots', document: robots(8) },
   ].map(({ name, document }) => {
     const lab = createLab()
     lab.load(document, paintFloor(document.world), { seed: 11, checks: [] })

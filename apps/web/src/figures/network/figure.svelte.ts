@@ -19,6 +19,7 @@ import type { Command, Group } from '#drawing/commands.ts'
 import type { NetworkLayout } from '#drawing/network.ts'
 import { formatNumber } from '#drawing/numbers.ts'
 import { distance, type Point, type Size } from '#drawing/points.ts'
+import { Remembered } from '#drawing/remembered.ts'
 import { freeLine, gripsOf, knobPlace, linksAt, stagger, type Scale, type Track } from '#drawing/track.ts'
 import { letters } from '#figures/letters.svelte.ts'
 import { comfort } from '#storage/comfort.svelte.ts'
@@ -89,9 +90,6 @@ function steady<T>(): (next: T) => T {
     return last.value
   }
 }
-
-/** So many looks of rings are remembered. */
-const mostRings = 500
 
 const forcedColours = new MediaQuery('(forced-colors: active)', false)
 
@@ -216,15 +214,13 @@ export class NetFigure {
     return this.#steadyNodes(nodes)
   })
 
-  readonly #ringLooks = new Map<string, Group>()
+  readonly #ringLooks = new Remembered<Group>()
   /** The same shapes for what looks the same: numbers that tremble are painted once. */
   #ring({ id: _, at, ...look }: NodeLook & { readonly id: string }): Command {
     const value = look.value === null ? null : Math.round(look.value)
     const key = JSON.stringify([{ ...look, value }, this.#radius, this.#theme])
-    if (this.#ringLooks.size > mostRings) this.#ringLooks.clear()
-    const known = this.#ringLooks.get(key) ?? drawNode({ ...look, value, at }, this.#radius, this.#theme)
-    this.#ringLooks.set(key, known)
-    return { ...known, ...at }
+    const draw = () => drawNode({ ...look, value, at }, this.#radius, this.#theme)
+    return { ...this.#ringLooks.of(key, draw), ...at }
   }
   readonly #rings = $derived.by(() => this.#nodes.map((node) => this.#ring(node)))
 

@@ -1,6 +1,6 @@
 import fc from 'fast-check'
 import { expect, test } from 'vitest'
-import { nearer } from './gradual.svelte.ts'
+import { nearer } from './nearer.ts'
 
 const keyOf = (one: number) => one
 const lists = fc.uniqueArray(fc.integer({ min: 0, max: 200 }), { maxLength: 120 })
