@@ -1,4 +1,5 @@
 import type { Database } from './database/database.ts'
+import type { Hub } from './live/hub.ts'
 import type { CheckProject } from './projects/checked.ts'
 import type { SaveQueue } from './projects/save-queue.ts'
 import type { Accounts } from './teaching/accounts.ts'
@@ -17,6 +18,28 @@ export interface LogLine {
 export interface Tombstone {
   readonly kind: 'class' | 'pupil'
   readonly id: string
+}
+
+/** A card in a table of results. */
+export interface CardOfClass {
+  readonly id: string
+  /** Number of its start places. */
+  readonly starts: number
+  readonly title: { readonly [language: string]: string }
+}
+
+/** The machine that the server runs on. */
+export interface Host {
+  /** Bytes that the process takes. */
+  readonly memory: () => number
+  /** Bytes that are free where the data lie. */
+  readonly freeSpace: () => number
+  /** Addresses under which it is reached. */
+  readonly addresses: () => readonly string[]
+  /** Nightly copies: how many, and the day of the newest; null where the database has tools of its own. */
+  readonly backups: () => { readonly count: number; readonly last: string | null } | null
+  /** Makes the copy of today. */
+  readonly backUp: () => Promise<void>
 }
 
 /** What the class server needs of the outside. */
@@ -40,6 +63,11 @@ export interface Ports {
   readonly publicOrigin: string | null
   /** The first teacher is there: the link that lies about is of no use any more. */
   readonly teacherMade: () => void
+  /** Who is where, and the streams of pages. */
+  readonly live: Hub
+  /** All cards, in the order of the home page. */
+  readonly cards: () => readonly CardOfClass[]
+  readonly host: Host
 }
 
 /** What the socket knows of a request, and no header may claim. */

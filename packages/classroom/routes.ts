@@ -1,8 +1,13 @@
+import { livePupilRoutes } from './live/pupil-routes.ts'
+import { liveTeacherRoutes } from './live/teacher-routes.ts'
 import { joiningRoutes } from './joining/routes.ts'
 import { projectRoutes } from './projects/routes.ts'
 import type { Method, Route } from './route.ts'
 import { accountRoutes } from './teaching/account-routes.ts'
 import { classRoutes } from './teaching/class-routes.ts'
+import { dataRoutes } from './teaching/data-routes.ts'
+import { resultRoutes } from './teaching/results-routes.ts'
+import { substituteRoutes } from './teaching/substitute-routes.ts'
 import { pupilRoutes } from './teaching/pupil-routes.ts'
 
 /** Who may ask what: the one table, which the router follows and the tests walk. */
@@ -12,6 +17,11 @@ export const routes: readonly Route[] = [
   ...projectRoutes,
   ...classRoutes,
   ...pupilRoutes,
+  ...livePupilRoutes,
+  ...liveTeacherRoutes,
+  ...substituteRoutes,
+  ...resultRoutes,
+  ...dataRoutes,
 ]
 
 export interface Found {

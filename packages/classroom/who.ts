@@ -1,8 +1,9 @@
 import { readPupil, type Pupil } from './joining/sessions-store.ts'
 import type { Caller, Ports } from './ports.ts'
 import { Refusal } from './refusal.ts'
-import { cookieIn, pupilCookie } from './joining/cookies.ts'
+import { cookieIn, pupilCookie, substituteCookie } from './joining/cookies.ts'
 import { isOperator } from './teaching/operators-store.ts'
+import { classLent } from './teaching/substitutes-store.ts'
 import { classOf } from './teaching/classes-store.ts'
 import type { Teacher } from './teaching/accounts.ts'
 import type { ClassRow } from './database/tables.ts'
@@ -14,14 +15,15 @@ import type { ClassRow } from './database/tables.ts'
  * - `returning`: a pupil whose lesson is over, who has to show the pictures before anything is read
  * - `teacher`: signed in, for what names no class
  * - `owner`: the teacher of the class that the route names
+ * - `substitute`: somebody with a link to the class that the route names, until midnight
  * - `operator`: invites teachers and sees sizes, never what is in a class
  */
-export type Role = 'anyone' | 'pupil' | 'returning' | 'teacher' | 'owner' | 'operator'
+export type Role = 'anyone' | 'pupil' | 'returning' | 'teacher' | 'owner' | 'substitute' | 'operator'
 
 export interface Who {
   readonly pupil: Pupil | null
   readonly teacher: Teacher | null
-  /** The class that the route names and the teacher owns. */
+  /** The class that the route names, and that the teacher owns or the substitute has today. */
   readonly class: ClassRow | null
 }
 
@@ -40,17 +42,30 @@ export async function whoAsks(
 ): Promise<Who> {
   if (roles.includes('anyone')) return nobody
   if (roles.includes('pupil') || roles.includes('returning')) return pupilAsking(ports, roles, headers)
+  if (roles.includes('owner')) return classAsking(ports, roles, headers, caller, classId ?? '')
   const teacher = await ports.accounts.teacherOf(headers, caller)
   if (!teacher) throw new Refusal(401, 'signIn')
   if (roles.includes('teacher')) return { ...nobody, teacher }
-  if (roles.includes('owner')) {
-    const found = await classOf(ports.database.db, classId ?? '', teacher.id)
-    // Whether another teacher has such a class is not told.
-    if (!found) throw new Refusal(404, 'noSuchClass')
-    return { ...nobody, teacher, class: found }
-  }
   if (!(await isOperator(ports.database.db, teacher.id))) throw new Refusal(403, 'notYours')
   return { ...nobody, teacher }
+}
+
+async function classAsking(
+  ports: Ports,
+  roles: readonly Role[],
+  headers: Headers,
+  caller: Caller,
+  classId: string,
+): Promise<Who> {
+  const { db } = ports.database
+  const teacher = await ports.accounts.teacherOf(headers, caller)
+  const own = teacher && (await classOf(db, classId, teacher.id))
+  if (own) return { ...nobody, teacher, class: own }
+  const token = roles.includes('substitute') ? cookieIn(headers, substituteCookie) : null
+  const lent = token === null ? undefined : await classLent(db, token, ports.day(0))
+  if (lent?.id === classId) return { ...nobody, class: lent }
+  // Whether another teacher has such a class is not told.
+  throw teacher || lent ? new Refusal(404, 'noSuchClass') : new Refusal(401, 'signIn')
 }
 
 async function pupilAsking(ports: Ports, roles: readonly Role[], headers: Headers): Promise<Who> {

@@ -16,6 +16,7 @@ import {
 import { brokenIn, prepareDataFolder } from './data-folder.ts'
 import { callerOf, requestOf, send } from './http.ts'
 import { lockFolder } from './lock.ts'
+import { startLive } from './live.ts'
 import { startNights } from './nights.ts'
 import { portsOn } from './ports.ts'
 import { CannotServe, causeIn } from './problem.ts'
@@ -40,6 +41,8 @@ export interface ClassServer {
   answer(request: IncomingMessage, response: ServerResponse): Promise<void>
   /** The secret of the link that makes the first teacher; null where there is one already. */
   firstTeacher(): Promise<string | null>
+  /** Takes note under which addresses the server is reached. */
+  reachedAt(addresses: readonly string[]): void
   close(): Promise<void>
 }
 
@@ -115,7 +118,10 @@ function serverOn(
   free: () => void,
 ): ClassServer {
   const teacherMade = () => rmSync(join(folder, linkFile), { force: true })
-  const { ports, close } = portsOn(database, secret, { folder, publicAddress, teacherMade })
+  let reached: readonly string[] = []
+  const addresses = () => reached
+  const { ports, close } = portsOn(database, secret, { folder, publicAddress, teacherMade, addresses })
+  const stopLive = startLive(ports.live)
   const stopNights = startNights(ports, folder)
 
   async function answer(incoming: IncomingMessage, response: ServerResponse) {
@@ -135,7 +141,10 @@ function serverOn(
     owns: (path) => path === base || path.startsWith(`${base}/`),
     answer,
     firstTeacher: () => firstTeacherToken(ports),
+    reachedAt: (addresses) => void (reached = addresses),
     async close() {
+      stopLive()
+      await ports.live.close()
       await stopNights()
       await close()
       await database.close()

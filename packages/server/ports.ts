@@ -1,13 +1,21 @@
 import { randomBytes } from 'node:crypto'
+import { statfsSync } from 'node:fs'
 import {
   accountsOn,
+  Hub,
+  noBus,
+  nightlyBackup,
+  nightliesIn,
+  type Bus,
   bury,
   checkInWorker,
   saveQueueOn,
   type Database,
+  type Host,
   type LogLine,
   type Ports,
 } from '@botgarten/classroom'
+import { content } from '@botgarten/content/files'
 
 /** The ISO day where this machine stands, so many days from today. */
 export function dayHere(offset: number): string {
@@ -22,10 +30,29 @@ function logTrouble({ method, route, status, error = '' }: LogLine): void {
   if (status >= 500) console.error(`${method} ${route} ${status} ${error}`.trim())
 }
 
+function hostOf(database: Database, { folder, addresses }: PortOptions): Host {
+  return {
+    memory: () => process.memoryUsage.rss(),
+    freeSpace: () => {
+      const { bavail, bsize } = statfsSync(folder)
+      return bavail * bsize
+    },
+    addresses,
+    backups: () => {
+      if (database.backup === null) return null
+      const days = nightliesIn(folder).map((name) => name.slice(0, -'.db'.length))
+      return { count: days.length, last: days.at(-1) ?? null }
+    },
+    backUp: () => nightlyBackup(folder, database, dayHere(0)),
+  }
+}
+
 export interface PortOptions {
   readonly folder: string
   readonly publicAddress: string | null
   readonly teacherMade: () => void
+  readonly bus?: Bus
+  readonly addresses: () => readonly string[]
 }
 
 /** Everything real: clock, randomness, a worker that checks projects. */
@@ -44,6 +71,9 @@ export function portsOn(database: Database, secret: Uint8Array, options: PortOpt
     log: logTrouble,
     publicOrigin: options.publicAddress,
     teacherMade: options.teacherMade,
+    live: new Hub(options.bus ?? noBus, () => Date.now()),
+    cards: () => content.cards,
+    host: hostOf(database, options),
   }
   return { ports, close: checker.close }
 }

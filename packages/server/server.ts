@@ -2,8 +2,10 @@ import { once } from 'node:events'
 import { createServer } from 'node:http'
 import type { IncomingMessage, Server, ServerResponse } from 'node:http'
 import type { AddressInfo } from 'node:net'
+import { networkInterfaces } from 'node:os'
 import { join } from 'node:path'
 import { pathToFileURL } from 'node:url'
+import { addresses } from './addresses.ts'
 import { readOperator } from './operator.ts'
 import { baseline, readPolicies } from './policies.ts'
 import type { ClassServer } from './class-server.ts'
@@ -76,6 +78,8 @@ async function close(server: Server) {
 }
 
 async function closeAll(server: Server, classServer: ClassServer | null) {
+  // Streams would go on for as long as their pages are open.
+  await classServer?.ports.live.close()
   await close(server)
   await classServer?.close()
 }
@@ -101,5 +105,6 @@ export async function startServer(options: ServerOptions): Promise<RunningServer
   server.listen({ port: options.port, host: options.host })
   await once(server, 'listening')
   const { port } = server.address() as AddressInfo
+  classServer?.reachedAt(addresses(port, networkInterfaces()))
   return { port, url: `http://localhost:${port}`, close: () => closeAll(server, classServer) }
 }

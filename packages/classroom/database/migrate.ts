@@ -1,8 +1,9 @@
 import { Migrator } from 'kysely'
 import type { Database } from './database.ts'
 import { first } from './first.ts'
+import { live } from './live.ts'
 
-const migrations = ({ kind }: Database) => ({ '2026-11-first': first(kind) })
+const migrations = ({ kind }: Database) => ({ '2026-11-first': first(kind), '2026-11-live': live })
 
 const migrator = (database: Database) =>
   new Migrator({

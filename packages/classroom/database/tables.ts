@@ -58,6 +58,10 @@ export interface ClassTable {
   /** Bytes of its versions and assets. */
   space: number
   madeAt: number
+  /** JSON: ids of the cards that are free today; null: all. */
+  cards: string | null
+  /** `plain` or `all`: which blocks there are; null: as each child chooses. */
+  level: string | null
 }
 
 interface PupilTable {
@@ -139,6 +143,40 @@ interface AttemptTable {
   endsAt: number
 }
 
+/** What a teacher sent: a hint or a program. It stays until the child has put it away. */
+export interface HandoutTable {
+  id: string
+  class: string
+  kind: 'hint' | 'program'
+  card: string | null
+  /** The n-th hint of the card, from 1. */
+  hint: number | null
+  text: string | null
+  /** A project. */
+  document: string | null
+  at: number
+}
+
+interface HandoutToTable {
+  handout: string
+  pupil: string
+}
+
+/** From how many of a card's start places a pupil has passed, at the best of times. */
+interface ResultTable {
+  pupil: string
+  card: string
+  class: string
+  done: number
+}
+
+/** A link for one class that works on one day. */
+interface SubstituteTable {
+  tokenHash: string
+  class: string
+  day: string
+}
+
 interface MetaTable {
   key: string
   value: string
@@ -164,6 +202,10 @@ export interface Tables {
   asset: AssetTable
   versionAsset: VersionAssetTable
   attempt: AttemptTable
+  handout: HandoutTable
+  handoutTo: HandoutToTable
+  result: ResultTable
+  substitute: SubstituteTable
   meta: MetaTable
   tombstone: TombstoneTable
 }

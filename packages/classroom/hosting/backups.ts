@@ -17,7 +17,7 @@ const nightly = /^\d{4}-\d{2}-\d{2}\.db$/
 const folderOf = (folder: string) => join(folder, 'backups')
 
 /** Names of the nightly copies, the oldest first. */
-const nightliesIn = (folder: string): readonly string[] =>
+export const nightliesIn = (folder: string): readonly string[] =>
   existsSync(folderOf(folder))
     ? readdirSync(folderOf(folder))
         .filter((name) => nightly.test(name))

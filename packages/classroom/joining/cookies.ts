@@ -19,3 +19,4 @@ export function cookie(name: string, value: string, { secure }: Caller, seconds 
 
 export const deviceCookie = 'botgarten-device'
 export const pupilCookie = 'botgarten-pupil'
+export const substituteCookie = 'botgarten-substitute'

@@ -1,5 +1,6 @@
 import type { Ports } from '../ports.ts'
 import { classOfPupil } from '../teaching/classes-store.ts'
+import { cardsIn } from '../teaching/shown.ts'
 import { pupilOf } from './pupils-store.ts'
 import type { Pupil } from './sessions-store.ts'
 
@@ -7,7 +8,7 @@ import type { Pupil } from './sessions-store.ts'
 export async function meOf({ database: { db } }: Ports, { id, class: classId, nickname, fresh }: Pupil) {
   const row = await classOfPupil(db, classId)
   const pupil = await pupilOf(db, classId, id)
-  const { name = '', language = 'en', grade = 0, openedAt = null } = row ?? {}
-  const of = { id: classId, name, language, grade, open: openedAt !== null }
+  const { name = '', language = 'en', grade = 0, openedAt = null, cards = null, level = null } = row ?? {}
+  const of = { id: classId, name, language, grade, open: openedAt !== null, cards: cardsIn(cards), level }
   return { id, nickname, fresh, hand: (pupil?.handAt ?? null) !== null, class: of }
 }

@@ -1,11 +1,11 @@
 import * as v from 'valibot'
 import { keyedHash, newToken, sameHash } from '../hashes.ts'
+import { liveOfPupil } from '../live/me-live.ts'
 import type { Ports } from '../ports.ts'
 import { Refusal } from '../refusal.ts'
 import { route, type Answer, type Call, type Route } from '../route.ts'
 import { codeKey } from './code.ts'
 import { cookie, pupilCookie } from './cookies.ts'
-import { meOf } from './me.ts'
 import { nicknameFrom, nicknameKey } from './nickname.ts'
 import { newSecret, pictures } from './pictures.ts'
 import { addPupil, classToJoin, countWrongOf, pupilCalled, pupilOf, setHand, unlock } from './pupils-store.ts'
@@ -52,6 +52,7 @@ async function join(call: Call<{ readonly code: string; readonly nickname: strin
     if (!added) throw new Refusal(409, 'nicknameTaken')
     return await startSession(inside, ports, { id, class: classId })
   })
+  ports.live.changed(classId, [id])
   const cookies = [cookie(pupilCookie, token, caller)]
   return { status: 201, body: { id, class: classId, nickname, pictures: secret }, cookies }
 }
@@ -98,7 +99,7 @@ async function refuseUnknown({ ports, triers }: Call<unknown>): Promise<never> {
 }
 
 const me = async ({ ports, who }: Call<undefined>): Promise<Answer> => ({
-  body: await meOf(ports, who.pupil!),
+  body: await liveOfPupil(ports, who.pupil!),
 })
 
 async function showPictures(call: Call<{ readonly pictures: Shown }>): Promise<Answer> {
@@ -118,11 +119,14 @@ async function showPictures(call: Call<{ readonly pictures: Shown }>): Promise<A
 
 async function leave({ ports, who, caller }: Call<undefined>): Promise<Answer> {
   await endSession(ports.database.db, who.pupil!.session)
+  ports.live.end(who.pupil!.class, { pupil: who.pupil!.id }, 'signedOut')
   return { cookies: [cookie(pupilCookie, '', caller)] }
 }
 
 async function hand({ ports, who, body }: Call<{ readonly up: boolean }>): Promise<Answer> {
-  await setHand(ports.database.db, who.pupil!.id, body.up ? ports.now() : null)
+  const { id, class: classId } = who.pupil!
+  await setHand(ports.database.db, id, body.up ? ports.now() : null)
+  ports.live.changed(classId, [id])
   return {}
 }
 

@@ -14,6 +14,8 @@ export interface Asset {
 export interface Checked {
   readonly name: string
   readonly card: string | null
+  /** From how many start places of the card every check has passed. */
+  readonly done: number
   /** The project as JSON, its assets left out. */
   readonly document: string
   /** Hash of all of it: two saves of the same work are the same version. */
@@ -34,7 +36,8 @@ export function checkProject(text: string): Checked | { readonly refused: string
       ...asset,
     }))
     const hash = hashOf(JSON.stringify([document, list.map(({ name, hash }) => [name, hash]).toSorted()]))
-    return { name: project.name, card: project.card ?? null, document, hash, assets: list }
+    const done = new Set(project.progress?.starts).size
+    return { name: project.name, card: project.card ?? null, done, document, hash, assets: list }
   } catch (error) {
     if (error instanceof ProjectError) return { refused: error.reason }
     throw error

@@ -1,6 +1,7 @@
 import type { Db } from '../database/database.ts'
 import { addAssets, recount } from './assets-store.ts'
 import type { Checked } from './checked.ts'
+import { noteResult } from '../teaching/results-store.ts'
 import { surplus } from './retention.ts'
 
 /** One save of a pupil as a device sends it. */
@@ -32,6 +33,8 @@ export async function saveInside(db: Db, save: Save, most = mostSpace): Promise<
   if (!(await takeRevision(db, save))) return await conflictOrSame(db, save)
   const revision = save.base + 1
   await addVersion(db, save, revision)
+  const { card, done } = save.checked
+  if (card !== null) await noteResult(db, { pupil: save.pupil, class: save.class, card, done })
   await dropSurplus(db, save)
   const space = await spaceWithin(db, save, most)
   // The transaction is to be rolled back.

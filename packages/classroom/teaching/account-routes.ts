@@ -1,13 +1,14 @@
 import * as v from 'valibot'
 import { newToken } from '../hashes.ts'
-import { cookieIn, pupilCookie } from '../joining/cookies.ts'
-import { meOf } from '../joining/me.ts'
+import { cookieIn, pupilCookie, substituteCookie } from '../joining/cookies.ts'
 import { readPupil } from '../joining/sessions-store.ts'
+import { liveOfPupil } from '../live/me-live.ts'
 import type { Ports } from '../ports.ts'
 import { Refusal } from '../refusal.ts'
 import { route, type Answer, type Call, type Route } from '../route.ts'
 import { mounted, type Mounted } from './accounts.ts'
 import { endSessionsOfTeacher } from './accounts-store.ts'
+import { classLent } from './substitutes-store.ts'
 import { sizesOfAll } from './classes-store.ts'
 import { addInvitation, firstTeacher, isOperator, makeOperator, takeInvitation } from './operators-store.ts'
 
@@ -23,11 +24,18 @@ const newTeacher = v.strictObject({ token, username, password })
 async function pupilAsking(ports: Ports, headers: Headers) {
   try {
     const pupil = await readPupil(ports, cookieIn(headers, pupilCookie))
-    return { pupil: pupil && (await meOf(ports, pupil)), ended: false }
+    return { pupil: pupil && (await liveOfPupil(ports, pupil)), ended: false }
   } catch (error) {
     if (error instanceof Refusal && error.status === 410) return { pupil: null, ended: true }
     throw error
   }
+}
+
+/** The class that a substitute has today. */
+async function substituteAsking({ database, day }: Ports, headers: Headers) {
+  const token = cookieIn(headers, substituteCookie)
+  const lent = token === null ? undefined : await classLent(database.db, token, day(0))
+  return lent ? { class: lent.id, name: lent.name } : null
 }
 
 /** What every page asks first: is there a class server, who made it theirs, and who sits here? */
@@ -40,6 +48,7 @@ async function state({ ports, headers, caller }: Call<undefined>): Promise<Answe
     body: {
       ...{ firstTeacher: first ?? null, secure: caller.secure, teacher },
       ...(await pupilAsking(ports, headers)),
+      substitute: await substituteAsking(ports, headers),
     },
   }
 }
@@ -107,6 +116,7 @@ const routeOf: { readonly [path in Mounted]: Route } = {
 
 async function endAllSessions({ ports, who }: Call<undefined>): Promise<Answer> {
   await endSessionsOfTeacher(ports.database.db, who.teacher!.id)
+  ports.live.end(null, { teacher: who.teacher!.id }, 'signedOut')
   return {}
 }
 

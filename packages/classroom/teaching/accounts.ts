@@ -48,7 +48,13 @@ function standIn(address: string, secret: Uint8Array): string {
   return `fd00:${digits.match(/.{4}/g)!.slice(0, 3).join(':')}::1`
 }
 
-function options(database: Database, secret: Uint8Array) {
+/** How passwords are hashed: scrypt where nothing is said. */
+export interface Hashing {
+  readonly hash: (password: string) => Promise<string>
+  readonly verify: (attempt: { readonly hash: string; readonly password: string }) => Promise<boolean>
+}
+
+function options(database: Database, secret: Uint8Array, hashing?: Hashing) {
   return {
     appName: 'Botgarten',
     baseURL: inside,
@@ -57,7 +63,10 @@ function options(database: Database, secret: Uint8Array) {
     database: { db: database.db, type: database.kind },
     telemetry: { enabled: false },
     logger: { disabled: true },
-    emailAndPassword: { enabled: true, disableSignUp: true, minPasswordLength: 10, maxPasswordLength: 128 },
+    emailAndPassword: {
+      ...{ enabled: true, disableSignUp: true, minPasswordLength: 10, maxPasswordLength: 128 },
+      ...(hashing && { password: hashing }),
+    },
     user: { modelName: 'teacher' },
     session: { modelName: 'teacherSession', expiresIn: sessionSeconds, disableSessionRefresh: true },
     plugins: [username({ minUsernameLength: 3, maxUsernameLength: 30 })],
@@ -87,8 +96,8 @@ function options(database: Database, secret: Uint8Array) {
 }
 
 /** Accounts of teachers: better-auth on our tables. `secret` keys its cookies. */
-export function accountsOn(database: Database, secret: Uint8Array): Accounts {
-  const auth = betterAuth(options(database, secret))
+export function accountsOn(database: Database, secret: Uint8Array, hashing?: Hashing): Accounts {
+  const auth = betterAuth(options(database, secret, hashing))
 
   function forward(path: Mounted, headers: Headers, body: string | null, { address }: Caller) {
     const given: Record<string, string> = {

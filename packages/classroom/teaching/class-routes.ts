@@ -1,7 +1,6 @@
 import * as v from 'valibot'
-import type { ClassRow } from '../database/tables.ts'
 import { newToken } from '../hashes.ts'
-import { newCode, codeKey, wordsOfKey } from '../joining/code.ts'
+import { newCode, codeKey } from '../joining/code.ts'
 import { endSessionsOfClass } from '../joining/sessions-store.ts'
 import type { Ports } from '../ports.ts'
 import { mostSpace } from '../projects/saves-store.ts'
@@ -10,6 +9,7 @@ import { route, type Answer, type Call, type Route } from '../route.ts'
 import { addClass, changeClass, classesOf, closeClass, giveCode, sizesOf } from './classes-store.ts'
 import { carryOut } from './deleting-store.ts'
 import { announce } from './ending-store.ts'
+import { languageOf, shownClass } from './shown.ts'
 
 const joiningLength = 20 * 60_000
 
@@ -20,20 +20,10 @@ const day = v.pipe(v.string(), v.isoDate())
 const newClass = v.strictObject({ name, language, grade, endsOn: day })
 const changes = v.partial(v.strictObject({ name, grade, endsOn: day }))
 
-const languageOf = ({ language }: ClassRow) => (language === 'de' ? 'de' : 'en')
-
-/** What a teacher sees of a class. */
-const shown = (row: ClassRow, ports: Ports) => ({
-  ...{ id: row.id, name: row.name, language: row.language, grade: row.grade, code: row.code },
-  words: wordsOfKey(row.code, languageOf(row)),
-  ...{ open: row.openedAt !== null, joiningUntil: row.joiningUntil > ports.now() ? row.joiningUntil : null },
-  ...{ endsOn: row.endsOn, endsSoon: row.announcedDay !== null },
-})
-
 async function list({ ports, who }: Call<undefined>): Promise<Answer> {
   const rows = await classesOf(ports.database.db, who.teacher!.id)
   const announced = await Promise.all(rows.map((row) => announce(ports, row)))
-  return { body: { classes: announced.map((row) => shown(row, ports)) } }
+  return { body: { classes: announced.map((row) => shownClass(row, ports)) } }
 }
 
 /** A code that no other class has; words are drawn again where one is taken. */
@@ -52,6 +42,8 @@ async function make({ ports, who, body }: Call<v.InferOutput<typeof newClass>>):
     announcedDay: null,
     space: 0,
     madeAt: ports.now(),
+    cards: null,
+    level: null,
   }
   await withFreeCode(ports, body.language, (code) =>
     addClass(ports.database.db, { id, teacher: who.teacher!.id, code, ...body, ...made }),
@@ -66,7 +58,7 @@ function refusePast(ports: Ports, endsOn: string) {
 async function one({ ports, who }: Call<undefined>): Promise<Answer> {
   const row = await announce(ports, who.class!)
   const sizes = await sizesOf(ports.database.db, row.id)
-  return { body: { ...shown(row, ports), ...sizes, space: row.space, mostSpace } }
+  return { body: { ...shownClass(row, ports), ...sizes, space: row.space, mostSpace } }
 }
 
 async function change({ ports, who, body }: Call<v.InferOutput<typeof changes>>): Promise<Answer> {
@@ -74,6 +66,7 @@ async function change({ ports, who, body }: Call<v.InferOutput<typeof changes>>)
   // A moved date is announced again.
   const moved = body.endsOn === undefined ? {} : { announcedDay: null }
   if (Object.keys(body).length > 0) await changeClass(ports.database.db, who.class!.id, { ...body, ...moved })
+  ports.live.changed(who.class!.id)
   return {}
 }
 
@@ -82,17 +75,21 @@ async function open({ ports, who }: Call<undefined>): Promise<Answer> {
   const now = ports.now()
   const openedAt = who.class!.openedAt ?? now
   await changeClass(ports.database.db, who.class!.id, { openedAt, joiningUntil: now + joiningLength })
+  ports.live.changed(who.class!.id)
   return { body: { joiningUntil: now + joiningLength } }
 }
 
 async function close({ ports, who }: Call<undefined>): Promise<Answer> {
   await closeClass(ports.database.db, who.class!.id, ports.now())
+  ports.live.askAttention(who.class!.id, false)
+  ports.live.end(who.class!.id, 'pupils', 'closed')
   return {}
 }
 
 /** Who is in goes on; nobody joins any more. */
 async function stopJoining({ ports, who }: Call<undefined>): Promise<Answer> {
   await changeClass(ports.database.db, who.class!.id, { joiningUntil: 0 })
+  ports.live.changed(who.class!.id)
   return {}
 }
 
@@ -104,6 +101,7 @@ async function otherCode({ ports, who }: Call<undefined>): Promise<Answer> {
 
 async function signOutAll({ ports, who }: Call<undefined>): Promise<Answer> {
   await endSessionsOfClass(ports.database.db, who.class!.id)
+  ports.live.end(who.class!.id, 'pupils', 'signedOut')
   return {}
 }
 
@@ -112,6 +110,7 @@ async function remove({ ports, who, body }: Call<{ readonly name: string }>): Pr
   const { id, name } = who.class!
   if (body.name.trim() !== name) throw new Refusal(400, 'otherName')
   await deleteForGood(ports, { kind: 'class', id })
+  ports.live.end(id, 'everybody', 'ended')
   return {}
 }
 
@@ -126,9 +125,9 @@ export const classRoutes: readonly Route[] = [
   route('GET', '/classes/:class', ['owner'], one),
   route('PATCH', '/classes/:class', ['owner'], change, changes),
   route('DELETE', '/classes/:class', ['owner'], remove, v.strictObject({ name: v.string() })),
-  route('POST', '/classes/:class/open', ['owner'], open),
-  route('POST', '/classes/:class/close', ['owner'], close),
-  route('POST', '/classes/:class/stop-joining', ['owner'], stopJoining),
+  route('POST', '/classes/:class/open', ['owner', 'substitute'], open),
+  route('POST', '/classes/:class/close', ['owner', 'substitute'], close),
+  route('POST', '/classes/:class/stop-joining', ['owner', 'substitute'], stopJoining),
   route('POST', '/classes/:class/code', ['owner'], otherCode),
   route('POST', '/classes/:class/sign-out-all', ['owner'], signOutAll),
 ]

@@ -5,6 +5,9 @@ import type { ClassRow, ClassTable } from '../database/tables.ts'
 export const classOf = (db: Db, id: string, teacher: string): Promise<ClassRow | undefined> =>
   db.selectFrom('class').selectAll().where('id', '=', id).where('teacher', '=', teacher).executeTakeFirst()
 
+export const classById = (db: Db, id: string): Promise<ClassRow | undefined> =>
+  db.selectFrom('class').selectAll().where('id', '=', id).executeTakeFirst()
+
 export const classesOf = (db: Db, teacher: string): Promise<ClassRow[]> =>
   db.selectFrom('class').selectAll().where('teacher', '=', teacher).orderBy('madeAt').execute()
 
@@ -53,7 +56,7 @@ export async function giveCode(db: Db, id: string, code: string): Promise<boolea
 export const classOfPupil = (db: Db, id: string) =>
   db
     .selectFrom('class')
-    .select(['id', 'name', 'language', 'grade', 'openedAt'])
+    .select(['id', 'name', 'language', 'grade', 'openedAt', 'cards', 'level'])
     .where('id', '=', id)
     .executeTakeFirst()
 

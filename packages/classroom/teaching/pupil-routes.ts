@@ -26,32 +26,39 @@ async function change(call: Call<{ readonly nickname: string }>): Promise<Answer
   if (nickname === null) throw new Refusal(400, 'nickname')
   if (!(await rename(call.ports.database.db, pupil, nickname, nicknameKey(nickname))))
     throw new Refusal(409, 'nicknameTaken')
+  call.ports.live.changed(pupil.class, [pupil.id])
   return {}
 }
 
 async function remove(call: Call<undefined>): Promise<Answer> {
-  const { id } = await pupilIn(call)
+  const { id, class: classId } = await pupilIn(call)
   await deleteForGood(call.ports, { kind: 'pupil', id })
+  call.ports.live.end(classId, { pupil: id }, 'removed')
   return {}
 }
 
 /** The teacher sees new pictures once, to show them to the pupil; other devices are signed out. */
 async function newPictures(call: Call<undefined>): Promise<Answer> {
   const { ports } = call
-  const { id } = await pupilIn(call)
+  const { id, class: classId } = await pupilIn(call)
   const secret = newSecret(ports.random)
   await setPictures(ports.database.db, id, hashOfPictures(ports, id, secret))
   await endSessionsOf(ports.database.db, id)
+  ports.live.end(classId, { pupil: id }, 'signedOut')
   return { body: { pictures: secret } }
 }
 
 async function openLock(call: Call<undefined>): Promise<Answer> {
-  await unlock(call.ports.database.db, (await pupilIn(call)).id)
+  const { id, class: classId } = await pupilIn(call)
+  await unlock(call.ports.database.db, id)
+  call.ports.live.changed(classId, [id])
   return {}
 }
 
 async function handDown(call: Call<undefined>): Promise<Answer> {
-  await setHand(call.ports.database.db, (await pupilIn(call)).id, null)
+  const { id, class: classId } = await pupilIn(call)
+  await setHand(call.ports.database.db, id, null)
+  call.ports.live.changed(classId, [id])
   return {}
 }
 
@@ -60,8 +67,10 @@ async function projects(call: Call<undefined>): Promise<Answer> {
   return { body: { projects: await projectsOf(call.ports.database.db, id) } }
 }
 
+/** Nobody reads a child's project unseen. */
 async function project(call: Call<undefined>): Promise<Answer> {
-  const { id } = await pupilIn(call)
+  const { id, class: classId } = await pupilIn(call)
+  call.ports.live.look(classId, id, call.who.teacher?.username ?? null, 15)
   const found = await versionOf(call.ports.database.db, id, call.at['project']!)
   if (!found) throw new Refusal(404, 'noSuchProject')
   return { body: found }
@@ -84,7 +93,7 @@ export const pupilRoutes: readonly Route[] = [
   route('DELETE', one, ['owner'], remove),
   route('POST', `${one}/pictures`, ['owner'], newPictures),
   route('POST', `${one}/unlock`, ['owner'], openLock),
-  route('POST', `${one}/hand-down`, ['owner'], handDown),
+  route('POST', `${one}/hand-down`, ['owner', 'substitute'], handDown),
   route('GET', `${one}/projects`, ['owner'], projects),
   route('GET', `${one}/projects/:project`, ['owner'], project),
   route('GET', `${one}/everything`, ['owner'], everything),

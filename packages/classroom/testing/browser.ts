@@ -1,3 +1,5 @@
+import { Events } from './events.ts'
+
 export interface Answered {
   readonly status: number
   readonly body: unknown
@@ -5,6 +7,8 @@ export interface Answered {
 }
 
 const host = 'http://lab.test'
+
+const isJson = (answer: Response) => answer.headers.get('content-type')?.startsWith('application/json')
 
 /** Speaks to the class as a browser on its page does, and keeps its cookies. */
 export class Browser {
@@ -28,26 +32,44 @@ export class Browser {
     body?: unknown,
     headers: Record<string, string> = {},
   ): Promise<Answered> {
+    const answer = await this.raw(method, path, body, headers)
+    for (const one of answer.headers.getSetCookie()) this.keep(one)
+    if (answer.headers.get('content-type') === 'text/event-stream') {
+      await answer.body!.cancel()
+      return { status: answer.status, body: null, headers: answer.headers }
+    }
+    const given = await answer.text()
+    return {
+      status: answer.status,
+      body: given === '' ? null : isJson(answer) ? (JSON.parse(given) as unknown) : given,
+      headers: answer.headers,
+    }
+  }
+
+  private async raw(
+    method: string,
+    path: string,
+    body: unknown,
+    headers: Record<string, string>,
+  ): Promise<Response> {
     const cookie = [...this.cookies].map(([name, value]) => `${name}=${value}`).join('; ')
     const text = body === undefined ? null : typeof body === 'string' ? body : JSON.stringify(body)
     const all = new Headers(headers)
     if (cookie !== '') all.set('cookie', cookie)
     if (method !== 'GET' && !all.has('origin')) all.set('origin', host)
     if (text !== null && !all.has('content-type')) all.set('content-type', 'application/json')
-    const answer = await this.send(
+    return this.send(
       new Request(`${host}/api/class${path}`, {
         method,
         body: text,
         headers: all,
       }),
     )
-    for (const one of answer.headers.getSetCookie()) this.keep(one)
-    const given = await answer.text()
-    return {
-      status: answer.status,
-      body: given === '' ? null : (JSON.parse(given) as unknown),
-      headers: answer.headers,
-    }
+  }
+
+  /** Opens a stream of events. */
+  async events(path: string): Promise<Events> {
+    return new Events(await this.raw('GET', path, undefined, {}))
   }
 
   private keep(line: string) {

@@ -2,10 +2,26 @@ import type { Database } from '../database/database.ts'
 import { handle } from '../handle.ts'
 import type { Caller, LogLine, Ports, Tombstone } from '../ports.ts'
 import { checkProject } from '../projects/checked.ts'
+import { noBus } from '../live/bus.ts'
+import { Hub } from '../live/hub.ts'
 import { saveQueueOn } from '../projects/save-queue.ts'
-import { accountsOn } from '../teaching/accounts.ts'
+import { hashOf } from '../hashes.ts'
+import { accountsOn, type Hashing } from '../teaching/accounts.ts'
 import { firstTeacherToken } from '../teaching/first-teacher.ts'
 import { Browser } from './browser.ts'
+
+const secret = new Uint8Array(32).fill(7)
+
+/** Hashes for tests that are about something else than passwords. */
+export const quickHashes: Hashing = {
+  hash: (password) => Promise.resolve(hashOf(password)),
+  verify: ({ hash, password }) => Promise.resolve(hash === hashOf(password)),
+}
+
+/** Ports of a server whose teachers sign in at once. */
+export const quickAccounts = (database: Database): Pick<Ports, 'accounts'> => ({
+  accounts: accountsOn(database, secret, quickHashes),
+})
 
 /** A class server in a test: a real database, a clock that is set by hand, and what it logged and buried. */
 export class Server {
@@ -16,7 +32,6 @@ export class Server {
   now = Date.UTC(2026, 10, 24, 8)
 
   constructor(database: Database, changes: Partial<Ports> = {}) {
-    const secret = new Uint8Array(32).fill(7)
     this.ports = {
       database,
       now: () => this.now,
@@ -30,6 +45,12 @@ export class Server {
       log: (line) => void this.logged.push(line),
       publicOrigin: null,
       teacherMade: () => {},
+      live: new Hub(noBus, () => this.now),
+      cards: () => [{ id: 'friendship', starts: 3, title: { en: 'Friendship', de: 'Freundschaft' } }],
+      host: {
+        ...{ memory: () => 1, freeSpace: () => 1, addresses: () => ['http://lab.test'] },
+        ...{ backups: () => ({ count: 0, last: null }), backUp: () => Promise.resolve() },
+      },
       ...changes,
     }
   }

@@ -1,0 +1,17 @@
+import { meOf } from '../joining/me.ts'
+import type { Pupil } from '../joining/sessions-store.ts'
+import type { Ports } from '../ports.ts'
+import { handoutsOf } from './handouts-store.ts'
+
+/** All that a pupil's page shows of the class: who, what is free, attention, who looks inside, what was sent. */
+export async function liveOfPupil(ports: Ports, pupil: Pupil) {
+  const me = await meOf(ports, pupil)
+  // Before the pictures are shown nothing of what was sent is read.
+  const handouts = pupil.fresh ? await handoutsOf(ports.database.db, pupil.id) : []
+  return {
+    ...me,
+    attention: ports.live.attentionOf(pupil.class),
+    inside: ports.live.insideOf(pupil.id),
+    handouts,
+  }
+}

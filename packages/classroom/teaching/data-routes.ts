@@ -1,0 +1,88 @@
+import { pupilsOf } from '../joining/pupils-store.ts'
+import type { Ports } from '../ports.ts'
+import { projectsOf, versionOf } from '../projects/projects-store.ts'
+import { mostSpace } from '../projects/saves-store.ts'
+import { Refusal } from '../refusal.ts'
+import { route, type Answer, type Call, type Route } from '../route.ts'
+import { sizesOf } from './classes-store.ts'
+import { resultsOf } from './results-store.ts'
+
+/** How many nights a deleted class is still in the backups. */
+const nights = 7
+
+/** What is kept of a class, how much, until when. */
+async function data({ ports, who }: Call<undefined>): Promise<Answer> {
+  const { id, space, endsOn, announcedDay } = who.class!
+  const sizes = await sizesOf(ports.database.db, id)
+  return {
+    body: {
+      ...sizes,
+      ...{ space, mostSpace, endsOn, endsSoon: announcedDay !== null },
+      results: (await resultsOf(ports.database.db, id)).length,
+      backups: ports.host.backups(),
+      /** Deleted today, it is in no backup from this day on. */
+      goneFromBackupsOn: ports.day(nights),
+    },
+  }
+}
+
+/** A class as one JSON text, a project at a time: all of it at once might not fit into the memory. */
+async function* pieces({ database: { db } }: Ports, name: string, classId: string) {
+  yield `{"class":${JSON.stringify(name)},"pupils":[`
+  let first = true
+  for (const { id, nickname, joinedAt } of await pupilsOf(db, classId)) {
+    yield `${first ? '' : ','}{"nickname":${JSON.stringify(nickname)},"joinedAt":${joinedAt},"projects":[`
+    first = false
+    let mark = ''
+    for (const { id: project } of await projectsOf(db, id)) {
+      yield `${mark}${JSON.stringify({ id: project, ...(await versionOf(db, id, project)) })}`
+      mark = ','
+    }
+    yield ']}'
+  }
+  yield ']}'
+}
+
+function exported({ ports, who }: Call<undefined>): Promise<Response> {
+  const parts = pieces(ports, who.class!.name, who.class!.id)
+  const encoder = new TextEncoder()
+  const body = new ReadableStream<Uint8Array>({
+    async pull(controller) {
+      const { done, value } = await parts.next()
+      if (done) controller.close()
+      else controller.enqueue(encoder.encode(value))
+    },
+  })
+  const headers = {
+    'content-type': 'application/octet-stream',
+    'content-disposition': 'attachment; filename="botgarten-class.json"',
+  }
+  return Promise.resolve(new Response(body, { headers }))
+}
+
+/** How the server is: for the page of the first start, and for who runs it. */
+const health = ({ ports, caller }: Call<undefined>): Promise<Answer> =>
+  Promise.resolve({
+    body: {
+      ...{ now: ports.now(), secure: caller.secure, database: ports.database.kind },
+      ...{
+        memory: ports.host.memory(),
+        freeSpace: ports.host.freeSpace(),
+        addresses: ports.host.addresses(),
+      },
+      ...{ backups: ports.host.backups(), streams: ports.live.size },
+    },
+  })
+
+async function backUp({ ports }: Call<undefined>): Promise<Answer> {
+  if (!ports.database.backup) throw new Refusal(409, 'byOwnTools')
+  await ports.host.backUp()
+  return { body: { backups: ports.host.backups() } }
+}
+
+export const dataRoutes: readonly Route[] = [
+  route('GET', '/classes/:class/data', ['owner'], data),
+  route('GET', '/classes/:class/export', ['owner'], exported),
+  route('GET', '/health', ['teacher'], health),
+  route('POST', '/backup', ['operator'], backUp),
+]
