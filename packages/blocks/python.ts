@@ -52,6 +52,8 @@ export interface PythonAt {
   inner(write: () => void): void
   /** What stands in a statement input, where the block itself stands. */
   body(input: string): void
+  /** The only block in a statement input, where it is one of these types and `attempt` can be written; else null. */
+  alone(input: string, types: readonly string[], attempt: (inner: PythonAt) => unknown): PythonAt | null
   /** `head` and under it what stands in a statement input. */
   rows(head: string, input: string): void
   /** The same for a loop; `last`: what ends every pass. */

@@ -430,6 +430,8 @@ export interface Finding {
   readonly putIn?: string
   /** false: the program can run all the same (a hint). */
   readonly stops: boolean
+  /** It is about the real robot alone: its badge looks different. */
+  readonly mark?: 'robot'
 }
 
 /** What a check may look at: the block itself and the robot's sockets. */

@@ -166,10 +166,6 @@ def drive():
 def display():
     show(stringVar, numberVar, numberVar)
     # Der Roboter hat keine Bilder: Hier wird nichts gezeigt.
-    # Der Roboter hat keine Bilder: Hier wird nichts gezeigt.
-    # Der Roboter hat keine Bilder: Hier wird nichts gezeigt.
-    # Der Roboter hat keine Bilder: Hier wird nichts gezeigt.
-    # Der Roboter hat keine Bilder: Hier wird nichts gezeigt.
     ev3.screen.clear()
 
 
@@ -198,19 +194,6 @@ def sounds():
     ev3.speaker.volume(numberVar)
     show(number_text(ev3.speaker.volume()), numberVar, numberVar)
     # Der Roboter spricht nur eine Sprache.
-    # Der Roboter spricht nur eine Sprache.
-    # Der Roboter spricht nur eine Sprache.
-    # Der Roboter spricht nur eine Sprache.
-    # Der Roboter spricht nur eine Sprache.
-    # Der Roboter spricht nur eine Sprache.
-    # Der Roboter spricht nur eine Sprache.
-    # Der Roboter spricht nur eine Sprache.
-    # Der Roboter spricht nur eine Sprache.
-    # Der Roboter spricht nur eine Sprache.
-    # Der Roboter spricht nur eine Sprache.
-    # Der Roboter spricht nur eine Sprache.
-    # Der Roboter spricht nur eine Sprache.
-    # Pybricks 4 kann auf dem EV3 nicht sprechen: Hier wird nichts gesagt.
     # Pybricks 4 kann auf dem EV3 nicht sprechen: Hier wird nichts gesagt.
 
 

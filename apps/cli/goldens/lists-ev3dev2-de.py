@@ -37,15 +37,15 @@ def median(numbers):
 
 def deviation(numbers):
     middle = mean(numbers)
-    return sqrt(mean([pow(number - middle, 2) for number in numbers]))
+    return sqrt(mean([(number - middle) ** 2 for number in numbers]))
 
 
-input = [1, 2, 3, 4, 3]
+input_ = [1, 2, 3, 4, 3]
 input2 = []
 result = 0
-result = len(input)
+result = len(input_)
 result = result + len(input2)
-if len(input) == 0:
+if len(input_) == 0:
     result = result + 1
 else:
     result = result + 2
@@ -54,61 +54,61 @@ if len(input2) == 0:
 else:
     result = result + 2
 # 8
-result = result + first_place(input, 3)
-result = result + last_place(input, 3)
+result = result + first_place(input_, 3)
+result = result + last_place(input_, 3)
 # 14
-result = result + input[1]
-result = result + input[-2]
-result = result + input[0]
-result = result + input[-1]
+result = result + input_[1]
+result = result + input_[-2]
+result = result + input_[0]
+result = result + input_[-1]
 # 24
-result = result + input.pop(1)
-result = result + input.pop(-2)
-result = result + input.pop(0)
-result = result + input.pop()
-result = result + len(input)
+result = result + input_.pop(1)
+result = result + input_.pop(-2)
+result = result + input_.pop(0)
+result = result + input_.pop()
+result = result + len(input_)
 # 35
-input.insert(0, 1)
-input.insert(-2, 2)
-input.insert(0, 0)
-input.append(4)
-result = result + len(input)
+input_.insert(0, 1)
+input_.insert(-2, 2)
+input_.insert(0, 0)
+input_.append(4)
+result = result + len(input_)
 # 40
-input.pop(1)
-input.pop(-2)
-input.pop(0)
-input.pop()
-result = result + len(input)
-result = result + input[-1]
+input_.pop(1)
+input_.pop(-2)
+input_.pop(0)
+input_.pop()
+result = result + len(input_)
+result = result + input_[-1]
 # 42
-input.insert(0, 1)
-input.insert(-2, 2)
-input.insert(0, 0)
-input.append(4)
-input[2] = 3
-input[1] = 2
-input[-2] = 4
-input[0] = 1
-input[-1] = 5
-result = result + sum(input)
+input_.insert(0, 1)
+input_.insert(-2, 2)
+input_.insert(0, 0)
+input_.append(4)
+input_[2] = 3
+input_[1] = 2
+input_[-2] = 4
+input_[0] = 1
+input_[-1] = 5
+result = result + sum(input_)
 # 57
-result = result + sum(part_of(input, 1, 3))
-result = result + sum(part_of(input, 1, -2))
-result = result + sum(part_of(input, 1, -1))
+result = result + sum(part_of(input_, 1, 3))
+result = result + sum(part_of(input_, 1, -2))
+result = result + sum(part_of(input_, 1, -1))
 # 89
-result = result + sum(part_of(input, -4, 4))
-result = result + sum(part_of(input, -5, -4))
-result = result + sum(part_of(input, -4, -1))
+result = result + sum(part_of(input_, -4, 4))
+result = result + sum(part_of(input_, -5, -4))
+result = result + sum(part_of(input_, -4, -1))
 # 120
-result = result + sum(part_of(input, 0, 3))
-result = result + sum(part_of(input, 0, -4))
-result = result + sum(part_of(input, 0, -1))
+result = result + sum(part_of(input_, 0, 3))
+result = result + sum(part_of(input_, 0, -4))
+result = result + sum(part_of(input_, 0, -1))
 # 148
-result = result + min(input)
-result = result + max(input)
+result = result + min(input_)
+result = result + max(input_)
 # 154
-result = result + mean(input)
-result = result + median(input)
-result = result + deviation(input)
+result = result + mean(input_)
+result = result + median(input_)
+result = result + deviation(input_)
 # 161.414...
 # 161.414 - sim, 161.5 - board, OK

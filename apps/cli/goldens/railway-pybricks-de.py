@@ -42,11 +42,10 @@ def speed(percent):
 while True:
     if color_sensor.color() == Color.RED:
         stop()
+    elif color_sensor.reflection() > 50:
+        left_motor.run(speed(30))
+        right_motor.run(speed(0))
     else:
-        if color_sensor.reflection() > 50:
-            left_motor.run(speed(30))
-            right_motor.run(speed(0))
-        else:
-            left_motor.run(speed(0))
-            right_motor.run(speed(30))
+        left_motor.run(speed(0))
+        right_motor.run(speed(30))
     wait(10)

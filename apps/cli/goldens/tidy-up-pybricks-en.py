@@ -46,7 +46,7 @@ def rgb(sensor):
 
 
 def distance_to(reading, centre):
-    return sqrt(sum([pow(a - b, 2) for a, b in zip(reading, centre)]))
+    return sqrt(sum((a - b) ** 2 for a, b in zip(reading, centre)))
 
 
 def group_of(reading, centres):
@@ -68,7 +68,7 @@ def moved(centres, readings):
 
 
 def nearest(reading, centres):
-    return min([distance_to(reading, centre) for centre in centres])
+    return min(distance_to(reading, centre) for centre in centres)
 
 
 def spread(readings, first, count):
@@ -79,7 +79,7 @@ def spread(readings, first, count):
 
 
 def error_of(readings, centres):
-    return sum([pow(nearest(one, centres), 2) for one in readings])
+    return sum(nearest(one, centres) ** 2 for one in readings)
 
 
 def find_groups(readings, count):

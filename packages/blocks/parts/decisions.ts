@@ -1,4 +1,4 @@
-import type { Python } from '../python.ts'
+import type { Python, PythonAt } from '../python.ts'
 import type { Definition, Next } from '../types.ts'
 import { ask, execute, done } from './next.ts'
 
@@ -33,11 +33,16 @@ export const decide =
   }
 
 /** `if`, `elif`, and `else` where the block has one. */
-export const decision =
-  (otherwise: boolean): Python =>
-  (py) => {
-    const count = 1 + (Number(py.block.mutation?.attrs.elseif) || 0)
-    const conditions = Array.from({ length: count }, (_, k) => py.value(`IF${k}`))
-    conditions.forEach((condition, k) => py.rows(`${k === 0 ? 'if' : 'elif'} ${condition}:`, `DO${k}`))
-    if (otherwise) py.rows('else:', 'ELSE')
-  }
+export const decision = (otherwise: boolean): Python => decided(otherwise, 'if')
+
+const conditionsOf = (py: PythonAt): readonly string[] =>
+  Array.from({ length: 1 + (Number(py.block.mutation?.attrs.elseif) || 0) }, (_, k) => py.value(`IF${k}`))
+
+/** What decides alone where the other one ends goes on as `elif`. */
+const decided = (otherwise: boolean, first: string) => (py: PythonAt) => {
+  conditionsOf(py).forEach((condition, k) => py.rows(`${k === 0 ? first : 'elif'} ${condition}:`, `DO${k}`))
+  if (!otherwise) return
+  const inner = py.alone('ELSE', ['robControls_if', 'robControls_ifElse'], conditionsOf)
+  if (inner) decided(inner.block.type === 'robControls_ifElse', 'elif')(inner)
+  else py.rows('else:', 'ELSE')
+}

@@ -32,15 +32,19 @@ export function assembled(draft: Draft, { functions, made, main }: Sections): Py
         ? main
         : [...made, ...main],
   )
-  const rows = [
+  const before = [
     ...head,
     ...plainParts.filter((part) => part.length > 0).flatMap((part) => [blank, ...part]),
+  ]
+  const rows = [
+    ...before,
     ...defs.flatMap((part) => [blank, blank, ...part]),
     ...(program.length > 0 ? [blank, ...(defs.length > 0 ? [blank] : []), ...program] : []),
   ]
   return {
     text: `${rows.map(({ text }) => text).join('\n')}\n`,
     lines: rows.map(({ blocks }) => blocks),
+    head: before.length,
     notes: draft.notes,
   }
 }

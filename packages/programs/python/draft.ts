@@ -66,6 +66,18 @@ export class Draft {
     }
   }
 
+  /** Gives back what makes as if nothing had been written since. */
+  tryOut(): () => void {
+    const takeBack = this.mark()
+    const [notes, pending, before] = [this.notes.length, new Set(this.pending), [...this.before]]
+    return () => {
+      takeBack()
+      this.notes.length = notes
+      this.pending = pending
+      this.before = before
+    }
+  }
+
   line(code: string): void {
     for (const text of new Set(this.before.splice(0))) this.comment(text)
     this.lines.push({ code, depth: this.depth, blocks: [...this.pending] })
@@ -76,9 +88,30 @@ export class Draft {
       this.lines.push({ code: row === '' ? '#' : `# ${row}`, depth: this.depth, blocks: [...this.pending] })
   }
 
+  /** A comment; where the same one stands just above, that is of these blocks too. */
+  commentOnce(text: string): void {
+    const { depth } = this
+    const from = this.#last.text === text && this.#last.depth === depth ? this.#last.from : this.lines.length
+    if (from === this.lines.length || this.lines.length !== this.#last.end) {
+      this.#last = { text, depth, from: this.lines.length, end: 0 }
+      this.comment(text)
+    }
+    this.#last.end = this.lines.length
+    for (let k = this.#last.from; k < this.#last.end; k++)
+      this.lines[k] = { ...this.lines[k]!, blocks: [...new Set([...this.lines[k]!.blocks, ...this.pending])] }
+  }
+  #last = { text: '', depth: 0, from: 0, end: 0 }
+
   note(block: string, key: string, facts?: Facts): string {
-    const text = this.say(key, facts)
-    this.notes.push({ block, text })
+    return this.#noted(block, this.say(key, facts), false)
+  }
+
+  gap(block: string, problem: string, facts?: Facts): string {
+    return this.#noted(block, this.say(`${problem}.title`, facts), true)
+  }
+
+  #noted(block: string, text: string, gap: boolean): string {
+    this.notes.push({ block, text, gap })
     return text
   }
 }

@@ -62,7 +62,7 @@ function section(draft: Draft, write: () => void): readonly Line[] {
 
 function mainLines(writer: Writer): void {
   const { draft, usage } = writer
-  if (!usage.start) return draft.comment(draft.note('', 'problem.noStart.title'))
+  if (!usage.start) return draft.comment(draft.gap('', 'problem.noStart'))
   if (usage.start.comment) draft.comment(usage.start.comment)
   writer.rows(usage.main)
   draft.pending = new Set()

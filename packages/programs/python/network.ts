@@ -36,14 +36,15 @@ export function callNetwork({ draft, usage }: Writer, at: PythonAt): void {
   draft.pending = lit
 }
 
-/** Lines that belong to some neurons besides the network. */
+/** Lines that belong to some neurons besides the network; a line of one neuron is its own first. */
 function write(
   draft: Draft,
   lit: ReadonlySet<string>,
   neurons: readonly NeuronOutline[],
   line: () => void,
 ): void {
-  draft.pending = new Set([...lit, ...neurons.map(({ id }) => id)])
+  const ids = neurons.map(({ id }) => id)
+  draft.pending = new Set(ids.length === 1 ? [...ids, ...lit] : [...lit, ...ids])
   line()
 }
 

@@ -120,7 +120,7 @@ describe('what is not finished', () => {
   it('raises an error with the child’s words', () => {
     const { text: file, notes } = python(programOf([start, block('robControls_wait_time')]))
     expect(file).toContain('raise NotImplementedError("problem.missingValue.title")')
-    expect(notes).toEqual([{ block: 'robControls_wait_time', text: 'problem.missingValue.title' }])
+    expect(notes).toEqual([{ block: 'robControls_wait_time', text: 'problem.missingValue.title', gap: true }])
   })
 
   it('is only a comment where the child wants no errors', () => {

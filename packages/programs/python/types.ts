@@ -38,12 +38,16 @@ export interface Learned {
 export interface PythonNote {
   readonly block: string
   readonly text: string
+  /** Not finished; false: finished, but the brick lacks it. */
+  readonly gap: boolean
 }
 
 export interface PythonFile {
   readonly text: string
   /** Block ids of every line, the first line first. */
   readonly lines: readonly (readonly string[])[]
+  /** So many lines at the head are imports, numbers and devices: none of them runs with a block. */
+  readonly head: number
   readonly notes: readonly PythonNote[]
 }
 

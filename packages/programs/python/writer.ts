@@ -106,7 +106,7 @@ export class Writer {
     const { draft } = this
     draft.pending = new Set([block.id, gap.block])
     draft.before = []
-    const text = draft.note(gap.block, `${gap.problem}.title`, gap.facts)
+    const text = draft.gap(gap.block, gap.problem, gap.facts)
     if (draft.input.gaps === false) draft.comment(text)
     else draft.line(`raise NotImplementedError(${quote(text)})`)
   }
@@ -143,10 +143,34 @@ export class Writer {
     return this.#write(child, this.#pythonOf(child), 'value') ?? whole('None')
   }
 
+  /** @see PythonAt.alone */
+  #alone(
+    { statements }: Block,
+    input: string,
+    types: readonly string[],
+    attempt: (inner: PythonAt) => unknown,
+  ): PythonAt | null {
+    const [only, ...more] = (statements?.[input] ?? []).filter(({ disabled }) => disabled !== true)
+    if (!only || more.length > 0 || only.comment || !types.includes(only.type)) return null
+    const { draft } = this
+    const takeBack = draft.tryOut()
+    try {
+      this.#checked(only, 'statement')
+      attempt(this.at(only, 'statement'))
+    } catch (error) {
+      if (error instanceof Gap) return null
+      throw error
+    } finally {
+      takeBack()
+    }
+    draft.pending = new Set([only.id])
+    return this.at(only, 'statement')
+  }
+
   missing(block: Block, key: string, place: 'statement' | 'value'): Expression {
     const { draft } = this
     const text = draft.note(block.id, `python.missing.${key}`)
-    if (place === 'statement') draft.comment(text)
+    if (place === 'statement') draft.commentOnce(text)
     else draft.before.push(text)
     return place === 'statement' ? whole('') : this.#nothingOf(block)
   }
@@ -198,6 +222,7 @@ export class Writer {
       comment: (text) => draft.comment(text),
       inner: (write) => this.inner(write),
       body: (input) => this.rows(block.statements?.[input]),
+      alone: (input, types, attempt) => this.#alone(block, input, types, attempt),
       rows: (head, input) => {
         const ids = new Set(draft.pending)
         draft.line(head)

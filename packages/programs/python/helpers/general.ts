@@ -8,7 +8,7 @@ export const general: Helpers = {
     'return digits.rstrip("0").rstrip(".")',
   ],
   truth_text: () => ['(truth):', 'return "true" if truth else "false"'],
-  list_text: () => ['(entries, text):', 'return "[" + ", ".join([text(entry) for entry in entries]) + "]"'],
+  list_text: () => ['(entries, text):', 'return "[" + ", ".join(text(entry) for entry in entries) + "]"'],
   mean: () => ['(numbers):', 'return sum(numbers) / len(numbers)'],
   median: () => [
     '(numbers):',
@@ -21,7 +21,7 @@ export const general: Helpers = {
   deviation: ({ call, math }) => [
     '(numbers):',
     `middle = ${call('mean')}(numbers)`,
-    `return ${math('sqrt')}(${call('mean')}([pow(number - middle, 2) for number in numbers]))`,
+    `return ${math('sqrt')}(${call('mean')}([(number - middle) ** 2 for number in numbers]))`,
   ],
   is_prime: () => [
     '(number):',

@@ -7,7 +7,7 @@ import type { Helpers } from '../helpers.ts'
 export const sorting: Helpers = {
   distance_to: ({ math }) => [
     '(reading, centre):',
-    `return ${math('sqrt')}(sum([pow(a - b, 2) for a, b in zip(reading, centre)]))`,
+    `return ${math('sqrt')}(sum((a - b) ** 2 for a, b in zip(reading, centre)))`,
   ],
   group_of: ({ call }) => [
     '(reading, centres):',
@@ -17,7 +17,7 @@ export const sorting: Helpers = {
   name_of: () => ['(group, names):', 'return names.get(group, str(group))'],
   nearest: ({ call }) => [
     '(reading, centres):',
-    `return min([${call('distance_to')}(reading, centre) for centre in centres])`,
+    `return min(${call('distance_to')}(reading, centre) for centre in centres)`,
   ],
   middle_of: () => ['(readings):', 'return [sum(parts) / len(readings) for parts in zip(*readings)]'],
   spread: ({ call }) => [
@@ -38,7 +38,7 @@ export const sorting: Helpers = {
   ],
   error_of: ({ call }) => [
     '(readings, centres):',
-    `return sum([pow(${call('nearest')}(one, centres), 2) for one in readings])`,
+    `return sum(${call('nearest')}(one, centres) ** 2 for one in readings)`,
   ],
   find_groups: ({ call }) => [
     '(readings, count):',
