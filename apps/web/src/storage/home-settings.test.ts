@@ -19,6 +19,7 @@ const drawerWith = (texts: { readonly [name: string]: string }) => {
 const all: HomeSettings = {
   comfort: { projector: false, quiet: true, letters: true, aloud: false },
   dialect: 'ev3dev2',
+  'code-gaps': false,
   language: 'de',
   'network-level': 'explorer',
   'network-tens': true,

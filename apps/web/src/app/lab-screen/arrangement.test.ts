@@ -5,6 +5,7 @@ import {
   bordersOf,
   byKey,
   gap,
+  gridOf,
   gridOfTwo,
   moved,
   nextPane,
@@ -22,6 +23,15 @@ test('visual.md 3: the width of the window decides the arrangement, a low one sh
 test('visual.md 3: at 1366 × 768 the panes are 452, 396 and the rest', () => {
   const [program, world] = bordersOf('columns', { width: 1346, height: 630 }, {})
   expect([program?.at, world?.at]).toEqual([452, 396])
+})
+
+test('code has more room than the world, and stands beside its blocks', () => {
+  const borders = bordersOf('columns', { width: 1346, height: 630 }, {}, true)
+  const [program, code] = borders.map(({ at }) => at)
+  // The longest line of most files, 64 letters at 13.5 px, and a world whose bar says Start in words.
+  expect(code).toBeGreaterThanOrEqual(550)
+  expect(1346 - 2 * gap - program! - code!).toBeGreaterThanOrEqual(360)
+  expect(gridOf('columns', borders, true)).toMatch(/^"program first network second world"/)
 })
 
 test('visual.md 3: at 1024 × 768 the program is 458 wide and the world 274 high', () => {

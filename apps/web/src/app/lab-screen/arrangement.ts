@@ -59,16 +59,23 @@ function columnsDesigned(free: number): readonly [program: number, world: number
   return [program, Math.min(free - program - designed.network, designed.worldMost)]
 }
 
-function columns(area: Area, sizes: PaneSizes['columns']): readonly [Border, Border] {
+/** Code wants its longest lines whole, beside its blocks. The second border is the code's. */
+const columnsCode = (free: number): readonly [program: number, code: number] => [
+  Math.min(0.305 * free, designed.programMost),
+  Math.min(0.415 * free, 820),
+]
+
+function columns(area: Area, sizes: PaneSizes['columns'], code: boolean): readonly [Border, Border] {
   const free = area.width - 2 * gap
-  const wanted = sizes ? [sizes[0] * area.width, sizes[1] * area.width] : columnsDesigned(free)
-  const program = border('x', wanted[0] ?? 0, least.program, free - least.world - least.network)
-  const world = border('x', wanted[1] ?? 0, least.world, free - program.at - least.network)
-  return [program, world]
+  const asDesigned = code ? columnsCode(free) : columnsDesigned(free)
+  const wanted = sizes ? [sizes[0] * area.width, sizes[1] * area.width] : asDesigned
+  const [middle, right] = code ? [least.network, least.world] : [least.world, least.network]
+  const program = border('x', wanted[0] ?? 0, least.program, free - middle - right)
+  return [program, border('x', wanted[1] ?? 0, middle, free - program.at - right)]
 }
 
-function stacked(area: Area, sizes: PaneSizes['stacked']): readonly [Border, Border] {
-  const [program, world] = sizes ?? [0.456, 0.435]
+function stacked(area: Area, sizes: PaneSizes['stacked'], code: boolean): readonly [Border, Border] {
+  const [program, world] = sizes ?? (code ? [0.442, 0.3] : [0.456, 0.435])
   return [
     border('x', program * area.width, least.program, area.width - gap - least.network),
     border('y', world * area.height, least.worldHeight, area.height - gap - least.networkHeight),
@@ -84,9 +91,14 @@ function rows(area: Area, sizes: PaneSizes['rows']): readonly [Border, Border] {
 }
 
 /** The two borders of an arrangement, as the child has dragged them or as they are designed; none when panes are pages. */
-export function bordersOf(arrangement: Arrangement, area: Area, sizes: PaneSizes): readonly Border[] {
-  if (arrangement === 'columns') return columns(area, sizes.columns)
-  if (arrangement === 'stacked') return stacked(area, sizes.stacked)
+export function bordersOf(
+  arrangement: Arrangement,
+  area: Area,
+  sizes: PaneSizes,
+  code = false,
+): readonly Border[] {
+  if (arrangement === 'columns') return columns(area, sizes.columns, code)
+  if (arrangement === 'stacked') return stacked(area, sizes.stacked, code)
   return arrangement === 'rows' ? rows(area, sizes.rows) : []
 }
 
@@ -124,10 +136,12 @@ export function gridOfTwo(arrangement: Arrangement, borders: readonly Border[]):
 }
 
 /** `grid-template` of an arrangement. */
-export function gridOf(arrangement: Arrangement, borders: readonly Border[]): string {
+export function gridOf(arrangement: Arrangement, borders: readonly Border[], code = false): string {
   const [a, b] = borders.map((border) => `${border.at}px`)
   switch (arrangement) {
     case 'columns':
+      // Code stands beside its blocks.
+      if (code) return `"program first network second world" ${rest} / ${a} ${gap}px ${b} ${gap}px ${rest}`
       return `"program first world second network" ${rest} / ${a} ${gap}px ${b} ${gap}px ${rest}`
     case 'stacked':
       return `"program first world" ${b} "program first second" ${gap}px "program first network" ${rest} / ${a} ${gap}px ${rest}`

@@ -35,8 +35,8 @@ export class Layout {
   readonly slim = $derived.by(
     () => this.arrangement === 'stacked' && !this.#ui.filled && this.#screen.hasNetworkPane && !this.learning,
   )
-  /** Learning by trying has the whole lab: its program is folded, and its world stands within it. */
-  readonly learning = $derived.by(() => this.#screen.session.learns && !this.pages)
+  /** Learning by trying has the whole lab, until its code is looked at: its program is folded, and its world stands within it. */
+  readonly learning = $derived.by(() => this.#screen.session.learns && !this.#screen.codeOpen && !this.pages)
   /** px of the folded program: what stands beside the map begins below it. */
   foldedHeight = $state(0)
   #unfolded = $state<boolean | null>(null)

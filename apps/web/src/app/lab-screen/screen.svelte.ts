@@ -5,6 +5,7 @@ import { HandingOut } from '../handing-out.svelte.ts'
 import { Robots } from '#features/robots/feature.ts'
 import type { Held } from '#lab/blocks.ts'
 import { inside } from '#features/inside/feature.ts'
+import type { Code } from '#features/python/feature.ts'
 import type { Learner } from '#features/q-learning/feature.ts'
 import { addNeuron, applyFix } from '#features/robot/feature.ts'
 import { Guide, sightOf } from '#features/tour/feature.ts'
@@ -39,6 +40,8 @@ export class LabScreenState {
   readonly layout = new Layout(this)
   /** Does the program stand beside its blocks as Python, in the place of the network? */
   codeOpen = $state(false)
+  /** That Python, once its part is there. */
+  code = $state.raw<Code>()
   /** The block that is chosen. */
   chosen = $state<string | null>(null)
   /** What the blocks can be asked to do, once they are there. */
@@ -181,6 +184,8 @@ export class LabScreenState {
       ? wordsOfDifferences(this.differences, (block) => this.blocks?.reveal(block, true))
       : null
   })
+  /** What the real robot lacks is said at the blocks while their code is open. */
+  readonly robotLacks = $derived.by(() => (this.codeOpen ? (this.code?.missing ?? []) : []))
   closeFinding(): void {
     if (this.finding) this.ui.show(null)
     else this.differences = []

@@ -1,3 +1,4 @@
+import type { Finding } from '@botgarten/blocks'
 import { fileName, pythonFrom, type Dialect, type Learned, type PythonFile } from '@botgarten/programs/python'
 import type { LabSession } from '#lab/session.svelte.ts'
 import { readSetting, writeSetting } from '#storage/settings.ts'
@@ -9,9 +10,8 @@ const empty = { stacks: [], config: { stacks: [] } }
 export class Code {
   readonly #session: LabSession
   readonly #title: () => string
-  #dialect = $state<Dialect>(
-    readSetting<Dialect>('dialect', 'pybricks') === 'ev3dev2' ? 'ev3dev2' : 'pybricks',
-  )
+  #dialect = $state(readSetting<Dialect>('dialect', 'pybricks'))
+  #gaps = $state(readSetting('code-gaps', true))
   #learned = $state.raw<Learned>({})
 
   /** @param title name of the project */
@@ -28,6 +28,15 @@ export class Code {
     writeSetting('dialect', dialect)
   }
 
+  /** Does the file raise an error where the program has a gap? Else it has a comment there. */
+  get gaps(): boolean {
+    return this.#gaps
+  }
+  set gaps(gaps: boolean) {
+    this.#gaps = gaps
+    writeSetting('code-gaps', gaps)
+  }
+
   get #program() {
     return this.#session.lab.document.programs[this.#session.robot.program] ?? empty
   }
@@ -38,11 +47,26 @@ export class Code {
     return pythonFrom(
       {
         ...{ name: this.#title(), program: this.#program, config, brains, set: brain },
-        ...{ dialect: this.dialect, learned: this.#learned },
+        ...{ dialect: this.dialect, gaps: this.gaps, learned: this.#learned },
       },
       message,
     )
   })
+
+  /** What the brick lacks, to be said at its blocks. */
+  readonly missing: readonly Finding[] = $derived(
+    this.file.notes
+      .filter(({ gap }) => !gap)
+      .map(({ block, text }) => ({
+        ...{ block, problem: 'python.atBlock', facts: { what: text } },
+        ...{ stops: false, mark: 'robot' },
+      })),
+  )
+
+  /** Has the program gaps? */
+  get unfinished(): boolean {
+    return this.file.notes.some(({ gap }) => gap)
+  }
 
   /** What was learned by trying goes along. */
   async learn(): Promise<void> {
@@ -54,6 +78,11 @@ export class Code {
 
   get name(): string {
     return fileName(this.#title())
+  }
+
+  /** Numbers of the lines that run with a block, from 0. */
+  runningLines(block: string | null): readonly number[] {
+    return this.linesOf(block).filter((line) => line >= this.file.head)
   }
 
   /** Numbers of the lines that belong to a block, from 0. */

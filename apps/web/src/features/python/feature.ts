@@ -1,5 +1,7 @@
 import type { Feature } from '#parts/feature.ts'
 
+export type { Code } from './lazy.ts'
+
 /** The program as Python for a real robot, beside the blocks; its highlighter (Lezer) is 21 kB of the budget. */
 export const python = {
   id: 'python',

@@ -1,6 +1,6 @@
 import * as Blockly from 'blockly/core'
 import type { Finding } from '@botgarten/blocks'
-import { ink, sun } from './colours.ts'
+import { ink } from './colours.ts'
 
 const iconType = new Blockly.icons.IconType<FindingIcon>('botgarten_finding')
 const radius = 13
@@ -31,8 +31,13 @@ export class FindingIcon extends Blockly.icons.Icon {
     this.getFocusableElement().classList.add('editor-badge')
     const draw = (name: string, attributes: Record<string, string | number>) =>
       Blockly.utils.dom.createSvgElement(name, attributes, this.svgRoot)
-    draw('circle', { class: 'blocklyIconShape', r: radius, fill: sun, stroke: ink, 'stroke-width': 2.5 })
-    draw('path', { d: 'M0 -6.5v7M0 6v.1', stroke: ink, 'stroke-width': 3.4, 'stroke-linecap': 'round' })
+    const robot = this.#finding.mark === 'robot'
+    const sign = robot ? '#fff' : ink
+    draw('circle', { class: `blocklyIconShape${robot ? ' robot' : ''}`, r: radius })
+    // A plug that is pulled out; or “!”.
+    const d = robot ? 'M-3 -7v4M3 -7v4M-5.500 -3h11v2a5.500 5.500 0 0 1-11 0zM0 5v3' : 'M0 -6.5v7M0 6v.1'
+    const width = robot ? 2 : 3.4
+    draw('path', { d, fill: 'none', stroke: sign, 'stroke-width': width, 'stroke-linecap': 'round' })
     draw('circle', { r: reach, fill: 'transparent' })
   }
 
