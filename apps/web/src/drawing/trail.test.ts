@@ -63,6 +63,33 @@ describe('the trails of all robots', () => {
     )
   })
 
+  test('go back and on with time to the same dots as if they had been dotted at once', () => {
+    const long = Array.from({ length: 400 }, (_, t) => ({
+      x: (t * 7) % 300,
+      y: (t * 3) % 200,
+      t,
+      heading: 0,
+    }))
+    fc.assert(
+      fc.property(fc.array(fc.nat(400), { maxLength: 12 }), (ends) => {
+        const trails = new Trails()
+        for (const end of ends) {
+          const trail = long.slice(0, end)
+          expect(dotsOf(trails, trail, 2)).toBe(dotsOf(new Trails(), trail, 2))
+        }
+      }),
+      { numRuns: 30 },
+    )
+  })
+
+  test('that take another way from a moment on are dotted from there', () => {
+    const way = (turn: number) =>
+      Array.from({ length: 300 }, (_, t) => ({ x: t, y: t < 150 ? 0 : (t - 150) * turn, t, heading: 0 }))
+    const trails = new Trails()
+    dotsOf(trails, way(1), 2)
+    expect(dotsOf(trails, way(-1), 2)).toBe(dotsOf(new Trails(), way(-1), 2))
+  })
+
   test('are the same paths but for the last dots, so that they need not be painted again', () => {
     const line = Array.from({ length: 200 }, (_, t) => ({ x: t, y: 0, t, heading: 0 }))
     const trails = new Trails()

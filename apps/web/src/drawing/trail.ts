@@ -50,54 +50,71 @@ export interface Dots {
   readonly growing: readonly Command[]
 }
 
-/** Where a robot has been, dotted. Only what is new is dotted. */
+/** How far a trail has been dotted. */
+interface Dotted {
+  /** Points that are dotted, and the last of them. */
+  readonly count: number
+  readonly last: TrailPoint | undefined
+  readonly dotting: Dotting
+  /** Full paths, and the one that grows with its dots. */
+  readonly paths: number
+  readonly growing: string
+  readonly dots: number
+}
+
+const nothing: Dotted = { count: 0, last: undefined, dotting: undotted, paths: 0, growing: '', dots: 0 }
+
+/** Where a robot has been, dotted. Only what is new is dotted, and after a way back only the path it ends in. */
 class Trail {
   #paths: Command[] = []
-  #last = ''
-  #dotsInLast = 0
-  #dotting = undotted
-  #drawn: { readonly count: number; readonly last: TrailPoint | undefined } = { count: 0, last: undefined }
+  #now = nothing
+  /** From one each for every full path it can go on: time goes back, too. */
+  #past: Dotted[] = []
   #for = ''
 
-  /** @param trail in cm; the same points as before and some more, else it is dotted from its beginning */
+  /** @param trail in cm; the same points as before and some more or less, else it is dotted from its beginning */
   dots(trail: readonly TrailPoint[], floor: Size, scale: number, colour: string): Dots {
     const target = [scale, floor.height, colour].join()
-    if (target !== this.#for || !this.#goesOn(trail)) this.#begin(target)
-    if (this.#drawn.count === trail.length) return this.#all(colour)
-    const fresh = trail.slice(this.#drawn.count).map((point) => onFloor(point, floor, scale))
-    const { dots, dotting } = dotsAlong(fresh, gap, this.#dotting)
-    this.#dotting = dotting
-    this.#drawn = { count: trail.length, last: trail.at(-1) }
-    for (const dot of dots) this.#add(dot, colour)
-    return this.#all(colour)
-  }
-
-  #goesOn(trail: readonly TrailPoint[]): boolean {
-    const { count, last } = this.#drawn
-    return count <= trail.length && trail[count - 1]?.t === last?.t
-  }
-
-  #begin(target: string): void {
+    if (target !== this.#for) this.#past = []
     this.#for = target
-    this.#paths = []
-    this.#last = ''
-    this.#dotsInLast = 0
-    this.#dotting = undotted
-    this.#drawn = { count: 0, last: undefined }
+    if (this.#past.length === 0 || !isIn(trail, this.#now)) this.#goBack(trail)
+    for (let at = this.#now.count; at < trail.length; at += 1)
+      this.#add(trail[at]!, onFloor(trail[at]!, floor, scale), colour)
+    const { growing } = this.#now
+    return { done: this.#paths, growing: growing ? [dotted(growing, colour)] : [] }
   }
 
-  #add({ x, y }: Point, colour: string): void {
-    this.#last += `M${tenth(x)} ${tenth(y)}h0`
-    this.#dotsInLast += 1
-    if (this.#dotsInLast < dotsInPath) return
-    this.#paths.push(dotted(this.#last, colour))
-    this.#last = ''
-    this.#dotsInLast = 0
+  /** To where this trail and the last one were the same for sure. */
+  #goBack(trail: readonly TrailPoint[]): void {
+    const known = this.#past.findLastIndex((one) => isIn(trail, one))
+    this.#past = known < 0 ? [nothing] : this.#past.slice(0, known + 1)
+    this.#now = this.#past.at(-1)!
+    this.#paths = this.#paths.slice(0, this.#now.paths)
   }
 
-  #all(colour: string): Dots {
-    return { done: this.#paths, growing: this.#last ? [dotted(this.#last, colour)] : [] }
+  #add(last: TrailPoint, at: Point, colour: string): void {
+    const { dots, dotting } = dotsAlong([at], gap, this.#now.dotting)
+    const before = this.#now.paths
+    this.#now = { ...this.#now, count: this.#now.count + 1, last, dotting }
+    for (const dot of dots) this.#dot(dot, colour)
+    if (this.#now.paths > before) this.#past.push(this.#now)
   }
+
+  #dot({ x, y }: Point, colour: string): void {
+    const growing = `${this.#now.growing}M${tenth(x)} ${tenth(y)}h0`
+    const dots = this.#now.dots + 1
+    if (dots === dotsInPath) this.#paths.push(dotted(growing, colour))
+    this.#now =
+      dots === dotsInPath
+        ? { ...this.#now, paths: this.#paths.length, growing: '', dots: 0 }
+        : { ...this.#now, growing, dots }
+  }
+}
+
+/** Another future has the same times, and other places. */
+function isIn(trail: readonly TrailPoint[], { count, last }: Dotted): boolean {
+  const point = trail[count - 1]
+  return count <= trail.length && point?.t === last?.t && point?.x === last?.x && point?.y === last?.y
 }
 
 const dotted = (d: string, stroke: string): Command => ({ kind: 'path', d, stroke, lineWidth: 4 })
