@@ -39,7 +39,7 @@ type Line = {
 } & Ink
 
 /** Many lines at once: x and y of point after point; between two lines stands a point that is not a number. */
-type Lines = { readonly kind: 'lines'; readonly points: Float32Array } & Ink
+export type Lines = { readonly kind: 'lines'; readonly points: Float32Array } & Ink
 
 /** `ry`: the upright half axis of an ellipse. */
 type Circle = { readonly kind: 'circle'; readonly r: number; readonly ry?: number } & Point & Ink

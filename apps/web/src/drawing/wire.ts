@@ -1,17 +1,18 @@
 import { forget, type Picture } from './canvas.ts'
-import type { Command, Group } from './commands.ts'
+import type { Command, Group, Lines } from './commands.ts'
 import { beginsWith } from './prefix.ts'
 import { isPicture, type Frame } from './surface.ts'
 
 // Frames on their way to a worker. What stays the same for many frames travels once and is named by a number from then on:
-// the shapes of a group that is painted as a picture, and pictures.
+// the shapes of a group that is painted as a picture, and pictures. The rest travels as text: a browser takes many small
+// objects apart far more slowly.
 
 type SentGroup = Omit<Group, 'shapes'> & {
   readonly shapes: readonly Sent[]
   /** Number of its shapes, which have travelled before. */
   readonly stillId?: number
 }
-type Sent = Exclude<Command, Group> | SentGroup
+type Sent = Exclude<Command, Group | Lines> | SentGroup
 
 type SentPicture = Omit<Picture, 'source'> & { readonly kind: 'picture'; readonly id: number }
 
@@ -19,12 +20,18 @@ interface NewStill {
   readonly id: number
   /** Number of those that its shapes go on from. */
   readonly after?: number
-  readonly shapes: readonly Command[]
+  /** As text, unless long rows of numbers are among them. */
+  readonly shapes: readonly Command[] | string
 }
 
-export interface SentFrame extends Omit<Frame, 'shapes' | 'under'> {
+interface Body extends Omit<Frame, 'shapes' | 'under'> {
   readonly shapes: readonly Sent[]
   readonly under: readonly (SentGroup | SentPicture)[]
+}
+
+export interface SentFrame {
+  /** A `Body`. */
+  readonly text: string
   readonly newStills: readonly NewStill[]
   /** Numbers of shapes that are not needed any more. */
   readonly dropped: readonly number[]
@@ -44,6 +51,10 @@ interface Travelled {
 const large = 100_000
 const keptOf = ({ still }: Group) => (still && still.width * still.height > large ? 3 : 300)
 
+/** Are rows of numbers among them that text does not hold? */
+const hasRows = (shapes: readonly Command[]): boolean =>
+  shapes.some((one) => one.kind === 'lines' || (one.kind === 'group' && hasRows(one.shapes)))
+
 /** Makes frames ready to travel. */
 export class Sender {
   readonly #stills = new Map<readonly Command[], Travelled>()
@@ -54,18 +65,20 @@ export class Sender {
   /** Those of the last frame: the other side has no others. */
   #sources: ReadonlyMap<CanvasImageSource, number> = new Map()
   #newStills: NewStill[] = []
+  #last = ''
 
-  send({ shapes, under, ...rest }: Frame): SentFrame {
+  /** null: it looks as the one before. */
+  send({ shapes, under, ...rest }: Frame): SentFrame | null {
     this.#frame += 1
     const newSources = this.#takeSources(under)
-    return {
+    const text = JSON.stringify({
       ...rest,
       shapes: shapes.map((one) => this.#sent(one)),
       under: under.map((one) => (isPicture(one) ? this.#sentPicture(one) : this.#sentGroup(one))),
-      newStills: this.#newStills.splice(0),
-      dropped: this.#drop(),
-      newSources,
-    }
+    } satisfies Body)
+    if (text === this.#last) return null
+    this.#last = text
+    return { text, newStills: this.#newStills.splice(0), dropped: this.#drop(), newSources }
   }
 
   #drop(): readonly number[] {
@@ -75,6 +88,8 @@ export class Sender {
   }
 
   #sent(command: Command): Sent {
+    if (command.kind === 'lines')
+      throw new Error('Many lines at once belong into a group that stays the same.')
     return command.kind === 'group' ? this.#sentGroup(command) : command
   }
 
@@ -90,13 +105,14 @@ export class Sender {
       return known.id
     }
     const id = this.#next++
-    this.#newStills.push({ id, ...this.#newPart(group) })
+    const { shapes, ...part } = this.#newPart(group)
+    this.#newStills.push({ id, ...part, shapes: hasRows(shapes) ? shapes : JSON.stringify(shapes) })
     this.#stills.set(group.shapes, { id, used: this.#frame, kept: keptOf(group) })
     return id
   }
 
   /** Of what grows only what the other side does not have. */
-  #newPart({ shapes, grows }: Group): Omit<NewStill, 'id'> {
+  #newPart({ shapes, grows }: Group): { readonly after?: number; readonly shapes: readonly Command[] } {
     const [first] = shapes
     if (!grows || !first) return { shapes }
     const before = this.#grown.get(first)
@@ -123,9 +139,9 @@ export class Receiver {
   readonly #stills = new Map<number, readonly Command[]>()
   readonly #sources = new Map<number, CanvasImageSource>()
 
-  receive({ shapes, under, newStills, dropped, newSources, ...rest }: SentFrame): Frame {
-    for (const { id, after, shapes } of newStills)
-      this.#stills.set(id, after === undefined ? shapes : [...this.#stills.get(after)!, ...shapes])
+  receive({ text, newStills, dropped, newSources }: SentFrame): Frame {
+    for (const still of newStills) this.#add(still)
+    const { shapes, under, ...rest } = JSON.parse(text) as Body
     for (const id of dropped) this.#drop(id)
     for (const [id, source] of newSources) this.#sources.set(id, source)
     this.#closeUnused(under)
@@ -134,6 +150,11 @@ export class Receiver {
       shapes: shapes.map((one) => this.#received(one)),
       under: under.map((one) => (one.kind === 'picture' ? this.#picture(one) : this.#group(one))),
     }
+  }
+
+  #add({ id, after, shapes }: NewStill): void {
+    const own = typeof shapes === 'string' ? (JSON.parse(shapes) as readonly Command[]) : shapes
+    this.#stills.set(id, after === undefined ? own : [...this.#stills.get(after)!, ...own])
   }
 
   #drop(id: number): void {
@@ -155,7 +176,7 @@ export class Receiver {
     return { ...group, shapes: this.#stills.get(stillId)! }
   }
 
-  #closeUnused(under: SentFrame['under']): void {
+  #closeUnused(under: Body['under']): void {
     const used = new Set(under.flatMap((one) => (one.kind === 'picture' ? [one.id] : [])))
     for (const [id, source] of this.#sources) {
       if (used.has(id)) continue

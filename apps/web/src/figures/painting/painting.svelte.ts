@@ -90,11 +90,13 @@ class Painting {
     let count = 0
     return {
       show: (frame, painted) => {
-        count += 1
-        if (painted) this.#waiting.set(id, { count, painted })
         if (frame.families !== this.#families) this.#tell({ kind: 'letters', faces: loadedFaces() })
         this.#families = frame.families
-        this.#tell({ kind: 'frame', id, frame: sender.send(frame), count, isAwaited: this.#waiting.has(id) })
+        const sent = sender.send(frame)
+        if (!sent) return painted?.()
+        count += 1
+        if (painted) this.#waiting.set(id, { count, painted })
+        this.#tell({ kind: 'frame', id, frame: sent, count, isAwaited: this.#waiting.has(id) })
       },
       close: () => {
         this.#waiting.delete(id)
