@@ -14,3 +14,17 @@ export class Remembered<T> {
     return made
   }
 }
+
+/** The next items, each as the object it was before where it is the same. */
+export function sameOnes<T>(
+  before: readonly T[],
+  next: readonly T[],
+  keyOf: (one: T) => unknown,
+  isSame: (a: T, b: T) => boolean,
+): readonly T[] {
+  const known = new Map(before.map((one) => [keyOf(one), one]))
+  return next.map((one) => {
+    const old = known.get(keyOf(one))
+    return old !== undefined && isSame(old, one) ? old : one
+  })
+}

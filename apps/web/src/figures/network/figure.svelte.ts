@@ -19,7 +19,7 @@ import type { Command, Group } from '#drawing/commands.ts'
 import type { NetworkLayout } from '#drawing/network.ts'
 import { formatNumber } from '#drawing/numbers.ts'
 import { distance, type Point, type Size } from '#drawing/points.ts'
-import { Remembered } from '#drawing/remembered.ts'
+import { Remembered, sameOnes } from '#drawing/remembered.ts'
 import { freeLine, gripsOf, knobPlace, linksAt, stagger, type Scale, type Track } from '#drawing/track.ts'
 import { letters } from '#figures/letters.svelte.ts'
 import { comfort } from '#storage/comfort.svelte.ts'
@@ -80,6 +80,9 @@ export interface KnobPlace {
   readonly at: Point
   readonly grip: number
 }
+
+const isSamePlace = (a: KnobPlace, b: KnobPlace) =>
+  a.at.x === b.at.x && a.at.y === b.at.y && a.grip === b.grip
 
 /** Gives back the last value for as long as the next one says the same. */
 function steady<T>(): (next: T) => T {
@@ -146,11 +149,14 @@ export class NetFigure {
     return [...this.links.keys()].filter((i) => sees?.(this.tracks[i]!) ?? true)
   })
 
-  /** Knobs of the links that are drawn. */
+  #knobsBefore: readonly KnobPlace[] = []
+  /** Knobs of the links that are drawn. One that stays where it is stays the same object. */
   readonly knobs: readonly KnobPlace[] = $derived.by(() => {
     const places = this.seen.map((i) => knobPlace(this.tracks[i]!, this.values[i]!))
     const grips = gripsOf(places)
-    return this.seen.map((index, n) => ({ index, at: places[n]!, grip: grips[n]! }))
+    const next = this.seen.map((index, n) => ({ index, at: places[n]!, grip: grips[n]! }))
+    this.#knobsBefore = sameOnes(this.#knobsBefore, next, ({ index }) => index, isSamePlace)
+    return this.#knobsBefore
   })
 
   readonly #looks: readonly LinkLook[] = $derived.by(() => {

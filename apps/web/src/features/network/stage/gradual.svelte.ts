@@ -1,12 +1,16 @@
-import { nearer } from './nearer.ts'
+import { nearer, renewed } from './nearer.ts'
 
 /** Of a list with more than this, a few come and go a frame. */
-const many = 60
+export const many = 60
+/** Milliseconds without another list after which they begin to: while it is panned none does. */
+const rest = 400
+
 /** A list that follows another one: at once where it is short, else a few items a frame, so that no frame waits for all. */
 export class Gradual<T> {
   #list = $state.raw<readonly T[]>([])
   #wanted: readonly T[] = []
   #frame = 0
+  #timer: ReturnType<typeof setTimeout> | undefined
   readonly #keyOf: (one: T) => number
 
   constructor(keyOf: (one: T) => number) {
@@ -17,15 +21,20 @@ export class Gradual<T> {
     return this.#list
   }
 
-  follow(wanted: readonly T[]): void {
+  /** @param atOnce somebody waits for them */
+  follow(wanted: readonly T[], atOnce: boolean): void {
+    this.stop()
     this.#wanted = wanted
-    if (wanted.length <= many) {
-      this.stop()
-      this.#list = wanted
-    } else this.#step()
+    if (wanted.length <= many) this.#list = wanted
+    else if (atOnce || this.#list.length === 0) this.#step()
+    else {
+      this.#list = renewed(this.#list, wanted, this.#keyOf)
+      this.#timer = setTimeout(() => this.#step(), rest)
+    }
   }
 
   stop(): void {
+    clearTimeout(this.#timer)
     cancelAnimationFrame(this.#frame)
     this.#frame = 0
   }

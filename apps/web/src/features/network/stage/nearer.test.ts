@@ -1,6 +1,6 @@
 import fc from 'fast-check'
 import { expect, test } from 'vitest'
-import { nearer } from './nearer.ts'
+import { nearer, renewed } from './nearer.ts'
 
 const keyOf = (one: number) => one
 const lists = fc.uniqueArray(fc.integer({ min: 0, max: 200 }), { maxLength: 120 })
@@ -27,4 +27,16 @@ test('what is there already is the wanted one at once: a knob goes with its weig
     { key: 1, at: 9 },
   ]
   expect(nearer([old], [fresh], ({ key }) => key)).toEqual([fresh])
+})
+
+test('while nothing comes or goes, what is there is as it is wanted, or the same list', () => {
+  const [a, b, other] = [
+    { key: 1, at: 0 },
+    { key: 2, at: 0 },
+    { key: 1, at: 9 },
+  ]
+  const byKey = ({ key }: { readonly key: number }) => key
+  expect(renewed([a, b], [other], byKey)).toEqual([other, b])
+  const list = [a, b]
+  expect(renewed(list, [a], byKey)).toBe(list)
 })

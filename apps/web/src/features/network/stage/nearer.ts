@@ -15,3 +15,14 @@ export function nearer<T>(
   const all = wanted.filter((one) => kept.has(keyOf(one)) || coming.has(keyOf(one)))
   return [...all, ...gone.filter((one) => !leaving.has(keyOf(one)))]
 }
+
+/** The same list, of what is wanted still as it is wanted. */
+export function renewed<T>(
+  there: readonly T[],
+  wanted: readonly T[],
+  keyOf: (one: T) => number,
+): readonly T[] {
+  const next = new Map(wanted.map((one) => [keyOf(one), one]))
+  const all = there.map((one) => next.get(keyOf(one)) ?? one)
+  return all.every((one, i) => one === there[i]) ? there : all
+}
