@@ -1,6 +1,6 @@
 import { expect, test } from 'vitest'
 import { median, percentile } from './bench.ts'
-import { markdown } from './markdown.ts'
+import { markdown, writtenBelow } from './markdown.ts'
 
 test('a table names its machine, its date and the command that makes it', () => {
   const table = {
@@ -27,6 +27,13 @@ test('a table names its machine, its date and the command that makes it', () => 
     'Made by `npm run bench -- speed`.',
     '',
   ])
+})
+
+test('what people have written below a table stays', () => {
+  expect(writtenBelow('# Speed\n\n| a |\n\n## What bounds it\n\nThe wheel.\n')).toBe(
+    '\n## What bounds it\n\nThe wheel.\n',
+  )
+  expect(writtenBelow('# Speed\n')).toBe('')
 })
 
 test('the median is the value in the middle, whatever the order', () => {

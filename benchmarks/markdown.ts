@@ -21,3 +21,9 @@ export function markdown(table: Table, made: { command: string; machine: string;
     '',
   ].join('\n')
 }
+
+/** What people have written below a table, from its first heading on: it stays when the table is made again. */
+export function writtenBelow(before: string): string {
+  const at = before.indexOf('\n## ')
+  return at < 0 ? '' : before.slice(at)
+}

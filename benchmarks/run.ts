@@ -1,10 +1,10 @@
 // `npm run bench [-- name …]`: every *.bench.ts here writes its table into results/.
 import { spawnSync } from 'node:child_process'
-import { readdirSync, writeFileSync } from 'node:fs'
+import { existsSync, readdirSync, readFileSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'
 import type { Bench } from './bench.ts'
 import { machine } from './machine.ts'
-import { markdown } from './markdown.ts'
+import { markdown, writtenBelow } from './markdown.ts'
 
 const ending = '.bench.ts'
 const folder = import.meta.dirname
@@ -20,8 +20,9 @@ async function make(name: string) {
     machine: machine(),
     date: new Date().toISOString().slice(0, 10),
   }
-  const text = markdown(table, made)
-  writeFileSync(join(folder, 'results', `${name}.md`), text)
+  const file = join(folder, 'results', `${name}.md`)
+  const text = markdown(table, made) + (existsSync(file) ? writtenBelow(readFileSync(file, 'utf8')) : '')
+  writeFileSync(file, text)
   console.log(text)
 }
 
