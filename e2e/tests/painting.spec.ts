@@ -4,10 +4,9 @@ import { Child, leftEye, leftWheel } from '../child.ts'
 import { expect, test } from '../house.ts'
 
 const screens: readonly (BrowserContextOptions & { readonly name: string })[] = [
-  { name: 'an ordinary screen' },
   { name: 'twice as many pixels', deviceScaleFactor: 2 },
   { name: 'three times as many', deviceScaleFactor: 3 },
-  { name: 'forced colours', forcedColors: 'active' },
+  { name: 'forced colours on an ordinary screen', forcedColors: 'active' },
 ]
 
 /** A lab whose canvases are painted by a worker, or by the page as in browsers without one. */
@@ -55,32 +54,29 @@ function compare(page: Page, one: string, other: string) {
   )
 }
 
-test('a worker paints to the pixel what the page paints, on every screen', async ({ browser, house }) => {
-  for (const { name, ...options } of screens)
-    await test.step(name, async () => {
-      const labs = [
-        await labOn(browser, { baseURL: house, ...options }, true),
-        await labOn(browser, { baseURL: house, ...options }, false),
-      ] as const
-      for (const pane of panes) {
-        const pictures = () =>
-          Promise.all(labs.map((child) => child.painted.drawing(child.page.locator(pane))))
-        // Letters may come a little later to one of the two.
-        await expect
-          .poll(async () => {
-            const [one, other] = (await pictures()) as [string, string]
-            const { differs, colours } = await compare(labs[0].page, one, other)
-            return colours > 50 ? differs : 1
-          })
-          .toBeLessThan(0.001)
-      }
-      const size = await labs[0].page
-        .locator(panes[0]!)
-        .evaluate((one) => (one as HTMLCanvasElement).width / one.clientWidth)
-      expect(size).toBeCloseTo(options.deviceScaleFactor ?? 1, 1)
-      await Promise.all(labs.map((child) => child.page.context().close()))
-    })
-})
+for (const { name, ...options } of screens)
+  test(`a worker paints to the pixel what the page paints: ${name}`, async ({ browser, house }) => {
+    const labs = [
+      await labOn(browser, { baseURL: house, ...options }, true),
+      await labOn(browser, { baseURL: house, ...options }, false),
+    ] as const
+    for (const pane of panes) {
+      const pictures = () => Promise.all(labs.map((child) => child.painted.drawing(child.page.locator(pane))))
+      // Letters may come a little later to one of the two.
+      await expect
+        .poll(async () => {
+          const [one, other] = (await pictures()) as [string, string]
+          const { differs, colours } = await compare(labs[0].page, one, other)
+          return colours > 50 ? differs : 1
+        })
+        .toBeLessThan(0.001)
+    }
+    const density = await labs[0].page
+      .locator(panes[0]!)
+      .evaluate((one) => (one as HTMLCanvasElement).width / one.clientWidth)
+    expect(density).toBeCloseTo(options.deviceScaleFactor ?? 1, 1)
+    await Promise.all(labs.map((child) => child.page.context().close()))
+  })
 
 test.describe('where the worker does not come', () => {
   test.use({ complaints: [/worker/i, /Failed to load resource/] })
