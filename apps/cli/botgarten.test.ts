@@ -206,11 +206,9 @@ describe('the language of what is said', () => {
   })
 
   it('is refused by name where there is none: exit 2', async () => {
-    const { status, stderr } = await botgarten('cards', '--lang', 'fr')
-    expect({ status, stderr }).toEqual({
-      status: 2,
-      stderr: 'botgarten: --lang takes de or en, not "fr". Help: botgarten cards --help\n',
-    })
+    const { status, stderr } = await botgarten('cards', '--lang', 'xx')
+    expect(status).toBe(2)
+    expect(stderr).toMatch(/^botgarten: --lang takes de.* or .*, not "xx"\. Help: botgarten cards --help\n$/)
   })
 })
 

@@ -1,6 +1,6 @@
 import type { Command, Commands } from './commands.ts'
 import { everywhere } from './options.ts'
-import { ownWord } from './words.ts'
+import { languages, ownWord } from './words.ts'
 
 const wordOf = (path: readonly string[], part: 'usage' | 'what') =>
   ownWord(`help.${path.length === 0 ? 'all' : path.join(' ')}.${part}`) ?? ''
@@ -10,10 +10,7 @@ const headOf = (path: readonly string[]) => `${wordOf(path, 'usage')}\n${wordOf(
 /** What a command is for, and each of its options. */
 export function helpOf(path: readonly string[], { options }: Pick<Command, 'options'>): string {
   const names = Object.keys({ ...options, ...everywhere })
-  const lines = names.map((name) => [
-    `--${name} ${ofOption(path, name, 'value')}`.trim(),
-    ofOption(path, name, 'what'),
-  ])
+  const lines = names.map((name) => [`--${name} ${valueOf(path, name)}`.trim(), ofOption(path, name, 'what')])
   return `${headOf(path)}\n\n${columns(lines)}`
 }
 
@@ -25,6 +22,10 @@ export function listOf(path: readonly string[], commands: Commands): string {
   ])
   return `${headOf(path)}\n\n${columns(lines)}`
 }
+
+/** What an option takes, as far as content/ decides it. */
+const valueOf = (path: readonly string[], name: string) =>
+  ofOption(path, name, 'value').replace('{languages}', languages.join('|'))
 
 /** Some commands say more of an option, or something else, than all others. */
 const ofOption = (path: readonly string[], name: string, part: 'value' | 'what') =>

@@ -10,10 +10,11 @@ const ids = readdirSync(folder)
 /** Files of messages that every page has before it says anything. */
 const always = ['app']
 
-const sourcesOf = (id: string) =>
-  readdirSync(join(folder, id), { recursive: true, encoding: 'utf8' })
+const sourcesIn = (place: string) =>
+  readdirSync(place, { recursive: true, encoding: 'utf8' })
     .filter((file) => /\.(svelte|ts)$/.test(file) && !/\.test\.ts$/.test(file))
-    .map((file) => readFileSync(join(folder, id, file), 'utf8'))
+    .map((file) => readFileSync(join(place, file), 'utf8'))
+const sourcesOf = (id: string) => sourcesIn(join(folder, id))
 
 /** Keys of messages that stand in code, and files of messages that it asks for. */
 const keysIn = (code: string) => [...code.matchAll(/\b(?:m\[|message\()'([^']+)'/g)].map(([, key]) => key!)
@@ -42,6 +43,15 @@ test.each(ids)('all that %s says is in the files of messages that it names', (id
   const named = [...always, ...features.get(id)!.words, ...askedIn(code)]
   const there = new Set(named.flatMap((file) => tables.get(file) ?? []))
   expect(keysIn(code).filter((key) => !there.has(key))).toEqual([])
+})
+
+/** Where a user gets to a feature: the frame of the app, and its pages. */
+const shown = ['.', '../routes']
+  .map((place) => sourcesIn(join(import.meta.dirname, place)).join('\n'))
+  .join('\n')
+
+test.each(ids)('%s is shown by the app or a page', (id) => {
+  expect(shown).toContain(`#features/${id}/feature.ts`)
 })
 
 const lazy = [...features.values()].filter(({ load }) => load)

@@ -2,7 +2,7 @@
 import { cpSync, mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
-import { wordsFolder } from '@botgarten/messages/folder'
+import { languagesIn, wordsFolder } from '@botgarten/messages/folder'
 import { svelte } from '@sveltejs/vite-plugin-svelte'
 import type { Component } from 'svelte'
 import { createServer } from 'vite'
@@ -38,7 +38,7 @@ test('a folder of messages is a language: offered, spoken, and filled where it h
   const told = vi.spyOn(console, 'error')
 
   const { language, fetchWords, message, html } = await pageWith(folder)
-  expect(language.all).toEqual(['de', 'en', 'xx'])
+  expect(language.all).toEqual([...languagesIn(), 'xx'])
   await fetchWords('app', 'projects')
   expect(html()).toMatch(/<button[^>]* lang="xx"[^>]*>XX<\/button>/)
 
