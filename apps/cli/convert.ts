@@ -14,6 +14,7 @@ import { message } from './words.ts'
 const known = {
   robot: { type: 'string' },
   dialect: { type: 'string' },
+  'no-errors': { type: 'boolean' },
   json: { type: 'boolean' },
 } as const
 
@@ -25,10 +26,10 @@ function convertFile(args: string[]): string {
   const [from, to, ...more] = positionals
   if (!from || !to || more.length > 0) throw new CallError('call.convertWhat')
   refuseEndings(from, to)
-  const dialect = oneOf('dialect', values.dialect, dialects)
+  const how = { dialect: oneOf('dialect', values.dialect, dialects), gaps: !values['no-errors'] }
   const project = readProjectFile(from)
   const robot = robotOf(project, values.robot)
-  write(to, isPython(to) ? pythonOf(project, robot, dialect) : textOf(to, project, robot.id))
+  write(to, isPython(to) ? pythonOf(project, robot, how) : textOf(to, project, robot.id))
   const blocks = project.programs[robot.program]!.stacks.flatMap((stack) => stack.blocks.flatMap(typesIn))
   const unknown = [...new Set(blocks.filter((type) => !isBlockType(type)))].sort()
   return values.json

@@ -4,7 +4,7 @@ import { join } from 'node:path'
 import { PositionEncoding, Workspace } from '@astral-sh/ruff-wasm-nodejs'
 import { cardDocument } from '@botgarten/content'
 import { content } from '@botgarten/content/files'
-import { writeProjectFile } from '@botgarten/programs'
+import { writeProjectFile, type Project } from '@botgarten/programs'
 import { describe, expect, it } from 'vitest'
 import { botgarten } from './testing.ts'
 
@@ -67,6 +67,22 @@ describe('botgarten convert FILE out.py', () => {
     )
     expect(found).toEqual([])
     expect(ruff.format(text)).toBe(text)
+  })
+
+  it('leaves errors for gaps out where they are not wanted', async () => {
+    const project = JSON.parse(readFileSync(solution('square'), 'utf8')) as Project
+    const [stack] = project.programs['main']!.stacks
+    const gap = { ...stack!.blocks[0]!, ...{ id: 'gap', type: 'robControls_wait_time' } }
+    const program = { ...project.programs['main']!, stacks: [{ ...stack!, blocks: [...stack!.blocks, gap] }] }
+    const from = join(folder, 'gap.json')
+    writeFileSync(from, writeProjectFile({ ...project, programs: { main: program } }))
+    const made = async (...options: string[]) => {
+      const out = join(folder, 'gap.py')
+      await botgarten('convert', from, out, ...options)
+      return readFileSync(out, 'utf8')
+    }
+    expect(await made()).toContain('raise NotImplementedError(')
+    expect(await made('--no-errors')).not.toContain('raise')
   })
 
   it('knows both robots, and no other', async () => {

@@ -9,7 +9,11 @@ import { labMessage } from './words.ts'
 const mapNamed = (id: string) => (content.maps.includes(id) ? findMap(id) : null)
 
 /** A robot's program as Python, in the language of the call: the same bytes as the screen's. */
-export function pythonOf(project: Project, robot: RobotPlacement, dialect: Dialect): string {
+export function pythonOf(
+  project: Project,
+  robot: RobotPlacement,
+  how: { readonly dialect: Dialect; readonly gaps: boolean },
+): string {
   const program = project.programs[robot.program]!
   const learned = project.q?.[robot.program]
   const input = {
@@ -19,8 +23,8 @@ export function pythonOf(project: Project, robot: RobotPlacement, dialect: Diale
       config: robot.config,
       brains: project.brains,
       set: robot.brain,
-      dialect,
     },
+    ...how,
     learned: learnedFor(program, mapNamed, learned),
   }
   return pythonFrom(input, labMessage).text

@@ -70,7 +70,7 @@ describe('names', () => {
       .map((line) => line.replace(/ = \d+$/, ''))
 
   it('that Python keeps for itself get an underscore', () =>
-    expect(named('if', 'list')).toEqual(['if_', 'list_']))
+    expect(named('if', 'list', 'input')).toEqual(['if_', 'list_', 'input_']))
   it('keep their umlauts', () => expect(named('ä', 'größe')).toEqual(['ä', 'größe']))
   it('lose what no name may hold', () =>
     expect(named('Robot 1', '2nd', '🙂')).toEqual(['Robot_1', 'x_2nd', 'x']))
@@ -128,6 +128,20 @@ describe('what is not finished', () => {
     expect(rows).toEqual(['', '# problem.missingValue.title'])
   })
 
+  it('is told from what the brick lacks', () => {
+    const { notes } = python(
+      programOf([
+        start,
+        block('robActions_sayText', {}, { OUT: text('Hi') }),
+        block('robControls_wait_time'),
+      ]),
+    )
+    expect(notes.map(({ block: id, gap }) => [id, gap])).toEqual([
+      ['robActions_sayText', false],
+      ['robControls_wait_time', true],
+    ])
+  })
+
   it('takes no import along', () => {
     expect(lines([set('x', block('robColour_picker', { COLOUR: '#B30006' }))])).toEqual([
       '',
@@ -160,9 +174,48 @@ describe('what the brick cannot do', () => {
     expect(rows.slice(-2)).toEqual(['# python.missing.speech', 'wait(500)'])
   })
 
+  it('stands once where it comes again, and belongs to all its blocks', () => {
+    const say = (id: string) => ({ ...block('robActions_sayText', {}, { OUT: text('Hi') }), id })
+    const { text: file, lines: blocks, notes } = python(programOf([start, say('one'), say('two')]))
+    const rows = file.trimEnd().split('\n')
+    expect(rows.filter((row) => row === '# python.missing.speech')).toHaveLength(1)
+    expect(notes).toHaveLength(2)
+    const ids = notes.map(({ block: id }) => id)
+    expect(blocks[rows.indexOf('# python.missing.speech')]).toEqual(expect.arrayContaining(ids))
+  })
+
   it('is said to one robot alone, where the other can do it', () => {
     const say = [block('robActions_sayText', {}, { OUT: text('Hi') })]
     expect(lines(say, { dialect: 'ev3dev2' }).at(-1)).toBe('sound.speak("Hi")')
+  })
+})
+
+describe('deciding', () => {
+  const yes = block('logic_boolean', { BOOL: 'TRUE' })
+  const no = block('logic_boolean', { BOOL: 'FALSE' })
+  const decide = (IF0: Template | null, n: number, ELSE: readonly Template[]): Template => ({
+    ...{ type: 'robControls_ifElse', mutation: { attrs: { else: '1' } } },
+    ...{ values: IF0 ? { IF0 } : {}, statements: { DO0: [show(number(n))], ELSE } },
+  })
+  const heads = (rows: readonly string[]) => rows.filter((row) => /^ *(if|elif|else|raise)/.test(row))
+
+  it('again where the other one ends goes on as `elif`', () => {
+    const rows = lines([decide(yes, 1, [decide(no, 2, [show(number(3))])])])
+    expect(heads(rows)).toEqual(['if True:', 'elif False:', 'else:'])
+  })
+
+  it('stays in the `else` where something stands beside it', () => {
+    const rows = lines([decide(yes, 1, [decide(no, 2, []), show(number(3))])])
+    expect(heads(rows)).toEqual(['if True:', 'else:', '    if False:', '    else:'])
+  })
+
+  it('with a gap leaves the one before whole', () => {
+    const rows = lines([decide(yes, 1, [decide(null, 2, [])])])
+    expect(heads(rows)).toEqual([
+      'if True:',
+      'else:',
+      '    raise NotImplementedError("problem.missingValue.title")',
+    ])
   })
 })
 
@@ -173,6 +226,8 @@ describe('a file', () => {
     const made = lines(rows)
     expect(performance.now() - before).toBeLessThan(2000)
     expect(made.filter((line) => line.startsWith('show(')).length).toBe(500)
+    // So much flash has the EV3 for programs (lib/pbio/platform/ev3/pbdrvconfig.h, BLOCK_DEVICE_EV3_SIZE).
+    expect(made.join('\n').length).toBeLessThan((1024 * 1024 * 3) / 4)
   })
 
   it('knows for every line the blocks it belongs to', () => {
@@ -182,6 +237,14 @@ describe('a file', () => {
     const rows = file.trimEnd().split('\n')
     expect(blocks.length).toBe(rows.length)
     expect(blocks[rows.indexOf('wait(5)')]).toEqual(['robControls_wait_time', 'math_number'])
+  })
+
+  it('has a head whose lines run with no block', () => {
+    const drive = block('robActions_motorDiff_on', { DIRECTION: 'FOREWARD' }, { POWER: number(30) })
+    const { text: file, head } = python(programOf([start, drive]))
+    const rows = file.split('\n')
+    expect(rows.slice(0, head).join('\n')).toContain('left_motor = Motor(Port.C)')
+    expect(rows.slice(0, head).join('\n')).not.toContain('def ')
   })
 
   it('ends motors that go on turning on ev3dev', () => {
