@@ -11,7 +11,7 @@ import { whenParentEnds } from '../packages/server/parent.mjs'
 function serve(options) {
   const cli = inHouse('apps', 'cli', 'botgarten.ts')
   const env = { ...process.env, BOTGARTEN_ENDS_WITH_PARENT: '1' }
-  const args = ['--disable-warning=ExperimentalWarning', cli, 'serve', ...options]
+  const args = ['--disable-warning=ExperimentalWarning', '--max-semi-space-size=4', cli, 'serve', ...options]
   const server = spawn(runtime(), args, { cwd: house, env, stdio: 'inherit' })
   for (const signal of ['SIGINT', 'SIGTERM', 'SIGHUP']) process.on(signal, () => server.kill(signal))
   // Who calls this script from a shell of their own may leave that shell and keep the lab.

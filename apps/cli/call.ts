@@ -1,18 +1,9 @@
-import { addBlocks, knowMaps } from '@botgarten/blocks'
-import { expert } from '@botgarten/blocks/packs/expert'
-import { learning } from '@botgarten/blocks/packs/learning'
-import { content } from '@botgarten/content/files'
 import { findCommand } from './commands.ts'
 import { CallError, FileError } from './errors.ts'
 import { helpOf, listOf } from './help.ts'
 import { takeNotes } from './notes.ts'
 import { languageIn, languageNamed } from './options.ts'
 import { languageOfMachine, message, speak, type Language } from './words.ts'
-
-// No screen waits for a smaller first part here.
-addBlocks(expert)
-addBlocks(learning)
-knowMaps((id) => content.stations[id] ?? 0)
 
 async function answerTo(args: readonly string[]): Promise<string> {
   const { lang, rest: words } = languageIn(args)

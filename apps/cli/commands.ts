@@ -1,13 +1,4 @@
-import { cards } from './cards.ts'
-import { convert } from './convert.ts'
-import { kMeans } from './kmeans.ts'
-import { q } from './learn.ts'
 import type { Options } from './options.ts'
-import { examples } from './net/examples.ts'
-import { net } from './net/learn-net.ts'
-import { run } from './run.ts'
-import { sweep } from './sweep/sweep.ts'
-import { thesis } from './sweep/thesis.ts'
 import type { Language } from './words.ts'
 
 /** One command: its options beside `--help` and `--lang`, and what it does with the rest of the call. */
@@ -19,22 +10,33 @@ export interface Command {
 
 export type Commands = { readonly [name: string]: (() => Command | Promise<Command>) | Commands }
 
+/** Each is loaded when it is asked for: a server has no use for the lab, nor the lab for a browser. */
+const withLab =
+  <Loaded>(load: () => Promise<Loaded>) =>
+  async (): Promise<Loaded> => {
+    await import('./lab.ts')
+    return load()
+  }
+
 export const commands: Commands = {
-  run: () => run,
-  cards: () => cards,
+  run: withLab(async () => (await import('./run.ts')).run),
+  cards: withLab(async () => (await import('./cards.ts')).cards),
   learn: {
-    q: () => q,
-    net: () => net,
-    'q-sweep': () => sweep,
-    'q-thesis': () => thesis,
-    kmeans: () => kMeans,
+    q: withLab(async () => (await import('./learn.ts')).q),
+    net: withLab(async () => (await import('./net/learn-net.ts')).net),
+    'q-sweep': withLab(async () => (await import('./sweep/sweep.ts')).sweep),
+    'q-thesis': withLab(async () => (await import('./sweep/thesis.ts')).thesis),
+    kmeans: withLab(async () => (await import('./kmeans.ts')).kMeans),
   },
-  examples: () => examples,
-  convert: () => convert,
-  // Loaded when it is asked for: it alone needs a browser.
-  print: async () => (await import('./print/print.ts')).print,
-  // These alone need databases.
+  examples: withLab(async () => (await import('./net/examples.ts')).examples),
+  convert: withLab(async () => (await import('./convert.ts')).convert),
+  print: withLab(async () => (await import('./print/print.ts')).print),
   serve: async () => (await import('./serve.ts')).serve,
+  backup: async () => (await import('./backup.ts')).backup,
+  restore: async () => (await import('./backup.ts')).restore,
+  teacher: {
+    reset: async () => (await import('./teacher.ts')).reset,
+  },
 }
 
 /** The command that a call names, as far as its words lead. `path`: those words. */

@@ -26,6 +26,9 @@ const known = {
   'behind-proxy': { type: 'string' },
   'public-address': { type: 'string' },
   'begin-anew': { type: 'boolean' },
+  rehearse: { type: 'string' },
+  seconds: { type: 'string' },
+  json: { type: 'boolean' },
 } as const
 
 type Values = ReturnType<typeof options<typeof known>>['values']
@@ -42,11 +45,31 @@ async function open(args: string[]): Promise<string> {
   refuseMore(positionals)
   const port = wholeNumberIn('port', values.port, usualPort, 0, 65_535)
   const folder = values.data ?? usualData
+  if (values.rehearse !== undefined) return rehearsal(values, folder)
   try {
     const classServer = await openClassServer({ ...classOptions(values), data: folder })
     const server = await listen(classServer, port, values.host)
     stopWhenTold(server)
     return [greeting(server), await invitation(classServer, server, folder)].filter(Boolean).join('\n\n')
+  } catch (error) {
+    throw sayProblem(error)
+  }
+}
+
+/** Plays a lesson and says how it went. */
+async function rehearsal(values: Values, data: string): Promise<string> {
+  const pupils = wholeNumberIn('rehearse', values.rehearse, 35, 1, 200)
+  const seconds = wholeNumberIn('seconds', values.seconds, 60, 1, 7200)
+  const { database } = classOptions(values)
+  const { isGreen, rehearse } = await import('@botgarten/server/rehearsal')
+  try {
+    const figures = await rehearse({ data, database, pupils, seconds })
+    const { saves, lost, p99, rss } = figures
+    const green = isGreen(figures)
+    if (!green) process.exitCode = 1
+    if (values.json) return JSON.stringify({ pupils, saves, lost, p99, rss })
+    const verdict = message(green ? 'serve.green' : 'serve.red')
+    return message('serve.rehearsal', { verdict, pupils, saves, lost, p99, rss })
   } catch (error) {
     throw sayProblem(error)
   }

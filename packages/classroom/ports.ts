@@ -66,7 +66,7 @@ export interface Ports {
   /** Who is where, and the streams of pages. */
   readonly live: Hub
   /** All cards, in the order of the home page. */
-  readonly cards: () => readonly CardOfClass[]
+  readonly cards: () => Promise<readonly CardOfClass[]>
   readonly host: Host
 }
 

@@ -2,11 +2,14 @@ import { existsSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
 import type { IncomingMessage, ServerResponse } from 'node:http'
 import { join } from 'node:path'
 import {
+  accountsOn,
   base,
   firstTeacherToken,
   handle,
+  isKeyOf,
   lastBackup,
   migrate,
+  noBus,
   openDataFolder,
   openPostgres,
   secretIn,
@@ -17,7 +20,9 @@ import { brokenIn, prepareDataFolder } from './data-folder.ts'
 import { callerOf, requestOf, send } from './http.ts'
 import { lockFolder } from './lock.ts'
 import { startLive } from './live.ts'
+import { resetByFile } from './reset.ts'
 import { startNights } from './nights.ts'
+import { postgresBus } from './postgres-bus.ts'
 import { portsOn } from './ports.ts'
 import { CannotServe, causeIn } from './problem.ts'
 
@@ -91,6 +96,13 @@ function keyFor(folder: string): Uint8Array {
   return key
 }
 
+/** Under another key no cookie, no picture and no password link of the database is worth anything. */
+async function checkKey(database: Database, secret: Uint8Array, path: string) {
+  if (await isKeyOf(database, secret)) return
+  await database.close()
+  throw new CannotServe('otherKey', { path })
+}
+
 /**
  * Opens the class server of a folder.
  * @throws {CannotServe} where the folder is in use, is no place for it, or its database is broken
@@ -103,6 +115,8 @@ export async function openClassServer(options: ClassOptions): Promise<ClassServe
     const database = await (options.database === undefined
       ? openFile(folder, options.beginAnew ?? false)
       : openServer(options.database))
+    await checkKey(database, secret, folder)
+    await resetByFile({ accounts: accountsOn(database, secret) }, folder)
     return serverOn(database, secret, folder, options, free)
   } catch (error) {
     free()
@@ -114,13 +128,20 @@ function serverOn(
   database: Database,
   secret: Uint8Array,
   folder: string,
-  { publicAddress = null, proxies = [] }: { publicAddress?: string | null; proxies?: readonly string[] },
+  { publicAddress, proxies = [], database: address }: ClassOptions,
   free: () => void,
 ): ClassServer {
   const teacherMade = () => rmSync(join(folder, linkFile), { force: true })
+  const bus = address === undefined ? noBus : postgresBus(address)
   let reached: readonly string[] = []
   const addresses = () => reached
-  const { ports, close } = portsOn(database, secret, { folder, publicAddress, teacherMade, addresses })
+  const { ports, close } = portsOn(database, secret, {
+    folder,
+    publicAddress: publicAddress ?? null,
+    teacherMade,
+    addresses,
+    bus,
+  })
   const stopLive = startLive(ports.live)
   const stopNights = startNights(ports, folder)
 

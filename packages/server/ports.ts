@@ -15,7 +15,7 @@ import {
   type LogLine,
   type Ports,
 } from '@botgarten/classroom'
-import { content } from '@botgarten/content/files'
+import { cardsInWorker } from './cards.ts'
 
 /** The ISO day where this machine stands, so many days from today. */
 export function dayHere(offset: number): string {
@@ -72,7 +72,7 @@ export function portsOn(database: Database, secret: Uint8Array, options: PortOpt
     publicOrigin: options.publicAddress,
     teacherMade: options.teacherMade,
     live: new Hub(options.bus ?? noBus, () => Date.now()),
-    cards: () => content.cards,
+    cards: cardsInWorker(),
     host: hostOf(database, options),
   }
   return { ports, close: checker.close }

@@ -22,7 +22,7 @@ async function rowsOf({ database: { db } }: Ports, classId: string): Promise<Row
 
 /** Who has done which card. Cards that the class has begun and that are no more come last. */
 async function results({ ports, who }: Call<undefined>): Promise<Answer> {
-  const cards = ports.cards().map(({ id, starts }) => ({ id, starts }))
+  const cards = (await ports.cards()).map(({ id, starts }) => ({ id, starts }))
   return { body: { cards, free: cardsIn(who.class!.cards), pupils: await rowsOf(ports, who.class!.id) } }
 }
 
@@ -31,7 +31,7 @@ const cellOf = ({ id, starts }: CardOfClass, { done }: Row): string =>
 
 async function asCsv({ ports, who, query }: Call<undefined>): Promise<Response> {
   const language = query.get('lang') === 'de' ? 'de' : 'en'
-  const cards = ports.cards()
+  const cards = await ports.cards()
   const head = ['', ...cards.map(({ id, title }) => title[language] ?? title['en'] ?? id)]
   const rows = (await rowsOf(ports, who.class!.id)).map((row) => [
     row.nickname,

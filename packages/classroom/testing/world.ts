@@ -46,7 +46,8 @@ export class Server {
       publicOrigin: null,
       teacherMade: () => {},
       live: new Hub(noBus, () => this.now),
-      cards: () => [{ id: 'friendship', starts: 3, title: { en: 'Friendship', de: 'Freundschaft' } }],
+      cards: () =>
+        Promise.resolve([{ id: 'friendship', starts: 3, title: { en: 'Friendship', de: 'Freundschaft' } }]),
       host: {
         ...{ memory: () => 1, freeSpace: () => 1, addresses: () => ['http://lab.test'] },
         ...{ backups: () => ({ count: 0, last: null }), backUp: () => Promise.resolve() },

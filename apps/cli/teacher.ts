@@ -1,0 +1,32 @@
+import { existsSync } from 'node:fs'
+import { join } from 'node:path'
+import { accountsOn, openPostgres, openSqlite, secretIn } from '@botgarten/classroom'
+import { resetTeacher } from '@botgarten/server'
+import type { Command } from './commands.ts'
+import { CallError, FileError } from './errors.ts'
+import { options } from './options.ts'
+import { usualData } from './serve.ts'
+import { message } from './words.ts'
+
+const known = { data: { type: 'string' }, database: { type: 'string' } } as const
+
+/** `botgarten teacher reset NAME`: a new password for a teacher who has forgotten theirs; all sessions end. */
+export const reset: Command = { options: known, execute: renew }
+
+async function renew(args: string[]): Promise<string> {
+  const { values, positionals } = options(args, known)
+  const [name, more] = positionals
+  if (name === undefined || more !== undefined) throw new CallError('call.oneTeacher')
+  const folder = values.data ?? usualData
+  const file = join(folder, 'botgarten.db')
+  if (values.database === undefined && !existsSync(file))
+    throw new FileError('serve.noData', { path: folder })
+  const database = values.database === undefined ? openSqlite(file) : openPostgres(values.database)
+  try {
+    const password = await resetTeacher(accountsOn(database, secretIn(folder)), name)
+    if (password === null) throw new FileError('serve.noTeacher', { name })
+    return message('serve.reset', { name, password })
+  } finally {
+    await database.close()
+  }
+}

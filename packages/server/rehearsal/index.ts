@@ -1,0 +1,4 @@
+// Plays lessons on servers in processes of their own: for rehearsals, and for what is measured.
+export { playLesson, type Figures } from './lesson.ts'
+export { startNode, type ServingNode } from './node.ts'
+export { isGreen, limits, rehearse } from './rehearse.ts'

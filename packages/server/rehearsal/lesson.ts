@@ -1,0 +1,151 @@
+import { setTimeout as wait } from 'node:timers/promises'
+import { Client } from './client.ts'
+import { projectOfLesson } from './projects.ts'
+
+export interface LessonOptions {
+  readonly url: string
+  /** Secret of the link for the first teacher. */
+  readonly token: string
+  readonly pupils: number
+  readonly seconds: number
+  /** Between two saves of a pupil, s. */
+  readonly every: number
+}
+
+export interface Figures {
+  readonly pupils: number
+  readonly saves: number
+  /** Acknowledged saves that are not there at the end. */
+  readonly lost: number
+  /** 99 of 100 saves took at most so long, ms; and the slowest. */
+  readonly p99: number
+  readonly slowest: number
+  /** Of the serving process with its workers at the most, and at the end of the first and of the last third, MB. */
+  readonly rss: number
+  readonly rssFirst: number
+  readonly rssLast: number
+  /** Requests that were sent again. */
+  readonly again: number
+  /** Bytes of events that the teacher was sent. */
+  readonly heard: number
+}
+
+interface Child {
+  readonly client: Client
+  readonly project: string
+  acknowledged: number
+}
+
+/** The value that a share of all do not exceed. */
+export function percentile(values: readonly number[], share: number): number {
+  const sorted = values.toSorted((one, other) => one - other)
+  return sorted[Math.max(0, Math.ceil(sorted.length * share) - 1)] ?? 0
+}
+
+async function openClass(teacher: Client, token: string): Promise<{ id: string; code: string }> {
+  await teacher.untilDone('POST', '/teachers', { token, username: 'rehearsal', password: token })
+  const endsOn = `${new Date().getFullYear() + 1}-07-31`
+  const made = { name: 'Rehearsal', language: 'en', grade: 5, endsOn }
+  const { id } = await teacher.untilDone<{ id: string }>('POST', '/classes', made)
+  await teacher.untilDone('POST', `/classes/${id}/open`)
+  const { words } = await teacher.untilDone<{ words: string[] }>('GET', `/classes/${id}`)
+  return { id, code: words.join(' ') }
+}
+
+async function join(url: string, code: string, at: number): Promise<Child> {
+  const client = new Client(url)
+  await client.untilDone('POST', '/join', { code, nickname: `Kind ${at}` })
+  return { client, project: `rehearsal-${at}`, acknowledged: 0 }
+}
+
+const reportOf = (at: number) => ({
+  ...{
+    card: 'friendship',
+    project: null,
+    checks: ['passed', 'failed', 'open'],
+    failed: at % 6,
+    running: true,
+  },
+  ...{ idle: at % 200, size: [200, 150], pose: { x: at % 200, y: 40, heading: at / 10 } },
+  trail: Array.from({ length: 120 }, (_, step) => (at + step) % 200),
+})
+
+const markOf = (count: number) => `save ${count}`
+
+/** One save, sent until it is acknowledged. @returns how long that took, ms */
+async function save(child: Child): Promise<number> {
+  const count = child.acknowledged
+  const path = `/projects/${child.project}?base=${count}&save=rehearsal-${count}`
+  const text = projectOfLesson(markOf(count), count)
+  const began = performance.now()
+  await child.client.untilDone('PUT', path, text)
+  child.acknowledged++
+  return performance.now() - began
+}
+
+async function play(child: Child, at: number, { pupils, every, seconds }: LessonOptions, times: number[]) {
+  const end = performance.now() + seconds * 1000
+  // Children do not save in the same moment.
+  await wait((at / pupils) * every * 1000)
+  for (let count = 0; performance.now() < end; count++) {
+    const began = performance.now()
+    times.push(await save(child))
+    await child.client.untilDone('PUT', '/me/here', reportOf(count))
+    await wait(Math.max(0, every * 1000 - (performance.now() - began)))
+  }
+}
+
+/** Saves of a child that were acknowledged and are not there. */
+async function lostOf({ client, project, acknowledged }: Child): Promise<number> {
+  if (acknowledged === 0) return 0
+  const path = `/projects/${project}`
+  const found = await client.untilDone<{ revision: number; project: { name: string } }>('GET', path)
+  const right = found.revision === acknowledged && found.project.name === markOf(acknowledged - 1)
+  return right ? 0 : Math.max(1, acknowledged - found.revision)
+}
+
+const mb = (bytes: number) => Math.round(bytes / 1e6)
+
+/** Looks at the memory of the server until it is told to stop. */
+function watch(teacher: Client, every: number) {
+  const seen: number[] = []
+  const timer = setInterval(() => {
+    void teacher
+      .ask<{ memory: number }>('GET', '/health')
+      .then(({ status, body }) => void (status === 200 && seen.push(body.memory)))
+      .catch(() => {})
+  }, every)
+  return {
+    seen,
+    stop: () => clearInterval(timer),
+  }
+}
+
+/** A lesson through the real routes: pupils join, listen, report, save; the teacher watches. */
+export async function playLesson(options: LessonOptions): Promise<Figures> {
+  const { url, pupils, seconds } = options
+  const teacher = new Client(url)
+  const { id, code } = await openClass(teacher, options.token)
+  const children: Child[] = []
+  for (let at = 0; at < pupils; at++) children.push(await join(url, code, at))
+  let heard = 0
+  const stops = [
+    teacher.listen(`/classes/${id}/stream`, (bytes) => void (heard += bytes)),
+    ...children.map(({ client }) => client.listen('/me/stream')),
+  ]
+  const memory = watch(teacher, Math.min(2000, (seconds * 1000) / 12))
+  const times: number[] = []
+  await Promise.all(children.map((child, at) => play(child, at, options, times)))
+  memory.stop()
+  for (const stop of stops) stop()
+  const lost = await Promise.all(children.map(lostOf))
+  const third = Math.ceil(memory.seen.length / 3)
+  return {
+    ...{ pupils, saves: times.length, lost: lost.reduce((sum, one) => sum + one, 0) },
+    ...{ p99: Math.round(percentile(times, 0.99) * 10) / 10, slowest: Math.round(Math.max(0, ...times)) },
+    ...{ rss: mb(Math.max(0, ...memory.seen)), rssFirst: mb(Math.max(0, ...memory.seen.slice(0, third))) },
+    rssLast: mb(Math.max(0, ...memory.seen.slice(-third))),
+    again: children.reduce((sum, { client }) => sum + client.again, 0),
+    heard,
+  }
+}
