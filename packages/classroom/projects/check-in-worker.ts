@@ -22,7 +22,7 @@ interface Running {
 
 function startWorker(): Running {
   const worker = new Worker(new URL('./check-worker.ts', import.meta.url), {
-    resourceLimits: { maxOldGenerationSizeMb: 192, maxYoungGenerationSizeMb: 8 },
+    resourceLimits: { maxOldGenerationSizeMb: 192, maxYoungGenerationSizeMb: 4 },
   })
   // It does not keep the process running.
   worker.unref()

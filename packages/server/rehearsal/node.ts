@@ -2,6 +2,7 @@ import { spawn, type ChildProcess } from 'node:child_process'
 import { once } from 'node:events'
 import { readFileSync } from 'node:fs'
 import { join } from 'node:path'
+import { serverEnv, serverFlags } from '../flags.mjs'
 import { inRepository } from '../repository.ts'
 
 export interface NodeOptions {
@@ -52,7 +53,10 @@ export async function startNode({
   const serve = ['serve', '--port', String(port), '--data', data, '--lang', 'en', ...address]
   const flags = ['--disable-warning=ExperimentalWarning', ...serverFlags]
   const args = [...before, ...flags, inRepository('apps', 'cli', 'botgarten.ts'), ...serve]
-  const running = spawn(program, args, { env: { ...process.env, ...env }, stdio: ['ignore', 'pipe', 'pipe'] })
+  const running = spawn(program, args, {
+    env: { ...process.env, ...serverEnv, ...env },
+    stdio: ['ignore', 'pipe', 'pipe'],
+  })
   const opened = await portOf(running)
   const end = async (signal: NodeJS.Signals) => {
     if (running.exitCode !== null || running.signalCode !== null) return
@@ -67,6 +71,3 @@ export async function startNode({
     kill: () => end('SIGKILL'),
   }
 }
-
-/** How `npm start` runs Node: a server needs no room for a large young generation. */
-export const serverFlags = ['--max-semi-space-size=4']
