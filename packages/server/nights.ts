@@ -9,7 +9,7 @@ const quietFrom = 2
 const isMade = (folder: string, day: string) => basename(lastBackup(folder) ?? '') === `${day}.db`
 
 /** Does what is due: once a day, from two in the night on, or as soon as the server runs on that day. */
-export async function doNightly(ports: Ports, folder: string): Promise<void> {
+async function doNightly(ports: Ports, folder: string): Promise<void> {
   await everyNight(ports)
   const day = ports.day(0)
   if (ports.database.backup === null || isMade(folder, day)) return

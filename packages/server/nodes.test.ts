@@ -120,7 +120,7 @@ describe.skipIf(why !== null)(`two nodes on one PostgreSQL${why ? ` (skipped: ${
     const client = new pg.Client({ connectionString: address })
     await client.connect()
     await client.query(
-      `select pg_terminate_backend(pid) from pg_stat_activity where query like 'listen botgarten%'`,
+      `select pg_terminate_backend(pid) from pg_stat_activity where application_name = 'botgarten-live'`,
     )
     await client.end()
     await child.until(({ event }) => event === 'state')

@@ -18,7 +18,7 @@ import {
 import { cardsInWorker } from './cards.ts'
 
 /** The ISO day where this machine stands, so many days from today. */
-export function dayHere(offset: number): string {
+function dayHere(offset: number): string {
   const date = new Date()
   date.setDate(date.getDate() + offset)
   const parts = [date.getFullYear(), date.getMonth() + 1, date.getDate()]

@@ -3,6 +3,8 @@ import pg from 'pg'
 import type { Bus, Message } from '@botgarten/classroom'
 
 const channel = 'botgarten_live'
+/** By which who runs the database knows the connection. */
+const name = 'botgarten-live'
 /** PostgreSQL takes 8,000 bytes a notification. */
 const most = 7_500
 const pause = 1_000
@@ -40,7 +42,7 @@ export function postgresBus(address: string): Bus {
   }
 
   async function connect() {
-    const next = new pg.Client({ connectionString: address })
+    const next = new pg.Client({ connectionString: address, application_name: name })
     const again = () => {
       if (client === next) client = null
       if (closed || timer) return

@@ -8,7 +8,7 @@ import { codeWords } from '@botgarten/content/codes'
 const words = 4
 
 /** A password that can be read aloud. */
-export function newPassword(): string {
+function newPassword(): string {
   const list = codeWords('en')
   const bytes = randomBytes(words * 2)
   return Array.from({ length: words }, (_, at) => list[bytes.readUInt16BE(at * 2) % list.length]!).join('-')
