@@ -1,6 +1,7 @@
 export type { BlockType } from './packs/packs.ts'
 export { addBlocks, definitions, isBlockType, packOf, toolbox } from './definitions.ts'
 export { colours } from './parts/colours.ts'
+export { sensorPortIn } from './parts/fields.ts'
 export { entryOf, isKind, kinds, listOf } from './parts/kinds.ts'
 export {
   hiddenIn,

@@ -22,6 +22,7 @@ export const actions_bricklight_off_ev3: Definition = {
   },
   words: words(type),
   acts: true,
+  uses: 'lamp',
   run(_block, _frame, { robot }) {
     robot.led(null)
     return done

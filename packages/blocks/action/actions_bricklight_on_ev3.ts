@@ -35,6 +35,7 @@ export const actions_bricklight_on_ev3: Definition = {
   },
   words: words(type),
   acts: true,
+  uses: 'lamp',
   run: (block, _frame, { robot }) =>
     lampOn(robot, field(block, 'COLOUR', 'GREEN'), field(block, 'MODE', 'ON')),
   python: (py) => py.line(py.robot.lamp(py.field('COLOUR', 'GREEN'), py.field('MODE', 'ON'))),

@@ -73,6 +73,7 @@ export const mbedActions_play_note: Definition = {
   },
   words: words(type),
   acts: true,
+  uses: 'sound',
   run(block, frame, context) {
     const milliseconds = numberIn(field(block, 'DURATION', '2000')) ?? 0
     const frequency = numberIn(field(block, 'FREQUENCE', '261.626')) ?? 0

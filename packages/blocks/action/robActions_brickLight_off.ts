@@ -13,6 +13,7 @@ export const robActions_brickLight_off: Definition = {
   look: { category: 'action', shape: 'statement', fields: [], inputs: [], rows: rows(type, 1) },
   words: words(type),
   acts: true,
+  uses: 'lamp',
   run(_block, _frame, { robot }) {
     robot.led(null)
     return done

@@ -31,6 +31,7 @@ export const robActions_brickLight_on: Definition = {
   },
   words: words(type),
   acts: true,
+  uses: 'lamp',
   run: (block, _frame, { robot }) =>
     lampOn(robot, field(block, 'SWITCH_COLOR', 'GREEN'), field(block, 'SWITCH_BLINK', 'ON')),
   python: (py) => py.line(py.robot.lamp(py.field('SWITCH_COLOR', 'GREEN'), py.field('SWITCH_BLINK', 'ON'))),

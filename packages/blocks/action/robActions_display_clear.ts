@@ -11,6 +11,7 @@ export const robActions_display_clear: Definition = {
   look: { category: 'action', shape: 'statement', fields: [], inputs: [], rows: rows(type, 1) },
   words: words(type),
   acts: true,
+  uses: 'display',
   run(_block, _frame, { robot }) {
     robot.clearDisplay()
     return done

@@ -23,6 +23,7 @@ export const robActions_display_picture: Definition = {
   },
   words: words(type),
   acts: true,
+  uses: 'display',
   run: afterAsking([ask('X'), ask('Y')], (_frame, { robot }, block) => {
     robot.picture(field(block, 'PICTURE', 'EYESOPEN'))
     return done

@@ -21,6 +21,7 @@ export const robActions_display_picture_new: Definition = {
   },
   words: words(type),
   acts: true,
+  uses: 'display',
   run(block, _frame, { robot }) {
     robot.picture(field(block, 'PICTURE', 'EYESOPEN'))
     return done

@@ -25,6 +25,7 @@ export const robActions_display_text: Definition = {
   },
   words: words(type),
   acts: true,
+  uses: 'display',
   run: afterAsking([ask('OUT'), ask('COL'), ask('ROW')], (frame, { robot }) => {
     const column = cut(Math.round(numberAt(frame, 1)), 0, lastColumn)
     const row = cut(Math.round(numberAt(frame, 2)), 0, lastRow)

@@ -49,6 +49,7 @@ export const robActions_play_file: Definition = {
   },
   words: words(type),
   acts: true,
+  uses: 'sound',
   /** `stage`: the tone that comes next. */
   run(block, frame, context) {
     const tune = tunes[Number(field(block, 'FILE', '0'))]

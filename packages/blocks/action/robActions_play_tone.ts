@@ -19,6 +19,7 @@ export const robActions_play_tone: Definition = {
   },
   words: words(type),
   acts: true,
+  uses: 'sound',
   /** The next block waits until the tone is over, as on the real robot. */
   run: afterAsking([ask('FREQUENCE'), ask('DURATION')], (frame, context) => {
     const frequency = Math.max(0, numberAt(frame, 0))

@@ -23,6 +23,7 @@ const lamp = choice('OUTPUTNODE', [
 export const ai_nn_output_node_led = outputNeuron({
   type,
   pack: 'core',
+  uses: 'lamp',
   fields: [lamp],
   label: 'neuron.lamp',
   colour: { field: 'OUTPUTNODE' },

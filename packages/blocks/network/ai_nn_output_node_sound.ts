@@ -8,6 +8,7 @@ const type = 'ai_nn_output_node_sound'
 export const ai_nn_output_node_sound = outputNeuron({
   type,
   pack: 'core',
+  uses: 'sound',
   fields: [],
   label: 'neuron.sound',
   colour: 'actuator',

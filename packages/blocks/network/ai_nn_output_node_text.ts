@@ -9,6 +9,7 @@ const type = 'ai_nn_output_node_text'
 export const ai_nn_output_node_text = outputNeuron({
   type,
   pack: 'core',
+  uses: 'display',
   fields: [{ name: 'OUTPUTNODE', kind: 'text', preset: '' }],
   label: 'neuron.text',
   colour: 'actuator',

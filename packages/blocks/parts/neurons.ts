@@ -58,6 +58,7 @@ export function inputNeuron(neuron: InputNeuron): Definition {
 interface OutputNeuron {
   readonly type: BlockType
   readonly pack: Pack
+  readonly uses?: Definition['uses']
   readonly fields: readonly FieldLook[]
   readonly label: string
   readonly port?: string
@@ -68,7 +69,7 @@ interface OutputNeuron {
 
 /** A neuron that turns the level it is given into an order; the network block carries the orders out. */
 export function outputNeuron(neuron: OutputNeuron): Definition {
-  const { type, pack, label, colour } = neuron
+  const { type, pack, uses, label, colour } = neuron
   const port = neuron.port === undefined ? {} : { port: neuron.port }
   return {
     type,
@@ -77,6 +78,7 @@ export function outputNeuron(neuron: OutputNeuron): Definition {
     words: words(type),
     neuron: { layer: 'output', label, colour, ...port },
     acts: false,
+    ...(uses && { uses }),
     run: neuron.run,
     python: part,
     example: neuron.example,

@@ -48,15 +48,21 @@ describe('the camera', () => {
     expect(floorCorner(camera, tall, floor)).toEqual({ x: -414, y: -147 })
   })
 
-  test('shows Bo and the blue square from the start of Friendship, in a tall and in a low pane', () => {
-    const robot = { x: 300, y: 70 }
-    for (const pane of [tall, low]) {
+  test('shows Bo and the blue square from a start of Friendship, below it in a tall pane, beside it in a low one', () => {
+    const starts = [
+      [tall, { x: 300, y: 70 }],
+      [low, { x: 440, y: 170 }],
+    ] as const
+    for (const [pane, robot] of starts) {
       const scale = scaleFor(pane, floor, needOf(robot, [block]))
       const camera = aim(robot, [block], scale, pane, floor)
-      expect(toPane({ x: 300, y: 50 }, camera, pane).y).toBeLessThan(pane.height)
-      expect(toPane({ x: 300, y: 225 }, camera, pane).y).toBeGreaterThan(0)
+      for (const { x, y } of [robot, block]) {
+        const at = toPane({ x, y }, camera, pane)
+        expect(at.x > 0 && at.x < pane.width && at.y > 0 && at.y < pane.height).toBe(true)
+      }
+      expect(scale).toBeGreaterThan(2)
     }
-    expect(scaleFor(tall, floor, needOf(robot, [block]))).toBe(2.6)
+    expect(scaleFor(tall, floor, needOf({ x: 300, y: 70 }, [block]))).toBe(2.6)
   })
 
   test('shows the whole floor where Bo stays big enough, and never more than 3 px a cm of it', () => {
@@ -65,10 +71,11 @@ describe('the camera', () => {
     expect(scaleFor({ width: 800, height: 524 }, small, { width: 44, height: 100 })).toBeCloseTo(2.5)
   })
 
-  test('Bo, 20 cm wide, is 44 px at least where what it drives to is near', () => {
-    for (const pane of [tall, { width: 850, height: 506 }])
-      expect(20 * scaleFor(pane, floor, { width: 110, height: 110 })).toBeGreaterThanOrEqual(44)
-    expect(scaleFor(tall, floor, { width: 600, height: 600 })).toBe(1.3)
+  test('Bo, 21.5 cm wide, is 44 px at least, however far away the next thing is; less in a very small pane', () => {
+    for (const pane of [tall, low, { width: 850, height: 506 }])
+      for (const need of [110, 300, 600])
+        expect(21.5 * scaleFor(pane, floor, { width: need, height: need })).toBeGreaterThanOrEqual(44)
+    expect(scaleFor({ width: 360, height: 133 }, floor, { width: 600, height: 600 })).toBeCloseTo(1.4)
   })
 
   test('of several robots all are in sight where Bo stays big enough', () => {

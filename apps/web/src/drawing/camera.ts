@@ -21,9 +21,11 @@ const lag = 0.35
 // Cm around the robot that stay in sight.
 const elbowRoom = 22
 const nearest = 2.6
-/** Bo is some 20 cm wide, and 44 px of that at least where what it drives to can be seen besides. */
-const closeEnough = 2.2
-const farthest = { smallPane: 1, largePane: 1.3, perPx: 190 }
+/** Bo is 21.5 cm wide: 44 px and a bit. */
+const closeEnough = 2.08
+/** So much of the floor is seen at least, in cm, however small the pane is. */
+const leastSeen = 95
+const farthest = 1
 const wholeFloor = 3
 
 /** Where the whole floor is what counts, Bo may be this small, in px per cm. */
@@ -31,13 +33,12 @@ const wholeLeast = 0.8
 
 /**
  * Px per cm for a floor (cm) in a pane (px): the whole floor where Bo stays big enough, else so close that `need` (cm),
- * Bo and what is next to it, just fits. `whole`: all of the floor counts, as a map does.
+ * Bo and what is next to it, just fits, unless Bo were less than 44 px wide then. `whole`: all of the floor counts, as a map does.
  */
 export function scaleFor(pane: Size, floor: Size, need: Size | 'whole'): number {
   const fit = ({ width, height }: Size, margin: number) =>
     Math.min((pane.width - margin) / width, (pane.height - margin) / height)
-  const small = Math.min(pane.width, pane.height) / farthest.perPx
-  const least = clamp(small, farthest.smallPane, farthest.largePane)
+  const least = clamp(Math.min(pane.width, pane.height) / leastSeen, farthest, closeEnough)
   const whole = fit(floor, 2 * frameWidth)
   if (need === 'whole') return clamp(whole, wholeLeast, wholeFloor)
   return whole >= closeEnough ? Math.min(whole, wholeFloor) : clamp(fit(need, 0), least, nearest)

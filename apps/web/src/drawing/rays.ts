@@ -41,7 +41,7 @@ export const nearestBeam = (beams: readonly Beam[]): Beam | undefined =>
   )
 
 /** How far from the robot labels stand, and how much room each takes, in px. */
-const label = { nearest: 44, farthest: 110, width: 54, height: 33 }
+const label = { nearest: 44, farthest: 84, width: 54, height: 33 }
 
 /** Middles of the distance labels: on their lines, near the robot, clear of it and of each other. Px. */
 export function labelPlaces(robot: Point, beams: readonly Beam[]): readonly Point[] {

@@ -30,6 +30,8 @@ export interface Message {
 
 interface Settings {
   readonly rays: boolean
+  /** Rays of all sensors, not only of those that the program reads. */
+  readonly all?: boolean | undefined
   readonly trail: boolean
 }
 

@@ -21,7 +21,7 @@ export const settings = {
   'q-level': level,
   /** The drawer of robots looks at each alone: one that is damaged takes no other with it. */
   robots: v.record(v.pipe(v.string(), v.maxLength(100)), v.unknown()),
-  settings: v.strictObject({ rays: v.boolean(), trail: v.boolean() }),
+  settings: v.strictObject({ rays: v.boolean(), all: v.optional(v.boolean()), trail: v.boolean() }),
   sizes: v.strictObject({ columns: two, stacked: two, rows: two }),
   sorting: v.pipe(
     v.record(v.string(), v.unknown()),

@@ -111,14 +111,18 @@ export class LabScreenState {
   })
   /** The network that is shown does not run: Start is not what comes next. */
   readonly loose = $derived.by(() => this.net !== null && this.net.idle !== null && this.held === null)
-  /** A card without a network has no pane for one. */
-  readonly hasNetworkPane = $derived.by(
-    () =>
-      this.codeOpen ||
-      this.net !== null ||
-      this.session.learns ||
-      !['drive', 'sorting'].includes(this.card?.card.playground ?? ''),
+  /** The pane of the network was opened by hand, while there is no network. */
+  emptyOpen = $state(false)
+  /** In a project of one's own the pane is folded away until there is a network, or a hand opens it. */
+  readonly folds = $derived.by(
+    () => this.card === null && this.net === null && !this.session.learns && !this.layout.pages,
   )
+  /** A card without a network has no pane for one. */
+  readonly hasNetworkPane = $derived.by(() => {
+    if (this.codeOpen || this.net !== null || this.session.learns) return true
+    if (this.folds) return this.emptyOpen
+    return !['drive', 'sorting'].includes(this.card?.card.playground ?? '')
+  })
   /** What the tour would show; null: there is none. */
   readonly sight = $derived.by(() => sightOf(this.net, this.session.config))
 

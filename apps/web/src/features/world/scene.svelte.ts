@@ -1,5 +1,6 @@
 import type { RobotView, View } from '@botgarten/lab'
 import type { Obstacle, Pose, RobotConfig, World } from '@botgarten/simulation'
+import { drawBadge, drawLead, labelWidth, placeBadges, sizeOf, type Badge } from '#drawing/badges.ts'
 import { partAt, partsOf } from '#drawing/bo.ts'
 import { onFloor } from '#drawing/camera.ts'
 import type { Gap } from '#drawing/gap.ts'
@@ -30,6 +31,10 @@ export interface Shown {
   /** Id of the robot whose rays are shown. */
   readonly robot: string
   readonly showRays: boolean
+  /** Ports whose sensors are shown; null: all. */
+  readonly ports: readonly string[] | null
+  /** What is written beside the robot. */
+  readonly badges: readonly Badge[]
   readonly showTrail: boolean
   readonly gap: GapOnFloor | null
   readonly inside: Slots['inside'] | null
@@ -46,6 +51,9 @@ export interface GapOnFloor {
 
 const configsOf = ({ robots }: World): ReadonlyMap<string, RobotConfig> =>
   new Map(robots.map(({ id, config }) => [id, config]))
+
+/** On a floor that is lower than this, in px, badges would hide what is on it. */
+const leastForBadges = 150
 
 const noDots: Dots = { done: [], growing: [] }
 
@@ -167,13 +175,22 @@ export class WorldScene {
   /** Dots of trails that stay as they are; the others are in the shapes. */
   readonly trail = $derived.by(() => this.#dots.done)
 
+  /** The robots with the rays that are to be seen. */
+  readonly #robots = $derived.by(() => {
+    const { view, ports } = this.#shown()
+    if (ports === null) return view.robots
+    const some = ({ rays }: RobotView) =>
+      Object.fromEntries(Object.entries(rays).filter(([port]) => ports.includes(port)))
+    return view.robots.map((robot) => ({ ...robot, rays: some(robot) }))
+  })
+
   readonly now: Scene = $derived.by(() => {
-    const { world, view, robot, showRays } = this.#shown()
+    const { world, robot, showRays } = this.#shown()
     const { scale } = this.#viewport
     return {
       floor: world.size,
       scale,
-      view,
+      view: { robots: this.#robots },
       configs: this.#configs,
       things: this.things,
       moving: this.#apart.moving,
@@ -189,7 +206,52 @@ export class WorldScene {
     }
   })
 
-  readonly shapes = $derived.by(() => drawWorld(this.now))
+  /** Badges beside the robot, with their boxes in px of the floor's box. */
+  readonly #badges = $derived.by(() => {
+    const { badges, robot } = this.#shown()
+    const shown = this.now.view.robots.find(({ id }) => id === robot)
+    const { pane } = this.#viewport
+    if (!shown || badges.length === 0 || pane.height < leastForBadges) return []
+    const widthOf = letters.widthOf.bind(letters)
+    const sizes = badges.map((badge) => ({ id: badge.id, ...sizeOf(badge, widthOf) }))
+    const boxes = placeBadges(sizes, this.#around(shown), this.#badgeSides)
+    return badges.map((badge, i) => ({
+      ...{ badge, box: boxes[i]!, to: this.#partOf(shown, badge.part), label: labelWidth(badge, widthOf) },
+    }))
+  })
+  readonly #badgeSides = new Map<string, number>()
+
+  /** What badges of this robot keep clear of. */
+  #around(robot: RobotView) {
+    const { corner, pane, scale } = this.#viewport
+    const [x, y] = [0 - corner.x, 0 - corner.y]
+    const tools = { x, y, width: pane.height < 280 ? 60 : 158, height: 60 }
+    const bar = { x: x + pane.width - 170, y: y + pane.height - 44, width: 170, height: 44 }
+    const others = this.now.view.robots.filter((one) => one !== robot).map(({ pose }) => this.#at(pose))
+    const reach = boRadius * scale
+    return {
+      ...{ bo: this.#at(robot.pose), heading: robot.pose.heading, radius: reach + 8 },
+      area: { x, y, ...pane },
+      taken: [
+        ...[tools, bar],
+        ...others.map((at) => ({ x: at.x - reach, y: at.y - reach, width: 2 * reach, height: 2 * reach })),
+        ...(this.now.sensing === robot.id ? this.#readings(robot) : []).map((at) => ({
+          ...{ x: at.x - 23, y: at.y - 14, width: 46, height: 28 },
+        })),
+      ],
+    }
+  }
+
+  /** Where a part of it is; its middle where that is not to be pointed at. */
+  #partOf(robot: RobotView, part: string): Point {
+    return this.#parts(robot).find((one) => one.part === part) ?? this.#at(robot.pose)
+  }
+
+  readonly shapes = $derived.by(() => [
+    ...drawWorld(this.now),
+    ...this.#badges.map(({ badge, box, to }) => drawLead(badge, box, to)),
+    ...this.#badges.flatMap(({ badge, box, label }) => drawBadge(badge, box, label)),
+  ])
 
   /** What a finger takes at a point of the pane, in px. */
   grabbedAt(at: Point): Grabbed | null {
@@ -223,6 +285,12 @@ export class WorldScene {
         ...this.#parts(robot).map((place) => ({ ...place, lit: lights(robot.id, place.part) })),
         ...(robot.id === sensing ? this.#readings(robot) : []),
       ]),
+      ...this.#badges.map(({ badge, box }) => ({
+        name: `${this.#shown().robot} badge ${badge.id}`,
+        x: box.x + box.width / 2,
+        y: box.y + box.height / 2,
+        text: [badge.label, ...badge.value].join(' '),
+      })),
       ...this.things.map(({ id, pose }) => ({ name: id, ...this.#at(pose) })),
     ].map(inPane)
   }

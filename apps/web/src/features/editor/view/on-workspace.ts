@@ -32,11 +32,29 @@ const near = 40
 /** How far the workspace is moved along one axis so that what stands at `place` is near its corner. */
 const shift = (place: number) => (place < 0 || place > near ? near - place : 0)
 
+/** Px that stay free beside the widest block. */
+const beside = 8
+/** Blocks are not drawn smaller than this by themselves. */
+const leastScale = 0.7
+
+/** Blocks that are wider than the pane are drawn a little smaller, so that all of them is seen. */
+function fitWidth(workspace: Workspace): void {
+  const room = workspace.getMetricsManager().getViewMetrics().width - beside
+  Blockly.renderManagement.triggerQueuedRenders(workspace)
+  const stacks = workspace.getTopBlocks(false)
+  const right = (stack: Blockly.BlockSvg) =>
+    Math.min(near, stack.getRelativeToSurfaceXY().x) + stack.getHeightWidth().width
+  const widest = Math.max(0, ...stacks.map(right))
+  if (widest * workspace.scale <= room || room <= 0) return
+  workspace.setScale(Math.min(workspace.scale, Math.max(leastScale, room / widest)))
+}
+
 /**
  * Puts the workspace's corner beside the toolbox; where a file has its start block elsewhere, or without one its first stack,
  * that comes to the corner.
  */
 export function place(workspace: Workspace): void {
+  fitWidth(workspace)
   const stacks = workspace.getTopBlocks(true)
   const first = stacks.find(isStart) ?? stacks[0]
   const { x, y } = first?.getRelativeToSurfaceXY() ?? { x: 0, y: 0 }
