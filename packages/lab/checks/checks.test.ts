@@ -199,6 +199,15 @@ describe('checks of the senses', () => {
     expect(lab(tone(250), 0.1)).toEqual([true])
   })
 
+  it('turnsBack: its sensor has read near, and far after that', () => {
+    const turns = { id: 'turns', kind: 'turnsBack', numbers: { near: 35, far: 90 }, seconds: 0 }
+    const lab = on(stripes, [turns])
+    expect(lab({ y: 40 }, 0.1)).toEqual([false])
+    expect(lab({ y: 145 }, 0.1)).toEqual([false])
+    expect(lab({ y: 40 }, 0.1)).toEqual([true])
+    expect(lab({ y: 145 }, 0.1)).toEqual([true])
+  })
+
   it('says: one word, and another one than on the other colours', () => {
     const numbers = { colour: '#00642E', others: '#000000' }
     const lab = on(still, [{ id: 'green', kind: 'says', numbers, seconds: 1 }])
@@ -262,10 +271,20 @@ describe('checks', () => {
   it('stays: slower than 3 percent for five seconds without a break', () => {
     const lab = watching([stays])
     expect(lab.stands(160, 4.9, { percent: 2.9 })).toEqual({ stays: false })
-    expect(lab.stands(160, 0.5, { percent: 3 })).toEqual({ stays: false })
-    expect(lab.stands(160, 4.9, { percent: 2.9 })).toEqual({ stays: false })
-    expect(lab.stands(160, 0.1, { percent: 2.9 })).toEqual({ stays: true })
+    expect(lab.stands(160, 0.5, { percent: 8 })).toEqual({ stays: false })
+    expect(lab.stands(160, 1, { percent: 0 })).toEqual({ stays: false })
+    expect(lab.stands(160, 4, { percent: 2.9 })).toEqual({ stays: false })
+    expect(lab.stands(160, 0.5, { percent: 2.9 })).toEqual({ stays: true })
     expect(lab.stands(100, 0.1)).toEqual({ stays: false })
+  })
+
+  it('stays: what twitches for a tick now and then stands, as it does to the eye', () => {
+    const lab = watching([stays])
+    for (let second = 0; second < 6; second += 1) {
+      lab.stands(160, 59 / 60, { percent: 0 })
+      lab.stands(160, 1 / 60, { percent: 30 })
+    }
+    expect(lab.stands(160, 1 / 60)).toEqual({ stays: true })
   })
 
   it('neverTouches: one touch is one too many, but only until the task is done', () => {

@@ -13,6 +13,7 @@ import { sings } from './sings.ts'
 import { speedOn } from './speedOn.ts'
 import { stays } from './stays.ts'
 import { turnsAway } from './turnsAway.ts'
+import { turnsBack } from './turnsBack.ts'
 import { visits } from './visits.ts'
 
 /** Every kind of check by its name in `card.json`. */
@@ -31,5 +32,6 @@ export const kinds: { readonly [kind: string]: AnyKind } = {
   speedOn,
   stays,
   turnsAway,
+  turnsBack,
   visits,
 }

@@ -21,8 +21,8 @@ const lag = 0.35
 // Cm around the robot that stay in sight.
 const elbowRoom = 22
 const nearest = 2.6
-/** Bo is 21.5 cm wide: 44 px and a bit. */
-const closeEnough = 2.08
+/** Bo is 21.5 cm wide: 44 px. */
+const closeEnough = 2.05
 /** So much of the floor is seen at least, in cm, however small the pane is. */
 const leastSeen = 95
 const farthest = 1

@@ -225,7 +225,7 @@ export class WorldScene {
   #around(robot: RobotView) {
     const { corner, pane, scale } = this.#viewport
     const [x, y] = [0 - corner.x, 0 - corner.y]
-    const tools = { x, y, width: pane.height < 280 ? 60 : 158, height: 60 }
+    const tools = { x, y, width: pane.height < 280 || pane.width < 480 ? 60 : 158, height: 60 }
     const bar = { x: x + pane.width - 170, y: y + pane.height - 44, width: 170, height: 44 }
     const others = this.now.view.robots.filter((one) => one !== robot).map(({ pose }) => this.#at(pose))
     const reach = boRadius * scale

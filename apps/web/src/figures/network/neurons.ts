@@ -13,7 +13,7 @@ export interface Neuron {
   readonly name: string
   readonly colour: string
   readonly missing: boolean
-  /** Its name is not written below it: its layer says what it is. */
+  /** What is written below it is its place alone. */
   readonly bare?: boolean
 }
 

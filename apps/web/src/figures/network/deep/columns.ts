@@ -7,14 +7,14 @@ import type { Neuron } from '../neurons.ts'
 
 const violet = '#6F55C4'
 
-/** The neurons of a hidden layer as they are drawn; `index` counts layers from 0. */
+/** The neurons of a hidden layer as they are drawn, under the names that hints use; `index` counts layers from 0. */
 export const hiddenColumn = ({ id, neurons }: HiddenOutline, index: number): Neuron[] =>
   Array.from({ length: neurons }, (_, k) => {
     const label = message('net.hidden', { layer: index + 1, neuron: k + 1 })
     return {
       id: hiddenId(id, k + 1),
       label,
-      place: null,
+      place: label,
       name: label,
       colour: violet,
       missing: false,

@@ -5,8 +5,8 @@ import { stagger, type Track } from '#drawing/track.ts'
 const radius = { smallest: 22, largest: 34 }
 /** Label and room between rows. */
 const belowNode = 46
-/** Between nodes without a name below them. */
-const betweenNodes = 16
+/** Between nodes of hidden layers, whose names are one line. */
+const betweenNodes = 24
 /** Over the first row: weights of level links, and what makes a layer larger and smaller. */
 const above = { plain: 34, tools: 56 }
 const side = 68
@@ -33,7 +33,7 @@ export function layoutDeep(room: Size, counts: readonly number[], tools: boolean
   const column = (count: number, x: number, at: number) => {
     const share = (height - top) / count
     const named = at === 0 || at === counts.length - 1
-    const middle = named ? (share - belowNode) / 2 : share / 2
+    const middle = (share - (named ? belowNode : betweenNodes)) / 2
     return Array.from({ length: count }, (_, k) => ({ x, y: top + k * share + middle }))
   }
   return {
