@@ -41,9 +41,15 @@ export class LooseHands {
     await expect(this.child.knob(leftEye, leftWheel)).toBeVisible()
   }
 
+  /** Without a network its pane is folded away, but on a phone, where it has a page of its own. */
+  async unfolds() {
+    if (!(await this.child.words('network.empty').isVisible())) await this.child.presses('lab.unfoldNetwork')
+  }
+
   /** Pulls the network of the toolbox over the place where the network is to be, and lets it go there. */
   async dropsNetwork() {
     const { page } = this.child
+    await this.unfolds()
     await new BlockHands(this.child).row('network').click()
     const block = page.locator('.blocklyFlyout .ai_neural_network').first()
     await expect(block).toBeVisible()

@@ -29,6 +29,8 @@ for (const language of languagesOf(import.meta.filename)) {
       const hands = new LooseHands(child)
       await child.opensLab('free')
       await child.opensProject('Loop', loop)
+      await expect(child.words('network.empty')).toBeHidden()
+      await child.tabsAndPresses('lab.unfoldNetwork')
       await child.tabsAndPresses('network.putOne')
       await hands.seesNumbers()
       await expect(child.knobs.first()).toBeFocused()

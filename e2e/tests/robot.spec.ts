@@ -69,6 +69,12 @@ for (const language of languagesOf(import.meta.filename)) {
       await bo.dragsFromShelf('infrared', bo.port('4'))
       await bo.seesAtPort('4', 'infrared')
       await bo.closes()
+      // Only rays of sensors that the program reads are shown, until all are asked for.
+      expect((await child.painted.places()).map(({ name }) => name)).toContain('bo ray 2')
+      expect(await ray()).toBeUndefined()
+      await child.presses('lab.worldSettings')
+      await child.page.getByText(child.word('lab.allSensors'), { exact: true }).click()
+      await child.types('Escape')
       // Nothing is within its 70 cm.
       await expect.poll(async () => (await ray())?.text).toBe('100')
       const { x: left, y: top } = (await ray())!

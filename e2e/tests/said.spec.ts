@@ -66,12 +66,12 @@ for (const language of languagesOf(import.meta.filename)) {
       await child.opensLab('free')
       await child.opensProject('Word', wordNet('Word', 'Hurra'))
       await child.pressesStart()
-      const display = page.locator('pre').filter({ hasText: child.word('neuron.empty') })
-      await expect(display).toBeVisible()
+      const display = async () => (await child.painted.place('bo badge display')).text
+      await expect.poll(display).toContain(child.word('neuron.empty'))
       await child.knobs.first().focus()
       await child.types('End')
-      await expect(page.locator('pre').filter({ hasText: 'Hurra' })).toBeVisible()
-      await expect(display).toBeHidden()
+      await expect.poll(display).toContain('Hurra')
+      await expect(page.locator('pre').filter({ hasText: 'Hurra' })).toHaveCount(1)
     })
 
     test.describe('when the picture of the floor does not come', () => {

@@ -90,6 +90,10 @@ function placesFor(size: Size, { bo, heading, radius, area }: Around): readonly 
     })
 }
 
+/** The side on which each badge stands, by its id. */
+export type BadgeSides = Map<string, number>
+export const badgeSides = (): BadgeSides => new Map()
+
 /**
  * Where badges stand, clear of Bo, of each other and of what is taken. One that stands well stays on its side: they do not
  * jump about while Bo turns. @param last the side of each, by its id; it is brought up to date
@@ -97,7 +101,7 @@ function placesFor(size: Size, { bo, heading, radius, area }: Around): readonly 
 export function placeBadges(
   badges: readonly (Size & { readonly id: string })[],
   around: Around,
-  last: Map<string, number>,
+  last: BadgeSides,
 ): readonly Box[] {
   const placed: Box[] = []
   for (const { id, width, height } of badges) {

@@ -1,6 +1,14 @@
 import type { RobotView, View } from '@botgarten/lab'
 import type { Obstacle, Pose, RobotConfig, World } from '@botgarten/simulation'
-import { drawBadge, drawLead, labelWidth, placeBadges, sizeOf, type Badge } from '#drawing/badges.ts'
+import {
+  badgeSides,
+  drawBadge,
+  drawLead,
+  labelWidth,
+  placeBadges,
+  sizeOf,
+  type Badge,
+} from '#drawing/badges.ts'
 import { partAt, partsOf } from '#drawing/bo.ts'
 import { onFloor } from '#drawing/camera.ts'
 import type { Gap } from '#drawing/gap.ts'
@@ -219,7 +227,7 @@ export class WorldScene {
       ...{ badge, box: boxes[i]!, to: this.#partOf(shown, badge.part), label: labelWidth(badge, widthOf) },
     }))
   })
-  readonly #badgeSides = new Map<string, number>()
+  readonly #badgeSides = badgeSides()
 
   /** What badges of this robot keep clear of. */
   #around(robot: RobotView) {

@@ -1,0 +1,37 @@
+// Rooms: editor, world, lab-screen
+import { content } from '@botgarten/content/files'
+import { expect, test } from '../house.ts'
+import { fitOf } from '../lab-fit.ts'
+
+// German words are the longest. A map has the whole lab, and its program is folded.
+test.use({ language: 'de' })
+
+const cards = content.cards.filter(({ bed }) => bed !== 'q-learning').map(({ id }) => id)
+const sizes = [
+  { width: 1366, height: 768 },
+  { width: 1024, height: 768 },
+]
+
+test('on every card Bo is 44 px wide, no block is cut off, and nothing lies over blocks or their list', async ({
+  child,
+  page,
+}) => {
+  test.slow()
+  for (const card of cards)
+    for (const size of sizes) {
+      await page.setViewportSize(size)
+      await child.opensLab(card)
+      const fit = async () => {
+        const { bo, over, cut } = await fitOf(page)
+        return { card, width: size.width, small: Math.round(bo ?? 0) < 44, over, cut: Math.round(cut) }
+      }
+      await expect.poll(fit).toEqual({ card, width: size.width, small: false, over: [], cut: 0 })
+    }
+})
+
+test('a hint has room of its own, and an open list leaves its buttons free', async ({ child, page }) => {
+  await child.opensLab('chameleon')
+  await child.presses('lab.hint')
+  await expect(page.getByRole('region', { name: child.word('lab.hint') })).toBeVisible()
+  await expect.poll(async () => (await fitOf(page)).over).toEqual([])
+})
