@@ -1,31 +1,36 @@
 import { heldFor, nameOf, numberOf, tooShort, type Kind } from './kind.ts'
 import { frontOf, gapIn, gapTo, speedIn } from './moment.ts'
 
-/** Ticks over which its speed is taken: what twitches for one of them stands, to the eye. */
-const lag = 30
+/** After so many still ticks a twitch is forgotten. */
+const calm = 15
+/** A second twitch before that is driving. */
+const driving = 1.5
 
-/** `speed`: its mean of late, in percent. */
+/** `stir`: a moving tick counts 1, and fades while it is still. `moved`: did it drive, in the last tick that was looked at? */
 interface Memory {
   held: number
   longest: number
-  speed: number
+  stir: number
+  moved: boolean
 }
 
 /**
- * The robot stands (slower than `percent`, as a mean of half a second) within `cm` of the obstacle for `seconds`; "quite still"
- * is never reached, and a sensor that errs lets a rule jump at its limit.
+ * The robot stands (slower than `percent`) within `cm` of the obstacle for `seconds`; "quite still" is never reached. A twitch
+ * of one tick now and then stands to the eye: a sensor that errs lets a rule jump at its limit.
  */
 export const stays: Kind<Memory> = {
   needs: ['obstacle', 'cm', 'percent'],
   lacks: ['far', 'moving', 'short'],
-  begin: () => ({ held: 0, longest: 0, speed: 0 }),
+  begin: () => ({ held: 0, longest: 0, stir: 0, moved: false }),
   observe(check, moment, memory) {
     const gap = gapIn(moment, nameOf(check, 'obstacle'))
     const close = gap !== null && gap <= numberOf(check, 'cm')
-    memory.speed += (speedIn(moment) - memory.speed) / lag
-    return heldFor(check, memory, close && memory.speed < numberOf(check, 'percent'))
+    const stirs = speedIn(moment) >= numberOf(check, 'percent')
+    memory.stir = stirs ? Math.min(2, memory.stir + 1) : Math.max(0, memory.stir - 1 / calm)
+    memory.moved = stirs && memory.stir > driving
+    return heldFor(check, memory, close && !memory.moved)
   },
-  missing(check, { speed, longest }, moment) {
+  missing(check, { moved, longest }, moment) {
     const thing = nameOf(check, 'obstacle')
     const [away, to] = [gapIn(moment, thing) ?? 0, gapTo(moment, thing)]
     if (away > numberOf(check, 'cm'))
