@@ -18,8 +18,8 @@ export class RobotHands {
 
   /** Opens one of the entries in the world's menu; where its head has no room for one, they are in the lab's. */
   async opens(entry: 'build' | 'senses' | 'panel') {
-    const wide = (this.#child.page.viewportSize()?.width ?? 0) >= 1280
-    await this.#child.presses(wide ? 'lab.worldSettings' : 'lab.menu')
+    const hasRoom = await this.#child.button('lab.worldSettings').isVisible()
+    await this.#child.presses(hasRoom ? 'lab.worldSettings' : 'lab.menu')
     const name = this.word(entry)
     if (entry === 'build') await this.#child.page.getByRole('button', { name, exact: true }).click()
     else await this.#child.page.getByText(name, { exact: true }).first().click()
