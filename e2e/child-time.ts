@@ -82,8 +82,8 @@ export class TimeHands {
 
   /** Asks for one robot more: the first one comes from the world's menu, the others from the row. */
   async asks() {
-    const wide = (this.#child.page.viewportSize()?.width ?? 0) >= 1280
-    if ((await this.row.count()) === 0) await this.#child.presses(wide ? 'lab.worldSettings' : 'lab.menu')
+    const hasRoom = await this.#child.button('lab.worldSettings').isVisible()
+    if ((await this.row.count()) === 0) await this.#child.presses(hasRoom ? 'lab.worldSettings' : 'lab.menu')
     await this.#child.button('robots.add').last().click()
   }
 

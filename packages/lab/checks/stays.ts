@@ -35,8 +35,6 @@ export const stays: Kind<Memory> = {
     const [away, to] = [gapIn(moment, thing) ?? 0, gapTo(moment, thing)]
     if (away > numberOf(check, 'cm'))
       return { what: 'far', facts: { thing, away }, ...(to && { gap: { from: frontOf(moment), to } }) }
-    return speed >= numberOf(check, 'percent')
-      ? { what: 'moving', facts: { thing } }
-      : tooShort(check, longest)
+    return moved ? { what: 'moving', facts: { thing } } : tooShort(check, longest)
   },
 }

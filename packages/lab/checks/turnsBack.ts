@@ -1,3 +1,4 @@
+import type { Lack } from '../types.ts'
 import { numberOf, type Kind } from './kind.ts'
 import { readingOf } from './moment.ts'
 
@@ -13,7 +14,7 @@ export const turnsBack: Kind<{ nearest: number | null; done: boolean }> = {
     memory.done ||= memory.nearest <= numberOf(check, 'near') && away >= numberOf(check, 'far')
     return memory.done
   },
-  missing(check, { nearest }, moment) {
+  missing(check, { nearest }, moment): Lack {
     const away = nearest ?? readingOf(moment, 'ultrasonic', 'distance')
     if (typeof away !== 'number' || away > numberOf(check, 'near'))
       return { what: 'never', facts: { away: Number(away ?? 0) } }

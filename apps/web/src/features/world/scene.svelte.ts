@@ -1,14 +1,6 @@
 import type { RobotView, View } from '@botgarten/lab'
 import type { Obstacle, Pose, RobotConfig, World } from '@botgarten/simulation'
-import {
-  badgeSides,
-  drawBadge,
-  drawLead,
-  labelWidth,
-  placeBadges,
-  sizeOf,
-  type Badge,
-} from '#drawing/badges.ts'
+import { badgeSides, drawBadge, drawLead, type Badge } from '#drawing/badges.ts'
 import { partAt, partsOf } from '#drawing/bo.ts'
 import { onFloor } from '#drawing/camera.ts'
 import type { Gap } from '#drawing/gap.ts'
@@ -28,6 +20,7 @@ import type { Slots } from '#lab/slots.ts'
 import { comfort } from '#storage/comfort.svelte.ts'
 import { fetchWords, m } from '#words/message.ts'
 import type { Hand } from './hand.svelte.ts'
+import { layBadges } from './lay-badges.ts'
 import { standing, type Standing } from './steady.ts'
 import { thingName } from './words.ts'
 
@@ -59,9 +52,6 @@ export interface GapOnFloor {
 
 const configsOf = ({ robots }: World): ReadonlyMap<string, RobotConfig> =>
   new Map(robots.map(({ id, config }) => [id, config]))
-
-/** On a floor that is lower than this, in px, badges would hide what is on it. */
-const leastForBadges = 150
 
 const noDots: Dots = { done: [], growing: [] }
 
@@ -217,38 +207,17 @@ export class WorldScene {
   /** Badges beside the robot, with their boxes in px of the floor's box. */
   readonly #badges = $derived.by(() => {
     const { badges, robot } = this.#shown()
-    const shown = this.now.view.robots.find(({ id }) => id === robot)
-    const { pane } = this.#viewport
-    if (!shown || badges.length === 0 || pane.height < leastForBadges) return []
-    const widthOf = letters.widthOf.bind(letters)
-    const sizes = badges.map((badge) => ({ id: badge.id, ...sizeOf(badge, widthOf) }))
-    const boxes = placeBadges(sizes, this.#around(shown), this.#badgeSides)
-    return badges.map((badge, i) => ({
-      ...{ badge, box: boxes[i]!, to: this.#partOf(shown, badge.part), label: labelWidth(badge, widthOf) },
-    }))
+    const { robots } = this.now.view
+    const shown = robots.find(({ id }) => id === robot)
+    if (!shown) return []
+    const readings = this.now.sensing === robot ? this.#readings(shown) : []
+    const others = robots.filter((one) => one !== shown).map(({ pose }) => this.#at(pose))
+    const stands = { bo: this.#at(shown.pose), heading: shown.pose.heading }
+    return layBadges(badges, { ...stands, others, readings, viewport: this.#viewport }, this.#badgeSides).map(
+      (laid) => ({ ...laid, to: this.#partOf(shown, laid.badge.part) }),
+    )
   })
   readonly #badgeSides = badgeSides()
-
-  /** What badges of this robot keep clear of. */
-  #around(robot: RobotView) {
-    const { corner, pane, scale } = this.#viewport
-    const [x, y] = [0 - corner.x, 0 - corner.y]
-    const tools = { x, y, width: pane.height < 280 || pane.width < 480 ? 60 : 158, height: 60 }
-    const bar = { x: x + pane.width - 170, y: y + pane.height - 44, width: 170, height: 44 }
-    const others = this.now.view.robots.filter((one) => one !== robot).map(({ pose }) => this.#at(pose))
-    const reach = boRadius * scale
-    return {
-      ...{ bo: this.#at(robot.pose), heading: robot.pose.heading, radius: reach + 8 },
-      area: { x, y, ...pane },
-      taken: [
-        ...[tools, bar],
-        ...others.map((at) => ({ x: at.x - reach, y: at.y - reach, width: 2 * reach, height: 2 * reach })),
-        ...(this.now.sensing === robot.id ? this.#readings(robot) : []).map((at) => ({
-          ...{ x: at.x - 23, y: at.y - 14, width: 46, height: 28 },
-        })),
-      ],
-    }
-  }
 
   /** Where a part of it is; its middle where that is not to be pointed at. */
   #partOf(robot: RobotView, part: string): Point {

@@ -1,0 +1,53 @@
+import { labelWidth, placeBadges, sizeOf, type Badge, type BadgeSides } from '#drawing/badges.ts'
+import { boRadius } from '#drawing/grab.ts'
+import type { Point, Size } from '#drawing/points.ts'
+import { letters } from '#figures/letters.svelte.ts'
+
+/** On a floor that is lower than this, in px, badges would hide what is on it. */
+const least = 150
+/** In px: the buttons in the corner, one of them on a small floor, and the scale. */
+const buttons = { one: 60, all: 158, height: 60 }
+const scaleBar = { width: 170, height: 44 }
+const reading = { width: 46, height: 28 }
+
+/** Where a robot stands and what is round it, in px of the floor's box. */
+interface Stands {
+  readonly bo: Point
+  readonly heading: number
+  readonly others: readonly Point[]
+  /** Numbers at its rays. */
+  readonly readings: readonly Point[]
+  readonly viewport: { readonly pane: Size; readonly corner: Point; readonly scale: number }
+}
+
+const about = ({ x, y }: Point, { width, height }: Size) => ({
+  ...{ x: x - width / 2, y: y - height / 2 },
+  ...{ width, height },
+})
+
+function taken({ others, readings, viewport: { pane, corner, scale } }: Stands) {
+  const [x, y] = [0 - corner.x, 0 - corner.y]
+  const isSmall = pane.height < 280 || pane.width < 480
+  const bo = { width: 2 * boRadius * scale, height: 2 * boRadius * scale }
+  return [
+    { x, y, width: isSmall ? buttons.one : buttons.all, height: buttons.height },
+    { x: x + pane.width - scaleBar.width, y: y + pane.height - scaleBar.height, ...scaleBar },
+    ...others.map((at) => about(at, bo)),
+    ...readings.map((at) => about(at, reading)),
+  ]
+}
+
+/** Badges with their boxes, and the room of their labels. */
+export function layBadges(badges: readonly Badge[], stands: Stands, sides: BadgeSides) {
+  const { pane, corner, scale } = stands.viewport
+  if (badges.length === 0 || pane.height < least) return []
+  const widthOf = letters.widthOf.bind(letters)
+  const around = {
+    ...{ bo: stands.bo, heading: stands.heading, radius: boRadius * scale + 8 },
+    area: { x: 0 - corner.x, y: 0 - corner.y, ...pane },
+    taken: taken(stands),
+  }
+  const sizes = badges.map((badge) => ({ id: badge.id, ...sizeOf(badge, widthOf) }))
+  const boxes = placeBadges(sizes, around, sides)
+  return badges.map((badge, i) => ({ badge, box: boxes[i]!, label: labelWidth(badge, widthOf) }))
+}
