@@ -1,3 +1,4 @@
+import type { RobotView } from '@botgarten/lab'
 import { labelWidth, placeBadges, sizeOf, type Badge, type BadgeSides } from '#drawing/badges.ts'
 import { boRadius } from '#drawing/grab.ts'
 import type { Point, Size } from '#drawing/points.ts'
@@ -50,4 +51,15 @@ export function layBadges(badges: readonly Badge[], stands: Stands, sides: Badge
   const sizes = badges.map((badge) => ({ id: badge.id, ...sizeOf(badge, widthOf) }))
   const boxes = placeBadges(sizes, around, sides)
   return badges.map((badge, i) => ({ badge, box: boxes[i]!, label: labelWidth(badge, widthOf) }))
+}
+
+/** The robots with the rays that are to be seen. @param ports null: of all sensors */
+export function withRays(
+  robots: readonly RobotView[],
+  ports: readonly string[] | null,
+): readonly RobotView[] {
+  if (ports === null) return robots
+  const some = ({ rays }: RobotView) =>
+    Object.fromEntries(Object.entries(rays).filter(([port]) => ports.includes(port)))
+  return robots.map((robot) => ({ ...robot, rays: some(robot) }))
 }

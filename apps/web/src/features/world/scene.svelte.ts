@@ -20,7 +20,7 @@ import type { Slots } from '#lab/slots.ts'
 import { comfort } from '#storage/comfort.svelte.ts'
 import { fetchWords, m } from '#words/message.ts'
 import type { Hand } from './hand.svelte.ts'
-import { layBadges } from './lay-badges.ts'
+import { layBadges, withRays } from './lay-badges.ts'
 import { standing, type Standing } from './steady.ts'
 import { thingName } from './words.ts'
 
@@ -173,14 +173,7 @@ export class WorldScene {
   /** Dots of trails that stay as they are; the others are in the shapes. */
   readonly trail = $derived.by(() => this.#dots.done)
 
-  /** The robots with the rays that are to be seen. */
-  readonly #robots = $derived.by(() => {
-    const { view, ports } = this.#shown()
-    if (ports === null) return view.robots
-    const some = ({ rays }: RobotView) =>
-      Object.fromEntries(Object.entries(rays).filter(([port]) => ports.includes(port)))
-    return view.robots.map((robot) => ({ ...robot, rays: some(robot) }))
-  })
+  readonly #robots = $derived.by(() => withRays(this.#shown().view.robots, this.#shown().ports))
 
   readonly now: Scene = $derived.by(() => {
     const { world, robot, showRays } = this.#shown()
