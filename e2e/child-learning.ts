@@ -13,7 +13,7 @@ export class Learner {
   }
 
   /** With dice that are pinned by the link: what is learned is the same every time. */
-  async opens(card: 'railway' | 'forest' | 'city') {
+  async opens(card: 'mars' | 'railway' | 'forest' | 'city') {
     await this.child.opensLab(`${card}?dice=1`)
     await this.sees()
   }

@@ -1,6 +1,8 @@
+import { expect } from '@playwright/test'
 import { Asker } from './child-inside.ts'
 import { Learner } from './child-learning.ts'
 import { NetHands } from './child-network.ts'
+import { SortingHands } from './child-sorting.ts'
 import { leftEye, leftWheel, rightEye, rightWheel, type Child } from './child.ts'
 import type { Screen } from './screens.ts'
 
@@ -15,6 +17,14 @@ async function learns(child: Child, card: 'railway' | 'forest' | 'city') {
   await learner.opens(card)
   await learner.learnsToTheEnd()
   return learner
+}
+
+async function makesMoves(child: Child, card: 'city') {
+  await new Learner(child).opens(card)
+  for (const move of [1, 2, 3]) {
+    await child.presses('q.step')
+    await expect.poll(async () => (await new Learner(child).moves()).shown).toBe(move)
+  }
 }
 
 /** What opens a network or a learner to the eye; not on phones, where each has the screen to itself. */
@@ -68,7 +78,65 @@ const wide: readonly Screen[] = [
   },
 ]
 
+/** Learning by trying and sorting, as a child meets them at every width. */
+const trying: readonly Screen[] = [
+  { name: 'mars', show: (child) => new Learner(child).opens('mars') },
+  { name: 'city', show: async (child) => makesMoves(child, 'city') },
+  {
+    name: 'city-tapped',
+    async show(child) {
+      await makesMoves(child, 'city')
+      await new Learner(child).station(9).click()
+    },
+  },
+  {
+    name: 'forest-guess',
+    async show(child) {
+      const learner = new Learner(child)
+      await learner.opens('forest')
+      await learner.guesses(1, 4)
+    },
+  },
+  {
+    name: 'railway-drive',
+    async show(child) {
+      const learner = new Learner(child)
+      await learner.opens('railway')
+      await learner.closes(2, 3)
+      await learner.hurries()
+      await child.presses('lab.start')
+      await expect(child.button('lab.stop').first()).toBeVisible()
+    },
+  },
+  {
+    name: 'sorting',
+    async show(child) {
+      const sorting = new SortingHands(child)
+      await sorting.opens()
+      await sorting.sorts()
+    },
+  },
+  {
+    name: 'sorting-guess',
+    async show(child) {
+      const sorting = new SortingHands(child)
+      await sorting.opens()
+      await sorting.presses('guess.open')
+    },
+  },
+  {
+    name: 'tidy-up',
+    async show(child) {
+      await child.opensLab('tidy-up')
+      await child.pressesStart()
+      await child.page.waitForTimeout(6000)
+      await child.presses('lab.pause')
+    },
+  },
+]
+
 export const lookingIn: readonly Screen[] = [
+  ...trying,
   ...wide.map((screen) => ({ ...screen, neverPhone: true })),
   {
     name: 'net-settings',

@@ -37,6 +37,14 @@ const brokenProject = () =>
 
 export const screens: readonly Screen[] = [
   { name: 'home', show: (child) => child.opensHome() },
+  {
+    name: 'new-project',
+    async show(child) {
+      await child.opensHome()
+      await child.page.getByRole('button', { name: child.word('home.free') }).click()
+      await expect(child.page.getByRole('dialog')).toBeVisible()
+    },
+  },
   { name: 'friendship', show: (child) => child.opensLab('friendship') },
   {
     name: 'friendship-running',

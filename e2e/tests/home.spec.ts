@@ -13,11 +13,12 @@ const cardsOf = (child: Child, bed: string) =>
     .filter({ has: child.page.getByRole('heading', { name: child.word(bed), exact: true }) })
     .getByRole('link')
 
-/** Three cards of each bed: opened in its own way, seen, and back home. */
+/** Three cards of each bed, in both languages by turns: opened in its own way, seen, and back home. */
 async function walks(child: Child, opens: (card: Locator) => Promise<void>) {
   await child.opensHome()
   for (const bed of beds)
     for (const index of [0, 1, 2]) {
+      await child.speaks(child.language === 'en' ? 'de' : 'en')
       const card = cardsOf(child, bed).nth(index)
       const href = await card.getAttribute('href')
       await opens(card)
