@@ -24,6 +24,7 @@ async function makesMoves(child: Child, card: 'city') {
   for (const move of [1, 2, 3]) {
     await child.presses('q.step')
     await expect.poll(async () => (await new Learner(child).moves()).shown).toBe(move)
+    await expect(child.button('q.pause')).toHaveCount(0)
   }
 }
 
