@@ -13,8 +13,7 @@ import { readReferences } from '../schema/references.ts'
 import { textOf, there as thereIn } from './there.ts'
 
 const { languages } = content
-const isWritten = (id: string, language: string) =>
-  textOf(content.itemFolder(id), `${language}.md`) !== ''
+const isWritten = (id: string, language: string) => textOf(content.itemFolder(id), `${language}.md`) !== ''
 /** The words of an item as they stand in its folder. */
 const itemText = (id: string, language: string) =>
   readItemText(textOf(content.itemFolder(id), `${language}.md`))

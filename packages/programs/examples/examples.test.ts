@@ -74,6 +74,12 @@ describe('examples as a file', () => {
     ])
   })
 
+  it('say of each neuron its kind and its port, so that others are told apart', () => {
+    const { neurons } = examplesFile(examples, net)
+    expect(neurons.inputs.map(({ port }) => port)).toEqual(['ULTRASONIC_PORT_2', 'ULTRASONIC_PORT_3'])
+    expect(neurons.outputs.map(({ port }) => port.at(-1))).toEqual(['C', 'B'])
+  })
+
   it('are put behind others, their drives by names of their own', () => {
     const joined = joinExamples(examples, examples)
     expect(joined.rows).toHaveLength(12)
@@ -158,6 +164,15 @@ describe('examples as a table', () => {
     const { examples: read, outside } = examplesFromTable(table, inputs, outputs)
     expect(read.rows[0]!.slice(6)).toEqual([300, 40, -100, 100])
     expect(outside).toBe(3)
+  })
+
+  it('count a number as beyond the range from the first bit over 0 to 100, or −100 to 100', () => {
+    const columns = [...inputs, ...outputs]
+    const outsideOf = (...row: number[]) =>
+      examplesFromTable({ columns, rows: [row] }, inputs, outputs).outside
+    expect([outsideOf(0, 100, -100, 100), outsideOf(0, 100.5, 0, 0), outsideOf(-0.5, 0, 100.5, 0)]).toEqual([
+      0, 1, 2,
+    ])
   })
 
   it('are refused where a column is unknown, missing, there twice or has no name', () => {

@@ -249,3 +249,9 @@ describe('files that are made to take long', () => {
     expect(stacks[0]!.blocks[0]!.data === data).toBe(true)
   })
 })
+
+it('what a block has twice is named', () => {
+  const twice = (parts: string) => refusal(file(`<block type="a" id="1">${parts}</block>`)).message
+  expect(twice('<comment>x</comment><comment>y</comment>')).toContain('A block has two comments.')
+  expect(twice('<mutation items="1"/><mutation items="2"/>')).toContain('A block has two mutations.')
+})

@@ -71,6 +71,13 @@ describe('names', () => {
 
   it('that Python keeps for itself get an underscore', () =>
     expect(named('if', 'list', 'input')).toEqual(['if_', 'list_', 'input_']))
+  it('that the file uses itself make way too', () =>
+    expect(named('sqrt', 'wait', 'ValueError', 'choice')).toEqual([
+      'sqrt_',
+      'wait_',
+      'ValueError_',
+      'choice_',
+    ]))
   it('keep their umlauts', () => expect(named('ä', 'größe')).toEqual(['ä', 'größe']))
   it('lose what no name may hold', () =>
     expect(named('Robot 1', '2nd', '🙂')).toEqual(['Robot_1', 'x_2nd', 'x']))
@@ -92,6 +99,22 @@ describe('names', () => {
       'x.py',
       'x.py',
     ])
+  })
+})
+
+describe('what has to sit at a port', () => {
+  it('is the left motor, the right one, or the kind of another one', () => {
+    const program = programOf([
+      start,
+      ...['B', 'C'].map((MOTORPORT) => block('robActions_motor_on', { MOTORPORT }, { POWER: number(30) })),
+    ])
+    const words = (key: string, facts: object = {}) => [key, ...Object.values(facts)].join(' ')
+    const { text: file } = pythonFrom(
+      { ...{ name: 'test', program, config: cardConfig, brains: {} }, dialect: 'pybricks' },
+      words,
+    )
+    expect(file).toContain('python.plug B python.device.right')
+    expect(file).toContain('python.plug C python.device.left')
   })
 })
 

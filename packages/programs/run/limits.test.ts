@@ -70,6 +70,12 @@ describe('what a program may not do', () => {
     expect(thread.problem?.problem).toBe('problem.tooManyCalls')
   })
 
+  it('of two functions of one name the first is called', () => {
+    const program = programOf([start(), call('a')], [make('a', block('first'))], [make('a', block('second'))])
+    const { block: called } = indexProgram(program).functions.get('a')!
+    expect(called.block).toBe(program.stacks[1]!.blocks[0])
+  })
+
   it('a list of a million is refused with a word', () => {
     const { thread } = run(programOf([start(variable('xs', 'Array_Number', listOf(1_000_000)))]))
     expect(thread.problem).toMatchObject({ problem: 'problem.listTooLong', facts: { most: 10_000 } })
