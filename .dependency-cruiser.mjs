@@ -12,10 +12,12 @@ const rooms = [
   'messages',
   'classroom',
   'server',
+  'chromium',
 ]
 const mayKnow = {
   numbers: [],
   messages: [],
+  chromium: [],
   learning: ['numbers'],
   simulation: ['numbers'],
   blocks: ['learning', 'simulation', 'numbers'],

@@ -11,6 +11,11 @@ import { asScript } from './prepare/run.mjs'
 import { browserTests, good, take, takeInOrder, unitTests } from './prepare/steps.mjs'
 
 const folder = mkdtempSync(join(tmpdir(), 'botgarten-changed-'))
+/** Tests that read content/ by the names of its files. */
+const readers = [
+  ...['packages/content', 'packages/maps', 'packages/messages', 'apps/cli/words'],
+  'apps/web/src/app/features',
+]
 const code = /\.(ts|mjs|js|svelte)$/
 
 /** Types of the parts that a change can break: those that hold it, and those that import them. */
@@ -35,24 +40,13 @@ function checksOf(changed) {
   ].filter(Boolean)
   const tests = changed.filter((file) => code.test(file) && !file.startsWith('e2e/tests/'))
   const content = changed.some((file) => file.startsWith('content/'))
+  const read = unitTests(join(folder, 'content.json'))
   const related = { ...unitTests(join(folder, 'unit.json')), script: 'test:related' }
   const args = [...related.args, '--passWithNoTests', ...tests]
   const units = [
     ...(tests.length > 0 ? [{ ...related, args }] : []),
     // What reads files by their names imports none of them.
-    ...(content
-      ? [
-          {
-            ...unitTests(join(folder, 'content.json')),
-            args: [
-              ...unitTests(join(folder, 'content.json')).args,
-              'packages/materials',
-              'packages/maps',
-              'content/',
-            ],
-          },
-        ]
-      : []),
+    ...(content ? [{ ...read, args: [...read.args, ...readers] }] : []),
   ]
   return [typesOf(changed), [...lint, ...units]]
 }
