@@ -1,3 +1,5 @@
+import { ownName } from './owner.ts'
+
 /** What a tab tells the others about a project. */
 export type News =
   | { readonly kind: 'saved'; readonly id: string; readonly revision: number; readonly name?: string }
@@ -5,7 +7,9 @@ export type News =
 
 type Message = News | { readonly kind: 'who' } | { readonly kind: 'open' | 'closed'; readonly id: string }
 
-const channel = typeof BroadcastChannel === 'undefined' ? null : new BroadcastChannel('botgarten-projects')
+const newChannel = () =>
+  typeof BroadcastChannel === 'undefined' ? null : new BroadcastChannel(ownName('botgarten-projects'))
+const channel = newChannel()
 
 export const announce = (message: News): void => channel?.postMessage(message)
 
@@ -43,4 +47,15 @@ export function watchTabs(heard: Watcher): () => void {
   })
   channel?.postMessage({ kind: 'who' })
   return stop
+}
+
+/** Calls back when a project was saved or thrown away, in this tab or another. Returns how to stop. */
+export function whenAnythingChanges(heard: () => void): () => void {
+  // A channel hears what others say, those of its own tab too.
+  const own = newChannel()
+  const listener = ({ data }: MessageEvent<Message>) => {
+    if (data.kind === 'saved' || data.kind === 'gone') heard()
+  }
+  own?.addEventListener('message', listener)
+  return () => own?.close()
 }

@@ -1,5 +1,6 @@
 import type { Project } from '@botgarten/programs'
 import { openDB, type DBSchema, type IDBPDatabase, type IDBPTransaction } from 'idb'
+import { ownName } from './owner.ts'
 
 /** A project on this device. `revision` grows with every save, so that two tabs notice each other. */
 export interface Kept {
@@ -41,17 +42,43 @@ interface PictureRecord {
   readonly asset: Project['assets'][string]
 }
 
+/** How a project stands to its class. Revisions of the class and those of the device are counted apart. */
+export interface SyncRecord {
+  readonly id: string
+  /** Revision of the class that this device's project stands on; 0: the class has none. */
+  readonly base: number
+  /** Revision of this device that the class holds; 0: none. */
+  readonly synced: number
+  /** Revision of the class that came from another device: the child has not chosen yet. */
+  readonly conflict?: number
+  /** What the class does not take, and the revision of this device that it was. */
+  readonly refused?: { readonly revision: number; readonly reason: string }
+}
+
+/** A save on its way to the class: once begun, it stays as it is until the class has answered. */
+export interface OutboxRecord {
+  readonly id: string
+  /** Sent twice under this name, it is one save. */
+  readonly save: string
+  /** Revision of this device that it holds. */
+  readonly revision: number
+  readonly base: number
+  readonly project: Project
+}
+
 interface Schema extends DBSchema {
   projects: { key: string; value: ProjectRecord }
   bin: { key: string; value: Thrown }
   revisions: { key: string; value: { readonly id: string; readonly revision: number } }
   pictures: { key: [project: string, hash: string]; value: PictureRecord }
   days: { key: string; value: { readonly id: string; readonly count: number; readonly last: string } }
+  sync: { key: string; value: SyncRecord }
+  outbox: { key: string; value: OutboxRecord }
 }
 
 type Opened = IDBPDatabase<Schema>
-type Store = 'projects' | 'bin' | 'revisions' | 'pictures' | 'days'
-const allStores = ['projects', 'bin', 'revisions', 'pictures', 'days'] as const
+const allStores = ['projects', 'bin', 'revisions', 'pictures', 'days', 'sync', 'outbox'] as const
+type Store = (typeof allStores)[number]
 export type Writing = IDBPTransaction<Schema, Store[], 'readwrite'>
 export type Reading = IDBPTransaction<Schema, Store[], 'readonly'>
 
@@ -64,6 +91,10 @@ const migrations: readonly ((db: Opened) => void)[] = [
     db.createObjectStore('revisions', { keyPath: 'id' })
     db.createObjectStore('pictures', { keyPath: ['project', 'hash'] })
     db.createObjectStore('days', { keyPath: 'id' })
+  },
+  (db) => {
+    db.createObjectStore('sync', { keyPath: 'id' })
+    db.createObjectStore('outbox', { keyPath: 'id' })
   },
 ]
 
@@ -90,7 +121,7 @@ async function open(): Promise<Opened> {
   const blocked = new Promise<never>((_, reject) => (giveUp = reject))
   const wait = () =>
     void setTimeout(() => giveUp(new BlockedError('An older tab holds the database.')), TIMEOUT)
-  const asked = openDB<Schema>('botgarten', migrations.length, {
+  const asked = openDB<Schema>(ownName('botgarten'), migrations.length, {
     upgrade: (db, from) => migrations.slice(from).forEach((migrate) => migrate(db)),
     blocked: wait,
     // A tab with a newer version waits: this one lets go, and asks again with its next save.

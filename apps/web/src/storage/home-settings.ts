@@ -1,7 +1,7 @@
 import { comfort } from './comfort.svelte.ts'
 import { language, type Locale } from '#words/language.svelte.ts'
 import * as v from 'valibot'
-import { settings as travels } from './settings.ts'
+import { placeOfSetting, settings as travels } from './settings.ts'
 
 type SettingName = keyof typeof travels
 export type HomeSettings = { readonly [name in SettingName]?: unknown }
@@ -74,12 +74,12 @@ function joinRobots(drawer: Drawer, { robots }: HomeSettings): boolean {
 export const deviceDrawer: Drawer = {
   get(name) {
     try {
-      return localStorage.getItem(`botgarten.${name}`)
+      return localStorage.getItem(placeOfSetting(name))
     } catch {
       return null
     }
   },
-  put: (name, text) => localStorage.setItem(`botgarten.${name}`, text),
+  put: (name, text) => localStorage.setItem(placeOfSetting(name), text),
 }
 
 /** Lets the page that is open follow settings that have just come. */

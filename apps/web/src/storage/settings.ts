@@ -1,5 +1,6 @@
 import { languages } from 'content:words'
 import * as v from 'valibot'
+import { ownName } from './owner.ts'
 
 const option = v.optional(v.boolean())
 const level = v.picklist(['starter', 'explorer', 'expert'])
@@ -31,10 +32,17 @@ export const settings = {
   tour: v.literal('seen'),
 } satisfies { readonly [name: string]: v.GenericSchema }
 
+/** How the device is set up for whoever uses it; all else is a pupil's own where there is one. */
+const ofTheDevice = ['comfort', 'language', 'settings', 'sizes', 'sound', 'tour']
+
+/** Where a setting lies in the browser's storage. */
+export const placeOfSetting = (name: string): string =>
+  ofTheDevice.includes(name) ? `botgarten.${name}` : ownName(`botgarten.${name}`)
+
 /** A setting of this device, or the preset where the browser keeps nothing, or something that is no such setting. */
 export function readSetting<Value>(name: string, preset: Value): Value {
   try {
-    const text = localStorage.getItem(`botgarten.${name}`)
+    const text = localStorage.getItem(placeOfSetting(name))
     const value: unknown = text === null ? preset : JSON.parse(text)
     return isSetting(name, value) ? (value as Value) : preset
   } catch {
@@ -48,7 +56,7 @@ const isSetting = (name: string, value: unknown): boolean =>
 
 export function writeSetting(name: string, value: unknown): void {
   try {
-    localStorage.setItem(`botgarten.${name}`, JSON.stringify(value))
+    localStorage.setItem(placeOfSetting(name), JSON.stringify(value))
   } catch {
     // A device that keeps nothing shows its presets the next time; there is nothing to lose.
   }

@@ -1,0 +1,70 @@
+import { nextToSend, noteAnswer, type Answered, type OutboxRecord } from '#storage/outbox.ts'
+import { writeProject } from '@botgarten/programs/project'
+import * as v from 'valibot'
+import { read, type Ask, type Reply } from './server.ts'
+
+/**
+ * Why nothing is sent now. `away`: the class cannot be reached · `full`: it has no more room · `trouble`: it cannot save ·
+ * `signedOut`: the child has to show its pictures again · `otherPupil`: somebody else is signed in here · `ended`: the class
+ * is no more.
+ */
+export type Pause = 'away' | 'full' | 'trouble' | 'signedOut' | 'otherPupil' | 'ended'
+
+/** In the class every pupil has a space of their own; ids there are at least eight letters long. */
+const prefix = 'project-'
+export const idInClass = (id: string): string => `${prefix}${id}`
+export const idOnDevice = (id: string): string | null =>
+  id.startsWith(prefix) ? id.slice(prefix.length) : null
+
+const saved = v.object({ revision: v.pipe(v.number(), v.integer(), v.minValue(1)) })
+
+/** What a project itself is refused for: waiting would change nothing. */
+const ownFault: readonly number[] = [400, 413, 415, 422]
+
+const pauses: { readonly [code: string]: Pause } = {
+  join: 'signedOut',
+  showPictures: 'signedOut',
+  otherPupil: 'otherPupil',
+  classEnded: 'ended',
+  classFull: 'full',
+}
+
+export const pauseOf = (reply: Reply): Pause =>
+  reply.kind === 'refused' ? (pauses[reply.code] ?? 'trouble') : 'away'
+
+/** What an answer means for the save that was sent; or why it waits. */
+function meaningOf(reply: Reply): Answered | Pause {
+  const revision = read(saved, reply)?.revision
+  if (revision !== undefined) return { kind: 'saved', revision }
+  if (reply.kind !== 'refused') return 'away'
+  const { status, code, facts } = reply
+  if (code === 'newerRevision')
+    return facts.revision ? { kind: 'conflict', revision: facts.revision } : { kind: 'gone' }
+  if (ownFault.includes(status)) return { kind: 'refused', reason: facts.reason ?? code }
+  return pauseOf(reply)
+}
+
+async function send(ask: Ask, record: OutboxRecord): Promise<Pause | null> {
+  const { id, save, base, project } = record
+  const meaning = meaningOf(
+    await ask('PUT', `/projects/${idInClass(id)}?base=${base}&save=${save}`, writeProject(project)),
+  )
+  if (typeof meaning === 'string') return meaning
+  await noteAnswer(record, meaning)
+  return null
+}
+
+/** Sends one save. @returns whether there was one, or why it waits */
+export async function sendNext(ask: Ask): Promise<'sent' | 'none' | Pause> {
+  const next = await nextToSend()
+  return next ? ((await send(ask, next)) ?? 'sent') : 'none'
+}
+
+/** Sends all that waits. @returns why something still waits; null where all that can be sent is in the class */
+export async function sendAll(ask: Ask): Promise<Pause | null> {
+  for (;;) {
+    const outcome = await sendNext(ask)
+    if (outcome === 'none') return null
+    if (outcome !== 'sent') return outcome
+  }
+}

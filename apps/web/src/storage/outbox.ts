@@ -1,0 +1,183 @@
+// What is on its way to the class. Nothing has to be noted when a project is saved: whatever the device holds in another
+// revision than the class has to be sent, however the page ended.
+import type { Project } from '@botgarten/programs/project'
+import { announce } from './channel.ts'
+import {
+  reading,
+  storageErrorIn,
+  tried,
+  writing,
+  type OutboxRecord,
+  type Reading,
+  type StorageError,
+  type SyncRecord,
+  type Writing,
+} from './database.ts'
+import { freshId, type Listed } from './projects.ts'
+import { firstRevision, getProject, putProject, savedRevision } from './records.ts'
+
+export type { OutboxRecord } from './database.ts'
+
+/** Where a project is. `waiting`: on this device alone, or with changes that the class does not have yet. */
+export type Whereabouts =
+  | { readonly kind: 'class' | 'waiting' }
+  | { readonly kind: 'conflict'; readonly revision: number }
+  | { readonly kind: 'refused'; readonly reason: string }
+
+export type AllWhereabouts = ReadonlyMap<string, Whereabouts>
+
+const unknown = (id: string): SyncRecord => ({ id, base: 0, synced: 0 })
+
+function whereIs(revision: number, sync: SyncRecord | undefined, isOnItsWay: boolean): Whereabouts {
+  const { conflict, refused, synced = 0 } = sync ?? {}
+  if (conflict !== undefined) return { kind: 'conflict', revision: conflict }
+  if (isOnItsWay) return { kind: 'waiting' }
+  if (revision === synced) return { kind: 'class' }
+  if (refused?.revision === revision) return { kind: 'refused', reason: refused.reason }
+  return { kind: 'waiting' }
+}
+
+async function whereaboutsIn(transaction: Reading | Writing): Promise<AllWhereabouts> {
+  const revisions = await transaction.objectStore('revisions').getAll()
+  const syncs = new Map((await transaction.objectStore('sync').getAll()).map((one) => [one.id, one]))
+  const sending = new Set(await transaction.objectStore('outbox').getAllKeys())
+  return new Map(
+    revisions.map(({ id, revision }) => [id, whereIs(revision, syncs.get(id), sending.has(id))] as const),
+  )
+}
+
+/** Where every project of this device is; empty where the device cannot be read. */
+export async function whereabouts(): Promise<AllWhereabouts> {
+  try {
+    return await reading(whereaboutsIn)
+  } catch (cause) {
+    console.warn('The device does not say what waits for the class.', cause)
+    return new Map()
+  }
+}
+
+/** The save to be sent next, the one that was begun first; null where all is in the class. Begun anew, it is kept first. */
+export async function nextToSend(): Promise<OutboxRecord | null> {
+  return writing(async (transaction) => {
+    const [begun] = await transaction.objectStore('outbox').getAll(null, 1)
+    if (begun) return begun
+    const all = await whereaboutsIn(transaction)
+    for (const [id, { kind }] of all) if (kind === 'waiting') return begin(transaction, id)
+    return null
+  })
+}
+
+async function begin(transaction: Writing, id: string): Promise<OutboxRecord | null> {
+  const found = await getProject(transaction, id)
+  if (!found) return null
+  const { base } = (await transaction.objectStore('sync').get(id)) ?? unknown(id)
+  const record = { id, save: freshId('save'), revision: found.revision, base, project: found.project }
+  await transaction.objectStore('outbox').put(record)
+  return record
+}
+
+/** What the class has answered to a save. `gone`: it has no such project any more, this one is new to it. */
+export type Answered =
+  | { readonly kind: 'saved'; readonly revision: number }
+  | { readonly kind: 'conflict'; readonly revision: number }
+  | { readonly kind: 'gone' }
+  | { readonly kind: 'refused'; readonly reason: string }
+
+/** Takes a save out of the outbox that the class has answered. An answer that comes twice changes nothing. */
+export async function noteAnswer({ id, save }: OutboxRecord, answer: Answered): Promise<void> {
+  await writing(async (transaction) => {
+    const waiting = await transaction.objectStore('outbox').get(id)
+    if (waiting?.save !== save) return
+    await transaction.objectStore('outbox').delete(id)
+    const before = (await transaction.objectStore('sync').get(id)) ?? unknown(id)
+    await transaction.objectStore('sync').put(syncAfter(before, waiting, answer))
+  })
+}
+
+function syncAfter({ id, base, synced }: SyncRecord, sent: OutboxRecord, answer: Answered): SyncRecord {
+  switch (answer.kind) {
+    case 'saved':
+      return { id, base: answer.revision, synced: sent.revision }
+    case 'conflict':
+      return { id, base, synced, conflict: answer.revision }
+    case 'gone':
+      return { id, base: 0, synced: 0 }
+    case 'refused':
+      return { id, base, synced, refused: { revision: sent.revision, reason: answer.reason } }
+  }
+}
+
+/** A project as the class has it. */
+export interface FromClass {
+  readonly id: string
+  readonly revision: number
+  readonly savedAt: number
+  readonly project: Project
+}
+
+/** How this device stands to a revision of the class: `new` here, `older` here and unchanged, or nothing to be done. */
+export async function isWanted(id: string, revision: number): Promise<boolean> {
+  return reading(async (transaction) => {
+    const own = await savedRevision(transaction, id)
+    const sync = (await transaction.objectStore('sync').get(id)) ?? unknown(id)
+    if (await transaction.objectStore('outbox').getKey(id)) return false
+    return own === null ? true : own === sync.synced && sync.base < revision
+  })
+}
+
+/** Puts a project of the class on the device, unless there is work here that the class does not have. */
+export async function takeIn({ id, revision, savedAt, project }: FromClass): Promise<void> {
+  const taken = await tried(async (transaction) => {
+    const own = await savedRevision(transaction, id)
+    const sync = (await transaction.objectStore('sync').get(id)) ?? unknown(id)
+    const isOnItsWay = (await transaction.objectStore('outbox').getKey(id)) !== undefined
+    if (isOnItsWay || (own !== null && own !== sync.synced)) return { kind: 'left' as const }
+    const next = own === null ? firstRevision() : own + 1
+    await putProject(transaction, { id, project, changed: savedAt, revision: next })
+    await transaction.objectStore('sync').put({ id, base: revision, synced: next })
+    return { kind: 'taken' as const, revision: next }
+  })
+  if (taken.kind === 'taken') announce({ kind: 'saved', id, revision: taken.revision })
+}
+
+/** Both are kept: this device's goes on, and the class's gets a place of its own. */
+export async function goOnWithOwn(fromClass: FromClass, copy: Listed): Promise<StorageError | null> {
+  const { id, revision } = fromClass
+  return storageErrorIn(async (transaction) => {
+    await putProject(transaction, { ...copy, revision: firstRevision() })
+    const { synced } = (await transaction.objectStore('sync').get(id)) ?? unknown(id)
+    await transaction.objectStore('outbox').delete(id)
+    await transaction.objectStore('sync').put({ id, base: revision, synced })
+  })
+}
+
+/** Both are kept: the class's goes on, and this device's, as it stands when this is asked, gets a place of its own. */
+export async function goOnWithClass(
+  { id, revision, savedAt, project }: FromClass,
+  copyOf: (own: Project) => Listed,
+): Promise<StorageError | null> {
+  const taken = await tried(async (transaction) => {
+    const own = await getProject(transaction, id)
+    if (own) await putProject(transaction, { ...copyOf(own.project), revision: firstRevision() })
+    const next = own ? own.revision + 1 : firstRevision()
+    await putProject(transaction, { id, project, changed: savedAt, revision: next })
+    await transaction.objectStore('outbox').delete(id)
+    await transaction.objectStore('sync').put({ id, base: revision, synced: next })
+    return { kind: 'taken' as const, revision: next }
+  })
+  if (taken.kind !== 'taken') return taken.kind
+  announce({ kind: 'saved', id, revision: taken.revision })
+  return null
+}
+
+/** An older version comes back as the newest one: it is a change like any other. */
+export async function takeVersionBack(id: string, project: Project): Promise<StorageError | null> {
+  const taken = await tried(async (transaction) => {
+    const revision = ((await savedRevision(transaction, id)) ?? firstRevision()) + 1
+    await putProject(transaction, { id, project, changed: Date.now(), revision })
+    return { kind: 'taken' as const, revision }
+  })
+  if (taken.kind !== 'taken') return taken.kind
+  announce({ kind: 'saved', id, revision: taken.revision })
+  return null
+}
