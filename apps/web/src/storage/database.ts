@@ -1,5 +1,5 @@
 import type { Project } from '@botgarten/programs'
-import { openDB, type DBSchema, type IDBPDatabase, type IDBPTransaction } from 'idb'
+import { deleteDB, openDB, type DBSchema, type IDBPDatabase, type IDBPTransaction } from 'idb'
 import { ownName } from './owner.ts'
 
 /** A project on this device. `revision` grows with every save, so that two tabs notice each other. */
@@ -105,6 +105,7 @@ class BlockedError extends Error {
   override readonly name = 'BlockedError'
 }
 
+const name = 'botgarten'
 let opened: Promise<Opened> | undefined
 
 const forget = () => (opened = undefined)
@@ -121,7 +122,7 @@ async function open(): Promise<Opened> {
   const blocked = new Promise<never>((_, reject) => (giveUp = reject))
   const wait = () =>
     void setTimeout(() => giveUp(new BlockedError('An older tab holds the database.')), TIMEOUT)
-  const asked = openDB<Schema>(ownName('botgarten'), migrations.length, {
+  const asked = openDB<Schema>(ownName(name), migrations.length, {
     upgrade: (db, from) => migrations.slice(from).forEach((migrate) => migrate(db)),
     blocked: wait,
     // A tab with a newer version waits: this one lets go, and asks again with its next save.
@@ -208,4 +209,13 @@ export async function storageErrorIn(
   } catch (cause) {
     return storageErrorOf(cause)
   }
+}
+
+/** Deletes everything of the pupil whose page this is. Other tabs let go of it when they are asked. */
+export async function deleteOwnDatabase(): Promise<void> {
+  const own = ownName(name)
+  if (own === name) return
+  await opened?.then((db) => db.close()).catch(() => undefined)
+  forget()
+  await deleteDB(own).catch((cause: unknown) => console.warn('A database cannot be deleted.', cause))
 }

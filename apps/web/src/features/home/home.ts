@@ -44,6 +44,8 @@ export type Goals = { readonly [card: string]: Translated<string> | undefined }
 export interface HomeProps {
   /** What there is to say about this version. */
   news: Snippet
+  /** What stands in the bar beside the language. */
+  corner: Snippet
   /** Newest first; empty on the first visit. */
   recent: readonly RecentProject[]
   /** The cards of the beds that have some. */

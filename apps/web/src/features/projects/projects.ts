@@ -1,6 +1,4 @@
 import type { Listed } from '#storage/projects.ts'
-import { floorAddress } from '#content/cards.ts'
-import type { Project } from '@botgarten/programs'
 import type { Obstacle, World } from '@botgarten/simulation'
 
 export type Order = 'time' | 'name'
@@ -42,11 +40,8 @@ export function stripeOf({ size, robots, obstacles }: World): {
   return { top: Math.min(size.height - height, Math.max(0, middle - height / 2)), height }
 }
 
-/** Address of the picture on the floor of a project's world, from the product or from the project itself. */
-export function floorOf({ world, assets }: Pick<Project, 'world' | 'assets'>): string | null {
-  const own = 'asset' in world.floor && Object.hasOwn(assets, world.floor.asset) && assets[world.floor.asset]
-  return own ? `data:image/png;base64,${own.base64}` : floorAddress(world)
-}
+/** The same as a part of the world. */
+export const tilePart = (world: World) => ({ left: 0, width: world.size.width, ...stripeOf(world) })
 
 /** What the menu of a project offers. */
 export type Action = 'rename' | 'duplicate' | 'share' | 'saveFile' | 'saveOpenRoberta' | 'throw'

@@ -2,7 +2,7 @@ import { isWanted, takeIn, type FromClass } from '#storage/outbox.ts'
 import { parseProject, type Project } from '@botgarten/programs/project'
 import * as v from 'valibot'
 import { idInClass, idOnDevice, pauseOf, type Pause } from './sending.ts'
-import { read, type Ask, type Reply } from './server.ts'
+import { read, type Ask, type Reply } from './ask.ts'
 
 const revision = v.pipe(v.number(), v.integer(), v.minValue(1))
 const listed = v.object({ projects: v.array(v.object({ id: v.string(), revision })) })

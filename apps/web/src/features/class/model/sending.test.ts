@@ -11,7 +11,7 @@ import { IDBFactory } from 'fake-indexeddb'
 import fc from 'fast-check'
 import { afterAll, beforeAll, expect, test, vi } from 'vitest'
 import { friendship } from '#storage/testing/sample.ts'
-import { askAs, type Ask } from './server.ts'
+import { askAs, type Ask } from './ask.ts'
 
 type Pupil = Awaited<ReturnType<Server['pupil']>>
 
@@ -181,9 +181,15 @@ const which = fc.constantFrom(0, 1)
 const fates: readonly Fate[] = ['arrives', 'isLost', 'answerIsLost', 'comesTwice', 'late']
 const step = fc.oneof(
   { weight: 4, arbitrary: fc.record({ kind: fc.constant('edit'), device: which, id }) },
-  { weight: 4, arbitrary: fc.record({ kind: fc.constant('send'), device: which, fate: fc.constantFrom(...fates) }) },
+  {
+    weight: 4,
+    arbitrary: fc.record({ kind: fc.constant('send'), device: which, fate: fc.constantFrom(...fates) }),
+  },
   { weight: 1, arbitrary: fc.record({ kind: fc.constant('crash'), device: which }) },
-  { weight: 1, arbitrary: fc.record({ kind: fc.constant('bring'), device: which, fate: fc.constantFrom(...fates) }) },
+  {
+    weight: 1,
+    arbitrary: fc.record({ kind: fc.constant('bring'), device: which, fate: fc.constantFrom(...fates) }),
+  },
   { weight: 1, arbitrary: fc.record({ kind: fc.constant('choose'), device: which, own: fc.boolean() }) },
   { weight: 1, arbitrary: fc.record({ kind: fc.constant('late'), device: which }) },
 ) as fc.Arbitrary<{
@@ -275,21 +281,24 @@ test.each([
   ['trouble', 500, 'ourFault'],
   ['signedOut', 401, 'join'],
   ['ended', 410, 'classEnded'],
-] as const)('a class that answers %s (%i %s) gets the save later, under the same name', async (pause, status, code) => {
-  const device = await newDevice()
-  const pupil = await newPupil()
-  const { ask } = new Cable(pupil)
-  await new Work().edit(device, 'fear')
-  const paths: string[] = []
-  const seen =
-    (next: Ask): Ask =>
-    (method, path, body) => {
-      paths.push(path)
-      return next(method, path, body)
-    }
-  const refused: Ask = () => Promise.resolve({ kind: 'refused', status, code, facts: {} })
-  expect(await device.page.sendAll(seen(refused))).toBe(pause)
-  expect((await device.page.whereabouts()).get('fear')).toEqual({ kind: 'waiting' })
-  expect(await device.page.sendAll(seen(ask))).toBeNull()
-  expect(paths[1]).toBe(paths[0])
-})
+] as const)(
+  'a class that answers %s (%i %s) gets the save later, under the same name',
+  async (pause, status, code) => {
+    const device = await newDevice()
+    const pupil = await newPupil()
+    const { ask } = new Cable(pupil)
+    await new Work().edit(device, 'fear')
+    const paths: string[] = []
+    const seen =
+      (next: Ask): Ask =>
+      (method, path, body) => {
+        paths.push(path)
+        return next(method, path, body)
+      }
+    const refused: Ask = () => Promise.resolve({ kind: 'refused', status, code, facts: {} })
+    expect(await device.page.sendAll(seen(refused))).toBe(pause)
+    expect((await device.page.whereabouts()).get('fear')).toEqual({ kind: 'waiting' })
+    expect(await device.page.sendAll(seen(ask))).toBeNull()
+    expect(paths[1]).toBe(paths[0])
+  },
+)

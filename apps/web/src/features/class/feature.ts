@@ -1,0 +1,12 @@
+import type { Feature } from '#parts/feature.ts'
+
+export { default as Join } from './view/Join.svelte'
+
+/** A pupil in a class: its door, where its work is. It comes where the device is a pupil's. */
+export const schoolClass = {
+  id: 'class',
+  words: ['class'],
+  route: 'join',
+  load: () => import('./lazy.ts'),
+  budget: { page: 110_000, part: 40_000 },
+} satisfies Feature

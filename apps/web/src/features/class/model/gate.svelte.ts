@@ -1,0 +1,107 @@
+import type { SecretPicture } from '#figures/secret/pictures.ts'
+import { arrive, beginning, stayHere, whenQuiet } from './here.ts'
+import type { Refused } from './joining.svelte.ts'
+import type { Member } from './member.svelte.ts'
+
+/**
+ * What stands before the page. `asks`: "Are you …?" at a start · `quiet`: after ten minutes · `back`: the child has just come
+ * back, and its work comes · `pictures` · `locked` · `signedOut` · `ended`; null: nothing, the page is the child's.
+ */
+type Question = 'asks' | 'quiet' | 'back' | 'pictures' | 'locked' | 'signedOut' | 'ended' | null
+
+/** Lets only the pupil of this device to its work. */
+export class Gate {
+  readonly member: Member
+  #question = $state<Question>(null)
+  #busy = $state(false)
+  #refused = $state.raw<Refused | null>(null)
+  /** How the work of who came back is coming. */
+  #coming = $state<'comes' | 'here' | 'cannotCome'>('comes')
+  shown = $state.raw<readonly SecretPicture[]>([])
+  #through: () => void
+  #stops: (() => void)[] = []
+
+  /** @param through is called when the child is in, once */
+  constructor(member: Member, through: () => void) {
+    this.member = member
+    this.#through = through
+    const at = beginning(member.owner.pupil)
+    this.#question = at === 'here' ? null : at
+    if (at === 'back') void this.#bring()
+    else if (at === 'here') void this.#enter(true)
+  }
+
+  get question() {
+    return this.#question
+  }
+  get busy() {
+    return this.#busy
+  }
+  get refused() {
+    return this.#refused
+  }
+  get coming() {
+    return this.#coming
+  }
+
+  async #bring(): Promise<void> {
+    this.#coming = (await this.member.bring()) === null ? 'here' : 'cannotCome'
+  }
+
+  /** "Yes, that is me." */
+  async yes(): Promise<void> {
+    if (this.#busy) return
+    this.#busy = true
+    await this.#enter(false)
+    this.#busy = false
+  }
+
+  /** @param open the page is shown already: only what the class forbids is said */
+  async #enter(open: boolean): Promise<void> {
+    if (open) this.#letThrough()
+    const passage = await this.member.enter()
+    if (passage === 'ended') await this.member.end()
+    if (passage === 'through') {
+      if (!open) this.#letThrough()
+      void this.member.bring()
+    } else this.#question = passage
+  }
+
+  #letThrough(): void {
+    stayHere(this.member.owner.pupil)
+    this.#question = null
+    this.#through()
+    this.#stops.push(whenQuiet(() => (this.#question = 'quiet')))
+  }
+
+  /** Who came back has seen that its work is there. */
+  goOn(): void {
+    this.#letThrough()
+  }
+
+  async show(picture: SecretPicture): Promise<void> {
+    if (this.#busy || this.shown.includes(picture)) return
+    this.shown = [...this.shown, picture]
+    if (this.shown.length < 3) return
+    this.#busy = true
+    this.#refused = await this.member.showPictures(this.shown)
+    this.#busy = false
+    this.shown = []
+    if (this.#refused) return
+    arrive(this.member.owner.pupil, 'back')
+    this.#question = 'back'
+    void this.#bring()
+    // What the signed out page could not send goes now.
+    void this.member.outbox.flush()
+  }
+
+  async leave(): Promise<void> {
+    this.#busy = true
+    await this.member.leave()
+  }
+
+  /** Calls back no more. */
+  close(): void {
+    for (const stop of this.#stops) stop()
+  }
+}

@@ -1,0 +1,123 @@
+import { deleteOwnDatabase } from '#storage/database.ts'
+import { whereabouts, type AllWhereabouts, type Whereabouts } from '#storage/outbox.ts'
+import { owner, setOwner, whenOwnerChanges, type Owner } from '#storage/owner.ts'
+import type { SecretPicture } from '#figures/secret/pictures.ts'
+import { bringWork } from './arriving.ts'
+import { forgetHere, isProven, prove } from './here.ts'
+import { refusedBy, type Refused } from './joining.svelte.ts'
+import { Outbox } from './outbox.ts'
+import { fetchMe, passage, type Me, type Passage } from './pupil.ts'
+import type { Pause } from './sending.ts'
+import { askAs, type Ask } from './ask.ts'
+
+/** The pupil of this page in its class: who it is, and where its work is. */
+export class Member {
+  readonly owner: Owner
+  readonly ask: Ask
+  readonly outbox: Outbox
+  #places = $state.raw<AllWhereabouts>(new Map())
+  #pause = $state.raw<Pause | null>(null)
+  #handUp = $state(false)
+
+  constructor(of: Owner, ask: Ask = askAs(of.pupil)) {
+    this.owner = of
+    this.ask = ask
+    this.outbox = new Outbox(ask, (pause) => {
+      this.#pause = pause
+      void this.#look()
+    })
+  }
+
+  get handUp() {
+    return this.#handUp
+  }
+  /** Why nothing is sent now. */
+  get pause() {
+    return this.#pause
+  }
+  /** How many projects are on this device alone, or not with all changes in the class. */
+  get waiting(): number {
+    return [...this.#places.values()].filter(({ kind }) => kind !== 'class').length
+  }
+  placeOf(project: string): Whereabouts | undefined {
+    return this.#places.get(project)
+  }
+
+  async #look(): Promise<void> {
+    this.#places = await whereabouts()
+  }
+
+  /** Begins to send what waits. Returns how to stop. */
+  start(): () => void {
+    const stop = this.outbox.start()
+    // Another child uses this device now: what is open here is not theirs.
+    const stopWatching = whenOwnerChanges(() => location.assign('/'))
+    return () => (stop(), stopWatching())
+  }
+
+  /** Brings the pupil's work from the class onto this device. */
+  async bring(only?: string): Promise<Pause | null> {
+    const pause = await bringWork(this.ask, only)
+    await this.#look()
+    return pause
+  }
+
+  /** The child says yes: whether that is enough. */
+  async enter(): Promise<Passage> {
+    const me = await fetchMe(this.ask)
+    if (typeof me === 'object') this.#take(me)
+    return passage(me, isProven(this.owner.pupil))
+  }
+
+  #take(me: Me): void {
+    this.#handUp = me.hand
+    const { nickname, class: of } = me
+    // The teacher may have given it another name.
+    if (nickname !== this.owner.nickname || of.name !== this.owner.className)
+      setOwner({ ...this.owner, nickname, className: of.name })
+  }
+
+  /** The child shows the three pictures once more. @returns why they were not taken */
+  async showPictures(pictures: readonly SecretPicture[]): Promise<Refused | null> {
+    const reply = await this.ask('POST', '/me/pictures', { pictures })
+    if (reply.kind !== 'done') return refusedBy(reply)
+    prove(this.owner.pupil)
+    return null
+  }
+
+  /** @returns whether the class knows */
+  async raiseHand(up: boolean): Promise<boolean> {
+    const reply = await this.ask('PUT', '/me/hand', { up })
+    if (reply.kind === 'done') this.#handUp = up
+    return reply.kind === 'done'
+  }
+
+  /** The device is nobody's from now on. What is in the class goes from here; what is not waits, and nobody else sees it. */
+  async leave(): Promise<void> {
+    await this.outbox.flush()
+    await this.#look()
+    await this.ask('POST', '/me/leave')
+    if (this.waiting === 0) await deleteOwnDatabase()
+    this.forget()
+  }
+
+  /** The class has ended: its copies go from this device. */
+  async end(): Promise<void> {
+    await deleteOwnDatabase()
+    this.forget()
+  }
+
+  forget(): void {
+    forgetHere()
+    setOwner(null)
+  }
+}
+
+let member: Member | null = null
+
+/** The one member of this page; null where the device is nobody's. */
+export function memberHere(): Member | null {
+  const of = owner()
+  if (of) member ??= new Member(of)
+  return member
+}
