@@ -1,5 +1,6 @@
 import type { Feature } from '#parts/feature.ts'
 
+export { hasClasses } from './model/state.ts'
 export { default as Join } from './view/Join.svelte'
 
 /** A pupil in a class: its door, where its work is. It comes where the device is a pupil's. */

@@ -57,3 +57,9 @@ export async function bringWork(ask: Ask, only?: string): Promise<Pause | null> 
   }
   return null
 }
+
+/** So long a page waits for the class before it goes on without, in milliseconds. */
+const timeout = 2500
+
+export const soon = (act: Promise<unknown>, most = timeout): Promise<unknown> =>
+  Promise.race([act, new Promise((resolve) => setTimeout(resolve, most))])
