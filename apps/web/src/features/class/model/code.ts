@@ -18,7 +18,7 @@ export function codeOf(fields: readonly string[]): string | null {
 /** The code after the # of a link; null where there is none. Servers and their logs never see it. */
 export function codeInLink(hash: string): readonly string[] | null {
   const words = wordsIn(decode(hash.replace(/^#/, '')))
-  return words.length === 3 ? words : null
+  return codeOf(words) === null ? null : words
 }
 
 function decode(text: string): string {
