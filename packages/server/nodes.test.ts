@@ -75,7 +75,8 @@ describe.skipIf(why !== null)(`two nodes on one PostgreSQL${why ? ` (skipped: ${
     const joined = await ask(0, 'POST', '/join', '', { code: words.join(' '), nickname: 'Fuchs' })
     pupil = joined.cookie
     ;({ id: pupilId } = joined.body as { id: string })
-  })
+    // PostgreSQL takes its time to start on a busy machine.
+  }, 60_000)
 
   afterAll(async () => {
     for (const { http, classServer } of nodes) {

@@ -24,6 +24,24 @@ class Dialect extends SqliteDialect {
   }
 }
 
+const mostStatements = 200
+
+/** Compiles a query once: a save asks the same dozen every time. */
+function keepStatements(sqlite: SqliteFile.Database): void {
+  const compile = sqlite.prepare.bind(sqlite)
+  const known = new Map<string, SqliteFile.Statement>()
+  const prepare = (query: string): SqliteFile.Statement => {
+    const found = known.get(query)
+    if (found) return found
+    // Queries with lists have many forms; the oldest goes.
+    if (known.size >= mostStatements) known.delete(known.keys().next().value!)
+    const statement = compile(query)
+    known.set(query, statement)
+    return statement
+  }
+  Object.assign(sqlite, { prepare })
+}
+
 /**
  * One file, one connection, so one writer. A save is acknowledged once it is on the disk (`synchronous=FULL`).
  * @param file path, or `:memory:`
@@ -42,6 +60,7 @@ export function openSqlite(file: string): Database {
     sqlite.close()
     throw error
   }
+  keepStatements(sqlite)
   const db = new Kysely<Tables>({ dialect: new Dialect(sqlite) })
   return {
     kind: 'sqlite',
