@@ -1,4 +1,5 @@
-import { roundTogether, type Shares } from '@botgarten/learning/neural-network/explain'
+import type { Brain, Weights } from '@botgarten/learning/neural-network'
+import { roundTogether, sharesOf, type Shares } from '@botgarten/learning/neural-network/explain'
 
 /** An input and what it brings to a neuron, as numbers to be shown. */
 export interface Reason {
@@ -28,6 +29,27 @@ interface Given {
   readonly id: string
   readonly value: number
   readonly weight: number | null
+}
+
+/** The network that is asked. */
+interface Asked {
+  readonly inputs: readonly { readonly id: string }[]
+  readonly brain: Brain
+  readonly weights: Weights
+}
+
+/** What each input brings to a neuron, with these values at the inputs. */
+export function reasonsIn(
+  { inputs, brain, weights }: Asked,
+  neuron: string,
+  values: readonly number[],
+): Reasons {
+  const direct = brain.layers[1]?.some(({ id }) => id === neuron) ?? false
+  const given = inputs.map(({ id }, index) => ({
+    ...{ id, value: values[index] ?? 0 },
+    weight: direct ? (weights[id]?.[neuron] ?? 0) : null,
+  }))
+  return reasonsOf(given, sharesOf(brain, values, neuron, weights))
 }
 
 /** Shares of a neuron's value as numbers that add up before a child's eyes. */
