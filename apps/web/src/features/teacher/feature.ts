@@ -1,6 +1,7 @@
 import type { Feature } from '#parts/feature.ts'
 
 export { default as TeacherPage } from './view/TeacherPage.svelte'
+export { default as TakeClass } from './view/account/TakeClass.svelte'
 export { default as FirstStart } from './view/start/FirstStart.svelte'
 export { default as Projector } from './view/projector/Projector.svelte'
 export { isView, toClass, type View } from './view/ways.ts'
@@ -10,5 +11,6 @@ export const teacher = {
   id: 'teacher',
   words: ['teacher'],
   route: 'teacher',
-  budget: { page: 160_000 },
+  load: () => import('./lazy.ts'),
+  budget: { page: 160_000, part: 160_000 },
 } satisfies Feature

@@ -1,9 +1,11 @@
-import { serverState } from './answers.ts'
+import { serverState, substituteOf } from './answers.ts'
 import { Refused, type ClassApi } from './api.ts'
 
 /** `none`: there is no class server here. `unmade`: it waits for its first teacher. */
 export type Access =
   | { readonly kind: 'asking' | 'none' | 'unmade' }
+  /** Somebody with a link to one class, until midnight. */
+  | { readonly kind: 'substitute'; readonly class: string; readonly name: string }
   | { readonly kind: 'out'; readonly first: { readonly name: string; readonly madeAt: number } }
   | { readonly kind: 'in'; readonly username: string; readonly operator: boolean }
 
@@ -22,6 +24,11 @@ export class Account {
     return this.#access
   }
 
+  /** May this teacher invite others, and back up? */
+  get operates(): boolean {
+    return this.#access.kind === 'in' && this.#access.operator
+  }
+
   get secure(): boolean {
     return this.#secure
   }
@@ -35,9 +42,11 @@ export class Account {
   }
 
   async #asked(): Promise<Access> {
-    const { firstTeacher, secure, teacher } = await this.#api.ask(serverState, 'GET', '/state')
+    const state = await this.#api.ask(serverState, 'GET', '/state')
+    const { firstTeacher, secure, teacher, substitute } = state
     this.#secure = secure
     if (teacher) return { kind: 'in', ...teacher }
+    if (substitute) return { kind: 'substitute', ...substitute }
     if (!firstTeacher) return { kind: 'unmade' }
     return { kind: 'out', first: { name: firstTeacher.name ?? '', madeAt: firstTeacher.madeAt } }
   }
@@ -48,9 +57,17 @@ export class Account {
     await this.look()
   }
 
+  /** Takes the class of a link for today. @returns the id of the class @throws Refused */
+  async substitute(token: string): Promise<string> {
+    const { id } = await this.#api.ask(substituteOf, 'POST', '/substitute', { token })
+    await this.look()
+    return id
+  }
+
   /** Signs out here, or on every device. @throws Refused */
   async signOut(everywhere: boolean): Promise<void> {
-    await this.#api.tell('POST', everywhere ? '/teachers/me/end-sessions' : '/auth/sign-out')
+    if (this.#access.kind === 'substitute') await this.#api.tell('POST', '/substitute/leave')
+    else await this.#api.tell('POST', everywhere ? '/teachers/me/end-sessions' : '/auth/sign-out')
     await this.look()
   }
 }

@@ -8,6 +8,7 @@ export const serverState = v.object({
   firstTeacher: v.nullable(v.object({ name: v.nullable(v.string()), madeAt: v.number() })),
   secure: v.boolean(),
   teacher: v.nullable(v.object({ username: v.string(), operator: v.boolean() })),
+  substitute: v.nullable(v.object({ class: v.string(), name: v.string() })),
 })
 
 const schoolClass = v.object({
@@ -25,6 +26,10 @@ const schoolClass = v.object({
   /** ISO day. */
   endsOn: v.string(),
   endsSoon: v.boolean(),
+  /** Ids of the cards that are free today; null: all. */
+  cards: v.nullable(list(v.string())),
+  /** Which blocks there are; null: as each child chooses. */
+  level: v.nullable(v.picklist(['plain', 'all'])),
 })
 export type SchoolClass = v.InferOutput<typeof schoolClass>
 
@@ -55,3 +60,94 @@ const pupil = v.object({
 })
 export type Pupil = v.InferOutput<typeof pupil>
 export const pupils = v.object({ pupils: list(pupil) })
+
+const check = v.picklist(['open', 'passed', 'failed'])
+const live = v.object({
+  card: v.nullable(v.string()),
+  project: v.nullable(v.string()),
+  checks: list(check),
+  failed: v.number(),
+  running: v.boolean(),
+  size: v.nullable(v.tuple([v.number(), v.number()])),
+  pose: v.nullable(v.object({ x: v.number(), y: v.number(), heading: v.number() })),
+  trail: list(v.number()),
+  seenAt: v.number(),
+  changedAt: v.number(),
+})
+
+const tile = v.object({
+  id: v.string(),
+  nickname: v.string(),
+  isNew: v.boolean(),
+  locked: v.boolean(),
+  handAt: v.nullable(v.number()),
+  live: v.nullable(live),
+})
+
+/** Events of the live view: all of it, and what pupils' pages report in between. */
+export const liveState = v.object({
+  now: v.number(),
+  class: schoolClass,
+  /** Seconds for which attention is asked; null: it is not. */
+  attention: v.nullable(v.number()),
+  tiles: list(tile),
+})
+export const liveTiles = v.object({
+  now: v.number(),
+  tiles: list(v.object({ id: v.string(), live })),
+})
+export const liveEnd = v.object({ reason: v.string() })
+
+/** A pupil's project as the class has it; `project` is left out where the page has this revision. */
+export const insideAnswer = v.object({
+  seconds: v.number(),
+  project: v.nullable(
+    v.object({ id: v.string(), revision: v.number(), savedAt: v.number(), project: v.unknown() }),
+  ),
+})
+
+export const results = v.object({
+  free: v.nullable(list(v.string())),
+  pupils: list(
+    v.object({
+      id: v.string(),
+      nickname: v.string(),
+      /** From how many start places of each card that was begun. */
+      done: v.record(v.string(), v.number()),
+    }),
+  ),
+})
+export type Results = v.InferOutput<typeof results>
+
+const backups = v.nullable(v.object({ count: v.number(), last: v.nullable(v.string()) }))
+
+export const data = v.object({
+  pupils: v.number(),
+  projects: v.number(),
+  versions: v.number(),
+  results: v.number(),
+  /** Bytes, and how many there may be. */
+  space: v.number(),
+  mostSpace: v.number(),
+  endsOn: v.string(),
+  backups,
+  /** Deleted today, the class is in no backup from this day on. */
+  goneFromBackupsOn: v.string(),
+})
+export type Data = v.InferOutput<typeof data>
+
+export const health = v.object({
+  now: v.number(),
+  secure: v.boolean(),
+  database: v.string(),
+  /** Bytes. */
+  memory: v.number(),
+  freeSpace: v.number(),
+  addresses: list(v.string()),
+  backups,
+})
+export type Health = v.InferOutput<typeof health>
+export const backedUp = v.object({ backups })
+
+export const substituteLink = v.object({ token: v.string(), day: v.string() })
+export const substituteOf = v.object({ id: v.string(), name: v.string() })

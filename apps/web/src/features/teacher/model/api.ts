@@ -16,6 +16,9 @@ export class Refused extends Error {
 type Method = 'GET' | 'POST' | 'PUT' | 'PATCH' | 'DELETE'
 type Fetch = (path: string, init: RequestInit) => Promise<Response>
 
+/** A server that is silent for so long cannot be reached, ms. A start program may be 5 MB. */
+const longest = 30_000
+
 const refusal = v.object({ error: v.string() })
 
 async function refusedBy(answer: Response): Promise<Refused> {
@@ -55,7 +58,8 @@ export class ClassApi {
       body === undefined
         ? {}
         : { body: JSON.stringify(body), headers: { 'content-type': 'application/json' } }
-    const answer = await this.#fetch(`/api/class${path}`, { method, ...json }).catch(() => null)
+    const signal = AbortSignal.timeout(longest)
+    const answer = await this.#fetch(`/api/class${path}`, { method, signal, ...json }).catch(() => null)
     if (!answer) throw new Refused('noServer', 0)
     if (!answer.ok) throw await refusedBy(answer)
     return answer

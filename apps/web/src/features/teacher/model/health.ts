@@ -1,4 +1,6 @@
 import { m } from '#words/message.ts'
+import type { Health } from './answers.ts'
+import { sayDay } from './ends.ts'
 
 /** One line of the server's health. */
 export interface Fact {
@@ -9,28 +11,92 @@ export interface Fact {
   readonly value: string
 }
 
+type Place = Pick<Location, 'hostname' | 'origin'>
+
 /** Only the machine of the server reaches it under these names. */
 export const isOwnMachine = (hostname: string): boolean =>
   /^(localhost|127(\.\d+){3}|\[::1\])$/.test(hostname)
 
-const address = ({ host, hostname }: Pick<Location, 'host' | 'hostname'>): Fact => ({
-  id: 'address',
-  fine: !isOwnMachine(hostname),
-  title: m['teacher.address'](),
-  text: isOwnMachine(hostname) ? m['teacher.addressOwn']() : m['teacher.addressText'](),
-  value: host,
-})
+/** The address that other devices type: where the page is, or one that the server names. */
+export function addressFor(at: Place, addresses: readonly string[]): string {
+  if (!isOwnMachine(at.hostname)) return at.origin
+  return addresses.find((address) => !isOwnMachine(new URL(address).hostname)) ?? at.origin
+}
 
-const offline = (secure: boolean): Fact => ({
-  id: 'offline',
-  fine: secure,
-  title: m['teacher.offline'](),
+const limits = { memory: 192_000_000, freeSpace: 500_000_000, clock: 120_000 }
+
+const megabytes = (bytes: number) => Math.round(bytes / 1_000_000)
+const gigabytes = (bytes: number, locale: string) =>
+  (bytes / 1_000_000_000).toLocaleString(locale, { maximumFractionDigits: 1 })
+
+function addressFact(at: Place, addresses: readonly string[]): Fact {
+  const address = new URL(addressFor(at, addresses))
+  const fine = !isOwnMachine(address.hostname)
+  const text = fine ? m['teacher.addressText']() : m['teacher.addressOwn']()
+  return { id: 'address', fine, title: m['teacher.address'](), text, value: address.host }
+}
+
+const offlineFact = (secure: boolean): Fact => ({
+  ...{ id: 'offline', fine: secure, title: m['teacher.offline']() },
   text: secure ? m['teacher.offlineText']() : m['teacher.offlineHttps'](),
   value: secure ? m['teacher.yes']() : m['teacher.notYet'](),
 })
 
-/** What a page knows of the server's health. */
-export const healthOf = (at: Pick<Location, 'host' | 'hostname'>, secure: boolean): readonly Fact[] => [
-  address(at),
-  offline(secure),
-]
+const memoryFact = ({ memory }: Health): Fact => ({
+  ...{ id: 'memory', fine: memory <= limits.memory, title: m['teacher.memory']() },
+  text: m['teacher.memoryText']({ most: megabytes(limits.memory) }),
+  value: m['teacher.megabytes']({ count: megabytes(memory) }),
+})
+
+const spaceFact = ({ freeSpace }: Health, locale: string): Fact => ({
+  ...{ id: 'space', fine: freeSpace >= limits.freeSpace, title: m['teacher.freeSpace']() },
+  text: m['teacher.freeSpaceText']({ least: gigabytes(limits.freeSpace, locale) }),
+  value: m['teacher.gigabytes']({ count: gigabytes(freeSpace, locale) }),
+})
+
+function clockFact({ now }: Health, here: number, locale: string): Fact {
+  const fine = Math.abs(now - here) < limits.clock
+  return {
+    ...{ id: 'clock', fine, title: m['teacher.clock']() },
+    text: fine ? m['teacher.clockText']() : m['teacher.clockWrong'](),
+    value: new Date(now).toLocaleTimeString(locale, { hour: 'numeric', minute: '2-digit' }),
+  }
+}
+
+function backupFact({ backups }: Health, locale: string): Fact {
+  const title = m['teacher.backup']()
+  if (!backups)
+    return {
+      id: 'backup',
+      fine: true,
+      title,
+      text: m['teacher.backupDump'](),
+      value: m['teacher.byOwnTools'](),
+    }
+  const fine = backups.last !== null
+  return {
+    ...{ id: 'backup', fine, title, text: fine ? m['teacher.backupText']() : m['teacher.backupFirst']() },
+    value: backups.last === null ? m['teacher.noneYet']() : sayDay(backups.last, locale),
+  }
+}
+
+interface Known {
+  readonly secure: boolean
+  /** What the server says of itself to a teacher; null: nothing yet. */
+  readonly health: Health | null
+  /** The time by this device's clock when it was said. */
+  readonly here: number
+}
+
+/** How the server is, a line a fact. */
+export function healthOf(at: Place, { secure, health, here }: Known, locale: string): readonly Fact[] {
+  const said = health
+    ? [
+        memoryFact(health),
+        spaceFact(health, locale),
+        clockFact(health, here, locale),
+        backupFact(health, locale),
+      ]
+    : []
+  return [addressFact(at, health?.addresses ?? []), ...said, offlineFact(secure)]
+}

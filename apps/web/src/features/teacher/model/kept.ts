@@ -1,6 +1,6 @@
 import type { IconName } from '#parts/icons.ts'
 import { m } from '#words/message.ts'
-import type { ClassInFull } from './answers.ts'
+import type { Data } from './answers.ts'
 import { sayDay } from './ends.ts'
 
 interface KeptRow {
@@ -12,47 +12,47 @@ interface KeptRow {
   readonly until: string
 }
 
-/** How many nightly backups are kept. */
-export const backupNights = 7
+/** How many nightly backups there are at the most. */
+const backupNights = 7
+
+function backupRow({ backups }: Data): KeptRow {
+  return {
+    ...{ id: 'backups', icon: 'database' },
+    title: m['teacher.keptBackups'](),
+    text: m['teacher.keptBackupsText'](),
+    much: backups ? m['teacher.countBackups']({ count: backups.count }) : m['teacher.byOwnTools'](),
+    until: m['teacher.eachNights']({ count: backupNights }),
+  }
+}
 
 /** What the server keeps of a class, a line each. */
-export function keptOf(
-  { pupils, projects, versions, endsOn }: ClassInFull,
-  locale: string,
-): readonly KeptRow[] {
-  const until = sayDay(endsOn, locale)
+export function keptOf(data: Data, locale: string): readonly KeptRow[] {
+  const until = sayDay(data.endsOn, locale)
   return [
     {
       ...{ id: 'pupils', icon: 'person', until },
       title: m['teacher.keptPupils'](),
       text: m['teacher.keptPupilsText'](),
-      much: m['teacher.countPupils']({ count: pupils }),
+      much: m['teacher.countPupils']({ count: data.pupils }),
     },
     {
       ...{ id: 'projects', icon: 'tidy', until },
       title: m['teacher.keptProjects'](),
       text: m['teacher.keptProjectsText'](),
-      much: m['teacher.countProjects']({ count: projects }),
+      much: m['teacher.countProjects']({ count: data.projects }),
     },
     {
       ...{ id: 'versions', icon: 'reset', until },
       title: m['teacher.keptVersions'](),
       text: m['teacher.keptVersionsText'](),
-      much: m['teacher.countVersions']({ count: versions }),
+      much: m['teacher.countVersions']({ count: data.versions }),
     },
     {
-      ...{ id: 'live', icon: 'eye' },
-      title: m['teacher.keptLive'](),
-      text: m['teacher.keptLiveText'](),
-      much: m['teacher.nothing'](),
-      until: m['teacher.lessonEnd'](),
+      ...{ id: 'results', icon: 'check', until },
+      title: m['teacher.keptResults'](),
+      text: m['teacher.keptResultsText'](),
+      much: m['teacher.countResults']({ count: data.results }),
     },
-    {
-      ...{ id: 'backups', icon: 'database' },
-      title: m['teacher.keptBackups'](),
-      text: m['teacher.keptBackupsText'](),
-      much: m['teacher.countBackups']({ count: backupNights }),
-      until: m['teacher.eachNights']({ count: backupNights }),
-    },
+    backupRow(data),
   ]
 }

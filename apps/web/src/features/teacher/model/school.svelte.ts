@@ -1,7 +1,7 @@
 import * as answers from './answers.ts'
 import type { ClassInFull, Pupil } from './answers.ts'
 import { codeOf, type ClassApi } from './api.ts'
-import { saveClass, saveEverything } from './export.ts'
+import { saveEverything } from './export.ts'
 
 /** One class as its teacher sees it, and what can be done with it. */
 export class School {
@@ -47,8 +47,6 @@ export class School {
 
   /** Newcomers can join for 20 minutes. @returns whether it was done, as all of these */
   open = () => this.#do('POST', '/open')
-  /** Who is in goes on; nobody joins any more. */
-  stopJoining = () => this.#do('POST', '/stop-joining')
   /** The lesson is over. */
   close = () => this.#do('POST', '/close')
   newCode = () => this.#do('POST', '/code')
@@ -73,13 +71,17 @@ export class School {
     return given?.pictures ?? null
   }
 
-  /** All about one pupil, or about the whole class, as a file. */
-  exported = (pupil?: Pupil) =>
-    this.#try(() =>
-      pupil
-        ? saveEverything(this.#api, this.id, pupil)
-        : saveClass(this.#api, { id: this.id, name: this.#row?.name ?? '' }, this.#pupils),
-    )
+  /** All about one pupil as a file, for parents who ask. */
+  saveEverything = (pupil: Pupil) => this.#try(() => saveEverything(this.#api, this.id, pupil))
+
+  /** Who has done which card; null where it was refused. */
+  results = () => this.#try(() => this.#api.ask(answers.results, 'GET', this.at('/results')))
+  /** What is kept, how much of it, and until when; null where it was refused. */
+  data = () => this.#try(() => this.#api.ask(answers.data, 'GET', this.at('/data')))
+  /** A link for somebody who takes the class today; null where it was refused. */
+  lend = () => this.#try(() => this.#api.ask(answers.substituteLink, 'POST', this.at('/substitute')))
+  /** Links that were made for others end now. */
+  endLending = () => this.#do('DELETE', '/substitute')
 
   async #do(method: 'POST' | 'PATCH' | 'DELETE', path: string, body?: unknown): Promise<boolean> {
     const done = await this.#try(async () => {

@@ -1,5 +1,5 @@
 import { migrate, openSqlite } from '@botgarten/classroom'
-import { Server } from '@botgarten/classroom/testing'
+import { quickAccounts, Server } from '@botgarten/classroom/testing'
 import { ClassApi } from '../model/api.ts'
 
 const host = 'http://lab.test'
@@ -8,13 +8,15 @@ const host = 'http://lab.test'
 export async function freshServer(): Promise<Server> {
   const database = openSqlite(':memory:')
   await migrate(database)
-  return new Server(database)
+  return new Server(database, quickAccounts(database))
 }
 
-/** A page's way to it, with cookies as its browser keeps them. */
-export function apiOn(server: Server): ClassApi {
+type Ask = (path: string, init: RequestInit) => Promise<Response>
+
+/** Asks as a browser on its page does, and keeps its cookies. */
+export function askerOn(server: Server): Ask {
   const cookies = new Map<string, string>()
-  return new ClassApi(async (path, init) => {
+  return async (path, init) => {
     const headers = new Headers(init.headers)
     headers.set('origin', host)
     headers.set('cookie', [...cookies].map(([name, value]) => `${name}=${value}`).join('; '))
@@ -25,5 +27,7 @@ export function apiOn(server: Server): ClassApi {
       else cookies.set(name!, value!)
     }
     return answer
-  })
+  }
 }
+
+export const apiOn = (server: Server): ClassApi => new ClassApi(askerOn(server))

@@ -1,13 +1,13 @@
 import { resolve } from '$app/paths'
 
 /** What is shown of a class. */
-export const views = ['class', 'data'] as const
+export const views = ['live', 'cards', 'class', 'data'] as const
 export type View = (typeof views)[number]
 
 export const isView = (name: string | null): name is View => views.some((view) => view === name)
 
 /** Address of a class; without a view its first. */
-export const toClass = (id: string, view: View = 'class') =>
+export const toClass = (id: string, view: View = 'live') =>
   resolve(`/teacher?class=${encodeURIComponent(id)}&view=${view}`)
 
 export const toProjector = (id: string) => resolve(`/teacher/projector?class=${encodeURIComponent(id)}`)

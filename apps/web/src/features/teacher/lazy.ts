@@ -1,0 +1,1 @@
+export { default as Inside } from './view/live/Inside.svelte'

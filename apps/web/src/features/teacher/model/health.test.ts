@@ -1,0 +1,43 @@
+import { expect, test } from 'vitest'
+import { addressFor, healthOf, isOwnMachine } from './health.ts'
+
+const now = Date.UTC(2026, 10, 24, 9)
+const health = {
+  ...{ now, secure: false, database: 'sqlite', memory: 96e6, freeSpace: 11.4e9 },
+  ...{ addresses: ['http://localhost:4173', 'http://192.168.0.5:4173'] },
+  backups: { count: 0, last: null as string | null },
+}
+const own = { hostname: 'localhost', origin: 'http://localhost:4173' }
+const inRoom = { hostname: 'botgarten.local', origin: 'http://botgarten.local' }
+
+test.each(['localhost', '127.0.0.1', '[::1]'])('%s is a name for the machine itself', (name) =>
+  expect(isOwnMachine(name)).toBe(true),
+)
+
+test('pupils are told the address of the page, or one of the network where the page is on the server itself', () => {
+  expect(addressFor(inRoom, health.addresses)).toBe('http://botgarten.local')
+  expect(addressFor(own, health.addresses)).toBe('http://192.168.0.5:4173')
+  expect(addressFor(own, ['http://localhost:4173'])).toBe('http://localhost:4173')
+})
+
+const toDo = (facts: ReturnType<typeof healthOf>) => facts.filter(({ fine }) => !fine).map(({ id }) => id)
+
+test('a backup that was never made and plain http are to do; the rest is fine', () => {
+  expect(toDo(healthOf(inRoom, { secure: false, health, here: now }, 'en'))).toEqual(['backup', 'offline'])
+  const saved = { ...health, backups: { count: 1, last: '2026-11-24' } }
+  expect(toDo(healthOf(inRoom, { secure: true, health: saved, here: now }, 'en'))).toEqual([])
+})
+
+test('too much memory, a full disk and a clock that is wrong are said', () => {
+  const bad = { ...health, memory: 250e6, freeSpace: 0.1e9, now: now - 300_000, backups: null }
+  expect(toDo(healthOf(inRoom, { secure: true, health: bad, here: now }, 'de'))).toEqual([
+    'memory',
+    'space',
+    'clock',
+  ])
+})
+
+test('before somebody is signed in only the page is known', () => {
+  const facts = healthOf(inRoom, { secure: true, health: null, here: now }, 'en')
+  expect(facts.map(({ id }) => id)).toEqual(['address', 'offline'])
+})
