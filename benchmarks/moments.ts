@@ -65,7 +65,7 @@ export function steps(minutes: number): Steps[] {
   return [
     { name: 'one robot alone', document: alone },
     crowd,
-    { name: 'eight robots', document: robots(8) },
+    { name: 'four robots', document: robots(4) },
   ].map(({ name, document }) => {
     const lab = createLab()
     lab.load(document, paintFloor(document.world), { seed: 11, checks: [] })

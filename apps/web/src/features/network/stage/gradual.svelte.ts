@@ -2,7 +2,7 @@ import { nearer, renewed } from './nearer.ts'
 
 /** Of a list with more than this, a few come and go a frame. */
 export const many = 60
-/** Milliseconds without another list after which they begin to: while it is panned none does. */
+/** Milliseconds without another list, and without panning, after which they begin to. */
 const rest = 400
 
 /** A list that follows another one: at once where it is short, else a few items a frame, so that no frame waits for all. */
@@ -29,12 +29,27 @@ export class Gradual<T> {
     else if (atOnce || this.#list.length === 0) this.#step()
     else {
       this.#list = renewed(this.#list, wanted, this.#keyOf)
-      this.#timer = setTimeout(() => this.#step(), rest)
+      this.#stepLater()
     }
+  }
+
+  /** It is panned: what is on its way waits until it rests. */
+  wait(): void {
+    if (!this.#timer && !this.#frame) return
+    this.stop()
+    this.#stepLater()
+  }
+
+  #stepLater(): void {
+    this.#timer = setTimeout(() => {
+      this.#timer = undefined
+      this.#step()
+    }, rest)
   }
 
   stop(): void {
     clearTimeout(this.#timer)
+    this.#timer = undefined
     cancelAnimationFrame(this.#frame)
     this.#frame = 0
   }
