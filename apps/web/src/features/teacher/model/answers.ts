@@ -47,7 +47,6 @@ export const classInFull = v.object({
 export type ClassInFull = v.InferOutput<typeof classInFull>
 
 export const made = v.object({ id: v.string() })
-export const opened = v.object({ joiningUntil: v.number() })
 export const invitation = v.object({ token: v.string(), endsAt: v.number() })
 export const pictures = v.object({ pictures: list(v.string()) })
 

@@ -2,7 +2,7 @@ import type { CardHead } from '@botgarten/content/catalogue'
 
 type Head = Pick<CardHead, 'id' | 'bed'>
 
-export interface FreeBed {
+interface FreeBed {
   readonly bed: CardHead['bed']
   readonly cards: readonly string[]
   /** How many of them are free. */

@@ -16,9 +16,9 @@ export interface Source {
 }
 
 /** A hint of a card by its number from 1, or in own words. */
-export type Hint = { readonly card: string; readonly hint: number } | { readonly text: string }
+type Hint = { readonly card: string; readonly hint: number } | { readonly text: string }
 /** The start program of a card, or a project as its file has it. */
-export type StartProgram = { readonly card: string } | { readonly file: string }
+type StartProgram = { readonly card: string } | { readonly file: string }
 
 const closed = 2
 /** In ms: a stream that the server refused is tried again after so long. */

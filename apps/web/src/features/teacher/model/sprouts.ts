@@ -1,5 +1,5 @@
 /** A sprout in a bed: where it stands, how large it is, and the colours of its two leaves. */
-export interface Sprout {
+interface Sprout {
   readonly x: number
   readonly scale: number
   readonly left: string
