@@ -62,7 +62,7 @@ export class Asker {
   }
 }
 
-export interface ClassOfTest extends RunningServer {
+interface ClassOfTest extends RunningServer {
   readonly classServer: ClassServer
   /** Signed in as `m.weber`, password `kastanie im regen`. */
   readonly teacher: Asker

@@ -1,4 +1,5 @@
 // Rooms: server
+import { classOfTest } from '../class-server.ts'
 import { expect, test } from '../house.ts'
 
 /** A policy as its directives and what each allows. */
@@ -101,4 +102,17 @@ test.describe('a page that somebody tampers with', () => {
     expect(await refused).toBe('script-src-elem')
     expect(await page.title()).not.toBe('taken over')
   })
+})
+
+test('the class answers at the address of the lab, guarded like its pages, and knows who asks', async ({
+  request,
+}) => {
+  const open = await classOfTest()
+  const { asker } = await open.pupil('Fuchs')
+  const { body } = await asker.ask('GET', '/state')
+  expect(body).toMatchObject({ firstTeacher: { name: 'm.weber' }, pupil: { nickname: 'Fuchs' } })
+  const answer = await request.get(`${open.url}/api/class/state`)
+  expectGuarded(answer.headers())
+  expect(answer.headers()['cache-control']).toBe('no-store')
+  await open.close()
 })
