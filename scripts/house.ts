@@ -73,7 +73,7 @@ export function functionsOf(source: Source): number[] {
 }
 
 const hasStatements = (node: ts.Node) =>
-  ts.isFunctionLike(node) && 'body' in node && node.body !== undefined && ts.isBlock(node.body as ts.Node)
+  ts.isFunctionLike(node) && 'body' in node && node.body !== undefined && ts.isBlock(node.body)
 
 /** A component's functions stand in its scripts. */
 const scriptsOf = (source: Source) =>

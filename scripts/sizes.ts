@@ -70,7 +70,7 @@ export function measure(): Size[] {
   const withPages = features.flatMap(({ id, route }) => (route === undefined ? [] : [id]))
   const pages = [
     sized('lab', lab, 450 * kB),
-    sized('lab, all of it', labOf(inLab(card, [...withPages, 'q-learning'])), 640 * kB),
+    sized('lab, all of it', labOf(inLab(card, [...withPages, 'q-learning'])), 660 * kB),
   ]
   for (const { id, route, budget } of features) {
     const own = route === undefined ? [] : scriptsOf(htmlOf(route), manifest, sizeOf, atOnce(null, []))

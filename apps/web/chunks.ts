@@ -14,7 +14,7 @@ interface Modules {
 
 const page = /[\\/]src[\\/]routes(.*)[\\/]\+(?:page|layout|error)\.(?:svelte|ts)$/
 /** Letters of code that are not worth a request of their own. */
-const few = 24_000
+const few = 6_000
 
 /** Pages that bring a module along at once, by their folder; the frame of all pages is the first page's. */
 const pagesOf = new Map<string, Set<string>>()

@@ -1,7 +1,6 @@
 import type { IncomingMessage, ServerResponse } from 'node:http'
 import { Readable } from 'node:stream'
 import { pipeline } from 'node:stream/promises'
-import type { ReadableStream } from 'node:stream/web'
 import type { Caller } from '@botgarten/classroom'
 
 const bodiless = new Set(['GET', 'HEAD'])
@@ -54,5 +53,5 @@ export async function send(answer: Response, response: ServerResponse): Promise<
   response.writeHead(answer.status)
   if (json || !answer.body) return void response.end(json ?? undefined)
   // Whoever goes away ends the answer; that is no error of ours.
-  await pipeline(Readable.fromWeb(answer.body as ReadableStream), response).catch(() => {})
+  await pipeline(Readable.fromWeb(answer.body), response).catch(() => {})
 }

@@ -69,12 +69,12 @@ describe.skipIf(why !== null)(`two nodes on one PostgreSQL${why ? ` (skipped: ${
       password: 'kastanie im regen',
     }))
     const made = { name: '5b', language: 'en', grade: 5, endsOn: '2099-01-31' }
-    ;({ id } = (await ask(1, 'POST', '/classes', teacher, made)).body as { id: string })
+    ;({ id } = (await ask(1, 'POST', '/classes', teacher, made)).body)
     await ask(0, 'POST', `/classes/${id}/open`, teacher)
-    const { words } = (await ask(1, 'GET', `/classes/${id}`, teacher)).body as { words: string[] }
+    const { words }: { words: string[] } = (await ask(1, 'GET', `/classes/${id}`, teacher)).body
     const joined = await ask(0, 'POST', '/join', '', { code: words.join(' '), nickname: 'Fuchs' })
     pupil = joined.cookie
-    ;({ id: pupilId } = joined.body as { id: string })
+    ;({ id: pupilId } = joined.body)
     // PostgreSQL takes its time to start on a busy machine.
   }, 60_000)
 

@@ -108,7 +108,7 @@ describe('what has to sit at a port', () => {
       start,
       ...['B', 'C'].map((MOTORPORT) => block('robActions_motor_on', { MOTORPORT }, { POWER: number(30) })),
     ])
-    const words = (key: string, facts: object = {}) => [key, ...Object.values(facts)].join(' ')
+    const words = (key: string, facts: object = {}) => [key, ...(Object.values(facts) as unknown[])].join(' ')
     const { text: file } = pythonFrom(
       { ...{ name: 'test', program, config: cardConfig, brains: {} }, dialect: 'pybricks' },
       words,

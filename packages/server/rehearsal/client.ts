@@ -57,7 +57,7 @@ export class Client {
     const { signal } = stop
     const once = async () => {
       const answer = await fetch(`${this.url}/api/class${path}`, { headers: this.headers(false), signal })
-      for await (const piece of answer.body ?? []) hear(piece.length)
+      for await (const piece of answer.body ?? []) hear((piece as Uint8Array).length)
     }
     void (async () => {
       while (!signal.aborted) {

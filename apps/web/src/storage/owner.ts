@@ -30,7 +30,7 @@ const ofThisPage = readOwner()
 export const owner = (): Owner | null => ofThisPage
 
 /** Is the device another pupil's by now than this page is? */
-export const ownerHasChanged = (): boolean => readOwner()?.pupil !== ofThisPage?.pupil
+const ownerHasChanged = (): boolean => readOwner()?.pupil !== ofThisPage?.pupil
 
 /** From the next page on the device is this pupil's. @throws where the browser keeps nothing */
 export function setOwner(next: Owner | null): void {

@@ -1,7 +1,6 @@
 import type { Feature } from '#parts/feature.ts'
 
 export { hasClasses } from './model/state.ts'
-export { default as Join } from './view/Join.svelte'
 
 /** A pupil in a class: its door, where its work is. It comes where the device is a pupil's. */
 export const schoolClass = {
@@ -9,5 +8,5 @@ export const schoolClass = {
   words: ['class'],
   route: 'join',
   load: () => import('./lazy.ts'),
-  budget: { page: 110_000, part: 40_000 },
+  budget: { page: 120_000, part: 60_000 },
 } satisfies Feature

@@ -6,7 +6,7 @@ export type Reply =
   | { readonly kind: 'refused'; readonly status: number; readonly code: string; readonly facts: Facts }
   | { readonly kind: 'away' }
 
-export interface Facts {
+interface Facts {
   readonly revision?: number | undefined
   readonly seconds?: number | undefined
   readonly reason?: string | undefined

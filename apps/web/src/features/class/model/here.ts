@@ -1,9 +1,9 @@
 // Who sits at this device: asked at every start, after ten minutes without a key, and again by pictures after a lesson.
 
 /** Whoever says yes after so long is asked for the pictures. */
-export const lesson = 90 * 60_000
+const lesson = 90 * 60_000
 /** After so long without a key or a finger it may be somebody else. */
-export const quiet = 10 * 60_000
+const quiet = 10 * 60_000
 
 const tab = 'botgarten.here'
 const proven = 'botgarten.proven'

@@ -10,12 +10,14 @@ import { fetchMe, passage, type Me, type Passage } from './pupil.ts'
 import type { Pause } from './sending.ts'
 import { askAs, type Ask } from './ask.ts'
 
+const noPlaces: AllWhereabouts = new Map()
+
 /** The pupil of this page in its class: who it is, and where its work is. */
 export class Member {
   readonly owner: Owner
   readonly ask: Ask
   readonly outbox: Outbox
-  #places = $state.raw<AllWhereabouts>(new Map())
+  #places = $state.raw<AllWhereabouts>(noPlaces)
   #pause = $state.raw<Pause | null>(null)
   #handUp = $state(false)
 

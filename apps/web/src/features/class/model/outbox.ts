@@ -3,7 +3,7 @@ import { sendAll, type Pause } from './sending.ts'
 import type { Ask } from './ask.ts'
 
 /** So long after a save it is sent, with all that came meanwhile, in milliseconds. */
-export const gap = 3000
+const gap = 3000
 /** After a failure it is tried again after 2 s, then twice as long each time. */
 const [firstWait, longestWait] = [2000, 60_000]
 

@@ -74,15 +74,15 @@ async function newDevice() {
   const pages = async () => {
     globalThis.indexedDB = factory
     vi.resetModules()
-    const [projects, outbox, sending, arriving, { database: opened }] = await Promise.all([
+    const { sendAll, sendNext } = await import('./sending.ts')
+    const [projects, outbox, arriving, { database: opened }] = await Promise.all([
       import('#storage/projects.ts'),
       import('#storage/outbox.ts'),
-      import('./sending.ts'),
       import('./arriving.ts'),
       import('#storage/database.ts'),
     ])
     await opened()
-    return { ...projects, ...outbox, ...sending, ...arriving, opened }
+    return { ...projects, ...outbox, sendAll, sendNext, ...arriving, opened }
   }
   let page = await pages()
   return {

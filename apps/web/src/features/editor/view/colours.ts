@@ -23,7 +23,6 @@ export const unknownColour = '#6F6A66'
 
 export const ink = '#3A2A20'
 export const paper = '#FFFDF8'
-export const sun = '#FFC83D'
 /** Edges and plugs of the two layers; also the dots of their neurons. */
 export const teal = '#2F9C95'
 export const apricot = '#F28C45'

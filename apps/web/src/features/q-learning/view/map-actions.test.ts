@@ -27,7 +27,7 @@ function handsAndSteps() {
 
 test('a station can become the start or the goal', () => {
   const { hands, steps } = handsAndSteps()
-  for (const { act } of actionsOf({ kind: 'station', station: 5 }, hands)) act()
+  for (const action of actionsOf({ kind: 'station', station: 5 }, hands)) action.act()
   expect(steps).toEqual([
     { START: '5', FINISH: '1' },
     { START: '3', FINISH: '5' },
@@ -42,7 +42,7 @@ test('a road can be made all that it is not', () => {
     m['q.closeRoad'](),
     m['q.closeOne']({ from: 2, to: 3 }),
   ])
-  for (const { act } of actions) act()
+  for (const action of actions) action.act()
   expect(steps).toEqual([[], [[3, 2], [2, 3]], [[2, 3]]]) // prettier-ignore
 })
 

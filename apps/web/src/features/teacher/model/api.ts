@@ -22,7 +22,7 @@ const longest = 30_000
 const refusal = v.object({ error: v.string() })
 
 async function refusedBy(answer: Response): Promise<Refused> {
-  const body = await answer.json().catch(() => null)
+  const body: unknown = await answer.json().catch(() => null)
   const given = v.safeParse(refusal, body)
   return new Refused(given.success ? given.output.error : 'noServer', answer.status)
 }

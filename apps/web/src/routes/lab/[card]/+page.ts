@@ -1,10 +1,8 @@
 import { error } from '@sveltejs/kit'
-import { schoolClass } from '#features/class/feature.ts'
+import { bringClassWork } from '#app/class-work.ts'
 import { editor, fetchBlocklyWords, packs } from '#features/editor/feature.ts'
 import { allCards } from '#content/cards.ts'
 import { openLab } from '#lab/opening.ts'
-import { loadPart } from '#parts/feature.ts'
-import { owner } from '#storage/owner.ts'
 import type { EntryGenerator, PageLoad } from './$types'
 
 // Names that are not among the entries are answered by the server, with the page that says so.
@@ -15,9 +13,7 @@ export const entries: EntryGenerator = () => [{ card: 'free' }, ...allCards.map(
 export const load: PageLoad = async ({ params, url }) => {
   // The heaviest part travels while the screen is made. The screen asks for it too, and says so where it cannot come.
   editor.load().catch(() => undefined)
-  // What a pupil has made on another device comes first, where the class can be reached soon.
-  const id = url.searchParams.get('p') ?? params.card
-  if (owner()) await loadPart(schoolClass).then(({ memberHere, soon }) => soon(memberHere()!.bring(id)))
+  await bringClassWork(url.searchParams.get('p') ?? params.card)
   const [opened] = await Promise.all([
     openLab(params.card, url.searchParams.get('p'), packs),
     fetchBlocklyWords(),
