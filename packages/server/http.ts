@@ -1,6 +1,7 @@
 import type { IncomingMessage, ServerResponse } from 'node:http'
 import { Readable } from 'node:stream'
 import { pipeline } from 'node:stream/promises'
+import type { ReadableStream } from 'node:stream/web'
 import type { Caller } from '@botgarten/classroom'
 
 const bodiless = new Set(['GET', 'HEAD'])
@@ -53,5 +54,6 @@ export async function send(answer: Response, response: ServerResponse): Promise<
   response.writeHead(answer.status)
   if (json || !answer.body) return void response.end(json ?? undefined)
   // Whoever goes away ends the answer; that is no error of ours.
-  await pipeline(Readable.fromWeb(answer.body), response).catch(() => {})
+  // oxlint-disable-next-line typescript/no-unnecessary-type-assertion -- the compiler tells the two streams apart
+  await pipeline(Readable.fromWeb(answer.body as ReadableStream), response).catch(() => {})
 }
