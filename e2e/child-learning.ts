@@ -12,6 +12,14 @@ export class Learner {
     this.child = child
   }
 
+  /** Opens what is open once more, by a link with these dice. */
+  async pinsDice(seed: number) {
+    const address = new URL(this.child.page.url())
+    address.searchParams.set('dice', String(seed))
+    await this.child.page.goto(address.href)
+    await this.child.seesLab()
+  }
+
   /** With dice that are pinned by the link: what is learned is the same every time. */
   async opens(card: 'mars' | 'railway' | 'forest' | 'city') {
     await this.child.opensLab(`${card}?dice=1`)

@@ -218,6 +218,6 @@ test('what is kept for times without a network comes after the page, and is at m
   expect(door.asked).not.toContain('/service-worker.js')
   await isKept(page)
   expect(door.asked).toContain('/service-worker.js')
-  expect(door.asked.length - requests).toBeLessThanOrEqual(220)
+  expect(door.asked.length - requests).toBeLessThanOrEqual(240)
   expect(door.bytes - bytes).toBeLessThanOrEqual(1_600_000)
 })
