@@ -1,4 +1,4 @@
-// Rooms: editor, world, lab-screen
+// Rooms: editor, world, app
 import { content } from '@botgarten/content/files'
 import { expect, test } from '../house.ts'
 import { fitOf } from '../lab-fit.ts'
