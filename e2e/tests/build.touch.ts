@@ -13,6 +13,9 @@ for (const language of languagesOf(import.meta.filename)) {
     }) => {
       const builder = new Builder(child)
       await child.opensLab('free')
+      // Without a network the world is as large as it can be; beside one it has to grow.
+      await child.presses('lab.unfoldNetwork')
+      await expect(child.words('network.empty')).toBeVisible()
       const before = (await builder.world.boundingBox())!.height
       await builder.begins()
       expect((await builder.world.boundingBox())!.height).toBeGreaterThan(before * 1.5)

@@ -89,7 +89,7 @@ interface Endless {
 }
 
 const endless: readonly Endless[] = [
-  { name: 'Again', text: recursion(), block: 'call', problem: 'tooManyCalls', facts: { name: 'again' } },
+  { name: 'Again', text: recursion(), block: 'b4', problem: 'tooManyCalls', facts: { name: 'again' } },
   { name: 'Million', text: million(), block: 'b7', problem: 'listTooLong', facts: { most: 10_000 } },
   { name: 'Growing', text: growing(), block: 'b4', problem: 'listTooLong', facts: { most: 10_000 } },
 ]
