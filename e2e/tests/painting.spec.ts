@@ -24,7 +24,7 @@ async function labOn(browser: Browser, options: BrowserContextOptions, isWorker:
   return child
 }
 
-const panes = ['.world > canvas', '.stage > canvas:not(.back)']
+const panes = ['.world > canvas', '.stage canvas:not(.back)']
 
 /** The share of pixels that differ clearly, and how many colours the first picture has. */
 function compare(page: Page, one: string, other: string) {
