@@ -2,7 +2,8 @@ import * as v from 'valibot'
 import { inOrder } from '@botgarten/classroom/tiles'
 import * as answers from './answers.ts'
 import type { SchoolClass } from './answers.ts'
-import { codeOf, Refused, type ClassApi } from './api.ts'
+import { Refused, type ClassApi } from './api.ts'
+import { Attempts } from './attempts.svelte.ts'
 import type { Tile } from './live.ts'
 
 /** The session is over, or the class is no more. */
@@ -39,7 +40,7 @@ export class LiveClass {
   /** The server's clock minus ours, ms. */
   #shift = $state(0)
   #connection = $state<'opening' | 'open' | 'broken' | 'ended'>('opening')
-  #refused = $state<string | null>(null)
+  readonly #attempts = new Attempts()
   #source: Source | null = null
   #timer: ReturnType<typeof setTimeout> | undefined
   #heardAt = 0
@@ -70,7 +71,7 @@ export class LiveClass {
   }
 
   get refused(): string | null {
-    return this.#refused
+    return this.#attempts.refused
   }
 
   /** The time by the server's clock. */
@@ -182,7 +183,7 @@ export class LiveClass {
    */
   async look(pupil: string, known: Looked | null): Promise<Looked | null> {
     const query = known ? `?known=${known.id}:${known.revision}` : ''
-    const found = await this.#try(() =>
+    const found = await this.#attempts.try(() =>
       this.#api.ask(answers.insideAnswer, 'POST', this.#path(`/pupils/${pupil}/inside${query}`)),
     )
     if (!found?.project) return known
@@ -196,25 +197,8 @@ export class LiveClass {
 
   #path = (path: string) => `/classes/${this.id}${path}`
 
-  async #do(method: 'POST' | 'PUT' | 'DELETE', path: string, body?: unknown): Promise<boolean> {
-    const done = await this.#try(async () => {
-      await this.#api.tell(method, this.#path(path), body)
-      return true
-    })
-    return done === true
-  }
-
-  /** @returns null where the server refused, and keeps why */
-  async #try<Result>(act: () => Promise<Result>): Promise<Result | null> {
-    try {
-      const result = await act()
-      this.#refused = null
-      return result
-    } catch (error) {
-      this.#refused = codeOf(error)
-      return null
-    }
-  }
+  #do = (method: 'POST' | 'PUT' | 'DELETE', path: string, body?: unknown): Promise<boolean> =>
+    this.#attempts.do(() => this.#api.tell(method, this.#path(path), body))
 }
 
 /** What was found inside. */

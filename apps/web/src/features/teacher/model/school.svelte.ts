@@ -1,6 +1,7 @@
 import * as answers from './answers.ts'
 import type { ClassInFull, Pupil } from './answers.ts'
-import { codeOf, type ClassApi } from './api.ts'
+import type { ClassApi } from './api.ts'
+import { Attempts } from './attempts.svelte.ts'
 import { saveEverything } from './export.ts'
 
 /** One class as its teacher sees it, and what can be done with it. */
@@ -9,7 +10,7 @@ export class School {
   readonly #api: ClassApi
   #row = $state.raw<ClassInFull | null>(null)
   #pupils = $state.raw<readonly Pupil[]>([])
-  #refused = $state<string | null>(null)
+  readonly #attempts = new Attempts()
 
   constructor(api: ClassApi, id: string) {
     this.#api = api
@@ -26,13 +27,13 @@ export class School {
     return this.#pupils
   }
 
-  /** Why the last wish was not done; null where it was. */
+  /** Why the last request was not done; null where it was. */
   get refused(): string | null {
-    return this.#refused
+    return this.#attempts.refused
   }
 
   async load(): Promise<void> {
-    await this.#try(async () => {
+    await this.#attempts.try(async () => {
       const [row, { pupils }] = await Promise.all([
         this.#api.ask(answers.classInFull, 'GET', this.at('')),
         this.#api.ask(answers.pupils, 'GET', this.at('/pupils')),
@@ -58,49 +59,33 @@ export class School {
   handDown = (pupil: string) => this.#do('POST', `/pupils/${pupil}/hand-down`)
 
   /** Deletes the class with everything; `name` is what was typed. */
-  async deleteAll(name: string): Promise<boolean> {
-    return (await this.#try(() => this.#api.tell('DELETE', this.at(''), { name }))) !== null
-  }
+  deleteAll = (name: string): Promise<boolean> =>
+    this.#attempts.do(() => this.#api.tell('DELETE', this.at(''), { name }))
 
-  /** Three new pictures for a pupil, told once; null where it was refused. */
+  /** Three new pictures for a pupil, shown once; null where it was refused. */
   async newPictures(pupil: string): Promise<readonly string[] | null> {
-    const given = await this.#try(() =>
+    const given = await this.#attempts.try(() =>
       this.#api.ask(answers.pictures, 'POST', this.at(`/pupils/${pupil}/pictures`)),
     )
-    await this.load()
+    if (given) await this.load()
     return given?.pictures ?? null
   }
 
   /** All about one pupil as a file, for parents who ask. */
-  saveEverything = (pupil: Pupil) => this.#try(() => saveEverything(this.#api, this.id, pupil))
+  saveEverything = (pupil: Pupil) => this.#attempts.try(() => saveEverything(this.#api, this.id, pupil))
 
   /** Who has done which card; null where it was refused. */
-  results = () => this.#try(() => this.#api.ask(answers.results, 'GET', this.at('/results')))
+  results = () => this.#attempts.try(() => this.#api.ask(answers.results, 'GET', this.at('/results')))
   /** What is kept, how much of it, and until when; null where it was refused. */
-  data = () => this.#try(() => this.#api.ask(answers.data, 'GET', this.at('/data')))
+  data = () => this.#attempts.try(() => this.#api.ask(answers.data, 'GET', this.at('/data')))
   /** A link for somebody who takes the class today; null where it was refused. */
-  lend = () => this.#try(() => this.#api.ask(answers.substituteLink, 'POST', this.at('/substitute')))
+  lend = () => this.#attempts.try(() => this.#api.ask(answers.substituteLink, 'POST', this.at('/substitute')))
   /** Links that were made for others end now. */
   endLending = () => this.#do('DELETE', '/substitute')
 
   async #do(method: 'POST' | 'PATCH' | 'DELETE', path: string, body?: unknown): Promise<boolean> {
-    const done = await this.#try(async () => {
-      await this.#api.tell(method, this.at(path), body)
-      return true
-    })
+    const done = await this.#attempts.do(() => this.#api.tell(method, this.at(path), body))
     if (done) await this.load()
-    return done === true
-  }
-
-  /** @returns null where the server refused, and keeps why */
-  async #try<Result>(act: () => Promise<Result>): Promise<Result | null> {
-    try {
-      const result = await act()
-      this.#refused = null
-      return result
-    } catch (error) {
-      this.#refused = codeOf(error)
-      return null
-    }
+    return done
   }
 }

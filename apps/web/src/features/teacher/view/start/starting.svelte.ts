@@ -1,6 +1,7 @@
 import { Account } from '../../model/account.svelte.ts'
 import { backedUp, classInFull, health, type ClassInFull, type Health } from '../../model/answers.ts'
-import { codeOf, type ClassApi } from '../../model/api.ts'
+import type { ClassApi } from '../../model/api.ts'
+import { Attempts } from '../../model/attempts.svelte.ts'
 
 /** How far a first start has come. */
 export class Starting {
@@ -10,7 +11,7 @@ export class Starting {
   #health = $state.raw<Health | null>(null)
   #here = $state(0)
   #saved = $state(false)
-  #refused = $state<string | null>(null)
+  readonly #attempts = new Attempts()
 
   constructor(api: ClassApi) {
     this.#api = api
@@ -41,7 +42,7 @@ export class Starting {
   }
 
   get refused() {
-    return this.#refused
+    return this.#attempts.refused
   }
 
   /** Who was invited does not back up: that is for who runs the server. */
@@ -67,13 +68,11 @@ export class Starting {
   }
 
   async backUp(): Promise<void> {
-    try {
+    await this.#attempts.do(async () => {
       await this.#api.ask(backedUp, 'POST', '/backup')
       this.#saved = true
       await this.#askHealth()
-    } catch (error) {
-      this.#refused = codeOf(error)
-    }
+    })
   }
 
   /** A server with a database of its own is backed up by that one's tools. */
