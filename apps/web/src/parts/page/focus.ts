@@ -1,6 +1,10 @@
-/** Gives an element the focus that has none by itself: a heading, a part of the page. Tab goes on from there. */
+/**
+ * Gives an element the focus that has none by itself: a heading, a part of the page. Tab goes on from there. A dialog that is
+ * about to open around it begins with it too.
+ */
 export function focusOn(element: HTMLElement) {
   if (!element.hasAttribute('tabindex')) element.tabIndex = -1
+  element.autofocus = true
   element.focus()
 }
 
