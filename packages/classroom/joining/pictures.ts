@@ -1,4 +1,4 @@
-/** The twelve pictures; their names and drawings are the page's. */
+/** The twelve pictures of a pupil's secret, as they stand on the screen; their names and drawings are the page's. */
 export const pictures = [
   'tree',
   'cup',
@@ -14,7 +14,7 @@ export const pictures = [
   'moon',
 ] as const
 
-type Picture = (typeof pictures)[number]
+export type Picture = (typeof pictures)[number]
 export type Secret = readonly [Picture, Picture, Picture]
 
 /** Three different pictures in an order: one of 1,320. */

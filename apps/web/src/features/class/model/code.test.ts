@@ -1,6 +1,4 @@
 import { expect, test } from 'vitest'
-import { pictures } from '../../../../../../packages/classroom/joining/pictures.ts'
-import { secretPictures } from '#figures/secret/pictures.ts'
 import { codeInLink, codeOf, fitsAsNickname, wordsIn } from './code.ts'
 
 test('a code is told by three words of at least four letters, in any letters', () => {
@@ -23,8 +21,4 @@ test('a link carries the code behind its #, and other links none', () => {
 test('a nickname has 2 to 20 letters, however they are made', () => {
   expect(['Fuchs', 'Zoë', '🦊🦊', 'x'.repeat(20)].map(fitsAsNickname)).toEqual([true, true, true, true])
   expect(['', ' a ', 'x'.repeat(21)].map(fitsAsNickname)).toEqual([false, false, false])
-})
-
-test('the page draws the pictures that the class gives', () => {
-  expect(secretPictures).toEqual(pictures)
 })

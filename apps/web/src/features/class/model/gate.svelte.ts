@@ -1,4 +1,4 @@
-import type { SecretPicture } from '#figures/secret/pictures.ts'
+import type { Picture } from '@botgarten/classroom/pictures'
 import { arrive, beginning, stayHere, whenQuiet } from './here.ts'
 import type { Refused } from './joining.svelte.ts'
 import type { Member } from './member.svelte.ts'
@@ -17,7 +17,7 @@ export class Gate {
   #refused = $state.raw<Refused | null>(null)
   /** How the work of who came back is coming. */
   #coming = $state<'comes' | 'here' | 'cannotCome'>('comes')
-  shown = $state.raw<readonly SecretPicture[]>([])
+  shown = $state.raw<readonly Picture[]>([])
   #through: () => void
   #stops: (() => void)[] = []
 
@@ -79,7 +79,7 @@ export class Gate {
     this.#letThrough()
   }
 
-  async show(picture: SecretPicture): Promise<void> {
+  async show(picture: Picture): Promise<void> {
     if (this.#busy || this.shown.includes(picture)) return
     this.shown = [...this.shown, picture]
     if (this.shown.length < 3) return

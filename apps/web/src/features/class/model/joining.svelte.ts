@@ -1,11 +1,11 @@
 import { setOwner } from '#storage/owner.ts'
-import { secretPictures, type SecretPicture } from '#figures/secret/pictures.ts'
+import { pictures, type Picture } from '@botgarten/classroom/pictures'
 import * as v from 'valibot'
 import { codeInLink, codeOf, fitsAsNickname, wordsIn } from './code.ts'
 import { arrive } from './here.ts'
 import { read, type Ask, type Reply } from './ask.ts'
 
-const picture = v.picklist(secretPictures)
+const picture = v.picklist(pictures)
 const looked = v.object({ name: v.string() })
 const returned = v.object({ id: v.string(), class: v.string(), nickname: v.string() })
 const joined = v.object({ ...returned.entries, pictures: v.tuple([picture, picture, picture]) })
@@ -45,8 +45,8 @@ export class Joining {
   #className = $state<string | null>(null)
   #refused = $state.raw<Refused | null>(null)
   #busy = $state(false)
-  #given = $state.raw<readonly SecretPicture[]>([])
-  shown = $state.raw<readonly SecretPicture[]>([])
+  #given = $state.raw<readonly Picture[]>([])
+  shown = $state.raw<readonly Picture[]>([])
   /** The code that was asked for last: it is not asked again. */
   #asked = ''
 
@@ -151,7 +151,7 @@ export class Joining {
   }
 
   /** Taps one picture after the other; the third one sends. @returns whether the child is back */
-  async show(one: SecretPicture): Promise<boolean> {
+  async show(one: Picture): Promise<boolean> {
     if (this.#busy || this.shown.includes(one)) return false
     this.shown = [...this.shown, one]
     if (this.shown.length < 3) return false

@@ -1,7 +1,7 @@
 import { deleteOwnDatabase } from '#storage/database.ts'
 import { whereabouts, type AllWhereabouts, type Whereabouts } from '#storage/outbox.ts'
 import { owner, setOwner, whenOwnerChanges, type Owner } from '#storage/owner.ts'
-import type { SecretPicture } from '#figures/secret/pictures.ts'
+import type { Picture } from '@botgarten/classroom/pictures'
 import { bringWork } from './arriving.ts'
 import { forgetHere, isProven, prove } from './here.ts'
 import { refusedBy, type Refused } from './joining.svelte.ts'
@@ -80,7 +80,7 @@ export class Member {
   }
 
   /** The child shows the three pictures once more. @returns why they were not taken */
-  async showPictures(pictures: readonly SecretPicture[]): Promise<Refused | null> {
+  async showPictures(pictures: readonly Picture[]): Promise<Refused | null> {
     const reply = await this.ask('POST', '/me/pictures', { pictures })
     if (reply.kind !== 'done') return refusedBy(reply)
     prove(this.owner.pupil)
