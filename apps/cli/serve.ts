@@ -25,7 +25,7 @@ const known = {
   database: { type: 'string' },
   'behind-proxy': { type: 'string' },
   'public-address': { type: 'string' },
-  'begin-anew': { type: 'boolean' },
+  'start-over': { type: 'boolean' },
   rehearse: { type: 'string' },
   seconds: { type: 'string' },
   json: { type: 'boolean' },
@@ -80,12 +80,12 @@ function classOptions(values: Values) {
     database,
     'behind-proxy': proxies,
     'public-address': address,
-    'begin-anew': beginAnew = false,
+    'start-over': startOver = false,
   } = values
   if (database !== undefined && !/^postgres(ql)?:\/\//.test(database))
     throw new CallError('call.database', { text: database })
   const publicAddress = address === undefined ? undefined : originOf(address)
-  return { database, publicAddress, proxies: proxies?.split(',').map((one) => one.trim()) ?? [], beginAnew }
+  return { database, publicAddress, proxies: proxies?.split(',').map((one) => one.trim()) ?? [], startOver }
 }
 
 function originOf(address: string): string {

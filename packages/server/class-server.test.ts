@@ -34,7 +34,7 @@ test('a broken database is said, and said again, until a backup is taken or a ne
   )
   expect(await problemOf({ data: folder })).toBe('broken')
   expect(await problemOf({ data: folder })).toBe('broken')
-  await (await openClassServer({ data: folder, beginAnew: true })).close()
+  await (await openClassServer({ data: folder, startOver: true })).close()
   await (await openClassServer({ data: folder })).close()
 })
 

@@ -36,7 +36,7 @@ export interface ClassOptions {
   /** Addresses of proxies whose word on who asks counts. */
   readonly proxies?: readonly string[]
   /** Begins anew although a broken database was set aside. */
-  readonly beginAnew?: boolean
+  readonly startOver?: boolean
 }
 
 export interface ClassServer {
@@ -61,8 +61,8 @@ export function writeLink(folder: string, link: string): string {
   return path
 }
 
-async function openFile(folder: string, beginAnew: boolean): Promise<Database> {
-  const before = beginAnew ? null : brokenIn(folder)
+async function openFile(folder: string, startOver: boolean): Promise<Database> {
+  const before = startOver ? null : brokenIn(folder)
   const opened =
     before === null
       ? await openDataFolder(folder).catch((error: unknown) => {
@@ -113,7 +113,7 @@ export async function openClassServer(options: ClassOptions): Promise<ClassServe
   try {
     const secret = keyFor(folder)
     const database = await (options.database === undefined
-      ? openFile(folder, options.beginAnew ?? false)
+      ? openFile(folder, options.startOver ?? false)
       : openServer(options.database))
     await checkKey(database, secret, folder)
     await resetByFile({ accounts: accountsOn(database, secret) }, folder)

@@ -54,7 +54,7 @@ export class Hub {
     )
   }
 
-  private tell(message: Message) {
+  private publish(message: Message) {
     this.take(message)
     this.bus.send(message)
   }
@@ -92,7 +92,7 @@ export class Hub {
 
   /** Something in the database is another now, for these pupils or for all. */
   changed(classId: string, pupils: readonly string[] | null = null): void {
-    this.tell({ kind: 'changed', class: classId, pupils })
+    this.publish({ kind: 'changed', class: classId, pupils })
   }
 
   private refresh(classId: string, pupils: readonly string[] | null) {
@@ -107,7 +107,7 @@ export class Hub {
 
   /** The class is over for these: their streams end, and what was live of them is forgotten. */
   end(classId: string | null, who: Ended, reason: EndReason): void {
-    this.tell({ kind: 'end', class: classId, who, reason })
+    this.publish({ kind: 'end', class: classId, who, reason })
   }
 
   private endStreams({ class: classId, who, reason }: Extract<Message, { kind: 'end' }>) {
@@ -127,7 +127,7 @@ export class Hub {
   /** @returns how long it lasts, s */
   askAttention(classId: string, on: boolean): number {
     const endsAt = on ? this.now() + longestAttention : 0
-    this.tell({ kind: 'attention', class: classId, endsAt, leaseUntil: this.now() + lease })
+    this.publish({ kind: 'attention', class: classId, endsAt, leaseUntil: this.now() + lease })
     return on ? longestAttention / 1000 : 0
   }
 
@@ -148,7 +148,7 @@ export class Hub {
 
   /** @param by name of the teacher; null for a substitute @param seconds 0: no longer */
   look(classId: string, pupil: string, by: string | null, seconds: number): void {
-    this.tell({ kind: 'inside', class: classId, pupil, by, until: this.now() + seconds * 1000 })
+    this.publish({ kind: 'inside', class: classId, pupil, by, until: this.now() + seconds * 1000 })
   }
 
   private see(classId: string, pupil: string, { by, until }: { by: string | null; until: number }) {
@@ -231,7 +231,7 @@ export class Hub {
         this.attention.delete(classId)
         this.refresh(classId, null)
       } else if (taught.has(classId))
-        this.tell({ kind: 'attention', class: classId, endsAt, leaseUntil: this.now() + lease })
+        this.publish({ kind: 'attention', class: classId, endsAt, leaseUntil: this.now() + lease })
     }
   }
 

@@ -1,4 +1,4 @@
-import { ownName } from './owner.ts'
+import { ownName } from './account.ts'
 
 /** What a tab tells the others about a project. */
 export type News =

@@ -1,6 +1,6 @@
 import type { Project } from '@botgarten/programs'
 import { deleteDB, openDB, type DBSchema, type IDBPDatabase, type IDBPTransaction } from 'idb'
-import { ownName } from './owner.ts'
+import { ownName } from './account.ts'
 
 /** A project on this device. `revision` grows with every save, so that two tabs notice each other. */
 export interface Kept {

@@ -1,6 +1,6 @@
 import { languages } from 'content:words'
 import * as v from 'valibot'
-import { ownName } from './owner.ts'
+import { ownName } from './account.ts'
 
 const option = v.optional(v.boolean())
 const level = v.picklist(['starter', 'explorer', 'expert'])

@@ -1,6 +1,6 @@
 import type { LabUi } from '#lab/ui.svelte.ts'
 import type { LabSession } from '#lab/session.svelte.ts'
-import type { Blocks } from './model/hands.ts'
+import type { Blocks } from './model/block-edits.ts'
 import { Learning } from './model/learning.svelte.ts'
 import { pinnedSeed } from './model/dice.ts'
 import Folded from './view/Folded.svelte'

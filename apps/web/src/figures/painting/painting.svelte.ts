@@ -86,26 +86,26 @@ class Painting {
     const id = this.#next++
     const sender = new Sender()
     const offscreen = canvas.transferControlToOffscreen()
-    this.#tell({ kind: 'open', id, canvas: offscreen }, [offscreen])
+    this.#post({ kind: 'open', id, canvas: offscreen }, [offscreen])
     let count = 0
     return {
       show: (frame, painted) => {
-        if (frame.families !== this.#families) this.#tell({ kind: 'letters', faces: loadedFaces() })
+        if (frame.families !== this.#families) this.#post({ kind: 'letters', faces: loadedFaces() })
         this.#families = frame.families
         const sent = sender.send(frame)
         if (!sent) return painted?.()
         count += 1
         if (painted) this.#waiting.set(id, { count, painted })
-        this.#tell({ kind: 'frame', id, frame: sent, count, isAwaited: this.#waiting.has(id) })
+        this.#post({ kind: 'frame', id, frame: sent, count, isAwaited: this.#waiting.has(id) })
       },
       close: () => {
         this.#waiting.delete(id)
-        this.#tell({ kind: 'close', id })
+        this.#post({ kind: 'close', id })
       },
     }
   }
 
-  #tell(message: Message, transfer: readonly Transferable[] = []): void {
+  #post(message: Message, transfer: readonly Transferable[] = []): void {
     this.#worker?.postMessage(message, [...transfer])
   }
 }

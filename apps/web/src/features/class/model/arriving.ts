@@ -44,7 +44,7 @@ export async function fetchVersions(ask: Ask, id: string): Promise<readonly Vers
  * @param only one project, whose page waits for it; all where none is named
  * @returns why it could not be brought
  */
-export async function bringWork(ask: Ask, only?: string): Promise<Pause | null> {
+export async function fetchWork(ask: Ask, only?: string): Promise<Pause | null> {
   const reply = await ask('GET', '/projects')
   const all = read(listed, reply)
   if (!all) return pauseOf(reply)

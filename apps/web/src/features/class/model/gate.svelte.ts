@@ -25,9 +25,9 @@ export class Gate {
   constructor(member: Member, through: () => void) {
     this.member = member
     this.#through = through
-    const at = beginning(member.owner.pupil)
+    const at = beginning(member.account.pupil)
     this.#question = at === 'here' ? null : at
-    if (at === 'back') void this.#bring()
+    if (at === 'back') void this.#fetch()
     else if (at === 'here') void this.#enter(true)
   }
 
@@ -44,8 +44,8 @@ export class Gate {
     return this.#coming
   }
 
-  async #bring(): Promise<void> {
-    this.#coming = (await this.member.bring()) === null ? 'here' : 'cannotCome'
+  async #fetch(): Promise<void> {
+    this.#coming = (await this.member.fetchWork()) === null ? 'here' : 'cannotCome'
   }
 
   /** "Yes, that is me." */
@@ -63,12 +63,12 @@ export class Gate {
     if (passage === 'ended') await this.member.end()
     if (passage === 'through') {
       if (!open) this.#letThrough()
-      void this.member.bring()
+      void this.member.fetchWork()
     } else this.#question = passage
   }
 
   #letThrough(): void {
-    stayHere(this.member.owner.pupil)
+    stayHere(this.member.account.pupil)
     this.#question = null
     this.#through()
     this.#stops.push(whenQuiet(() => (this.#question = 'quiet')))
@@ -88,9 +88,9 @@ export class Gate {
     this.#busy = false
     this.shown = []
     if (this.#refused) return
-    arrive(this.member.owner.pupil, 'back')
+    arrive(this.member.account.pupil, 'back')
     this.#question = 'back'
-    void this.#bring()
+    void this.#fetch()
     // What the signed out page could not send goes now.
     void this.member.outbox.flush()
   }

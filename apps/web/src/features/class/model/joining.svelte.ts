@@ -1,4 +1,4 @@
-import { setOwner } from '#storage/owner.ts'
+import { setAccount } from '#storage/account.ts'
 import { pictures, type Picture } from '@botgarten/classroom/pictures'
 import * as v from 'valibot'
 import { codeInLink, codeOf, fitsAsNickname, wordsIn } from './code.ts'
@@ -141,7 +141,7 @@ export class Joining {
   /** From the next page on this device is the pupil's. */
   #keep({ id, class: of, nickname }: v.InferOutput<typeof returned>, as: 'new' | 'back'): boolean {
     try {
-      setOwner({ pupil: id, class: of, nickname, className: this.#className ?? '' })
+      setAccount({ pupil: id, class: of, nickname, className: this.#className ?? '' })
       arrive(id, as)
       return true
     } catch {

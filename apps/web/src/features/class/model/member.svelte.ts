@@ -1,8 +1,8 @@
 import { deleteOwnDatabase } from '#storage/database.ts'
 import { whereabouts, type AllWhereabouts, type Whereabouts } from '#storage/outbox.ts'
-import { owner, setOwner, whenOwnerChanges, type Owner } from '#storage/owner.ts'
+import { account, setAccount, whenAccountChanges, type Account } from '#storage/account.ts'
 import type { Picture } from '@botgarten/classroom/pictures'
-import { bringWork } from './arriving.ts'
+import { fetchWork } from './arriving.ts'
 import { forgetHere, isProven, prove } from './here.ts'
 import { refusedBy, type Refused } from './joining.svelte.ts'
 import { Outbox } from './outbox.ts'
@@ -14,15 +14,15 @@ const noPlaces: AllWhereabouts = new Map()
 
 /** The pupil of this page in its class: who it is, and where its work is. */
 export class Member {
-  readonly owner: Owner
+  readonly account: Account
   readonly ask: Ask
   readonly outbox: Outbox
   #places = $state.raw<AllWhereabouts>(noPlaces)
   #pause = $state.raw<Pause | null>(null)
   #handUp = $state(false)
 
-  constructor(of: Owner, ask: Ask = askAs(of.pupil)) {
-    this.owner = of
+  constructor(of: Account, ask: Ask = askAs(of.pupil)) {
+    this.account = of
     this.ask = ask
     this.outbox = new Outbox(ask, (pause) => {
       this.#pause = pause
@@ -53,13 +53,13 @@ export class Member {
   start(): () => void {
     const stop = this.outbox.start()
     // Another child uses this device now: what is open here is not theirs.
-    const stopWatching = whenOwnerChanges(() => location.assign('/'))
+    const stopWatching = whenAccountChanges(() => location.assign('/'))
     return () => (stop(), stopWatching())
   }
 
   /** Brings the pupil's work from the class onto this device. */
-  async bring(only?: string): Promise<Pause | null> {
-    const pause = await bringWork(this.ask, only)
+  async fetchWork(only?: string): Promise<Pause | null> {
+    const pause = await fetchWork(this.ask, only)
     await this.#look()
     return pause
   }
@@ -68,22 +68,22 @@ export class Member {
   async enter(): Promise<Passage> {
     const me = await fetchMe(this.ask)
     if (typeof me === 'object') this.#take(me)
-    return passage(me, isProven(this.owner.pupil))
+    return passage(me, isProven(this.account.pupil))
   }
 
   #take(me: Me): void {
     this.#handUp = me.hand
     const { nickname, class: of } = me
     // The teacher may have given it another name.
-    if (nickname !== this.owner.nickname || of.name !== this.owner.className)
-      setOwner({ ...this.owner, nickname, className: of.name })
+    if (nickname !== this.account.nickname || of.name !== this.account.className)
+      setAccount({ ...this.account, nickname, className: of.name })
   }
 
   /** The child shows the three pictures once more. @returns why they were not taken */
   async showPictures(pictures: readonly Picture[]): Promise<Refused | null> {
     const reply = await this.ask('POST', '/me/pictures', { pictures })
     if (reply.kind !== 'done') return refusedBy(reply)
-    prove(this.owner.pupil)
+    prove(this.account.pupil)
     return null
   }
 
@@ -111,7 +111,7 @@ export class Member {
 
   forget(): void {
     forgetHere()
-    setOwner(null)
+    setAccount(null)
   }
 }
 
@@ -119,7 +119,7 @@ let member: Member | null = null
 
 /** The one member of this page; null where the device is nobody's. */
 export function memberHere(): Member | null {
-  const of = owner()
+  const of = account()
   if (of) member ??= new Member(of)
   return member
 }

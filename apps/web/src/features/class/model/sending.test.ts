@@ -155,7 +155,7 @@ async function settle(devices: readonly Device[], cable: Cable, own: boolean) {
     for (const device of devices) {
       expect(await device.page.sendAll(cable.ask)).toBeNull()
       await choose(device, cable, own)
-      await device.page.bringWork(cable.ask)
+      await device.page.fetchWork(cable.ask)
       for (const { kind } of (await device.page.whereabouts()).values()) if (kind !== 'class') open++
     }
     if (open === 0) return
@@ -188,12 +188,12 @@ const step = fc.oneof(
   { weight: 1, arbitrary: fc.record({ kind: fc.constant('crash'), device: which }) },
   {
     weight: 1,
-    arbitrary: fc.record({ kind: fc.constant('bring'), device: which, fate: fc.constantFrom(...fates) }),
+    arbitrary: fc.record({ kind: fc.constant('fetch'), device: which, fate: fc.constantFrom(...fates) }),
   },
   { weight: 1, arbitrary: fc.record({ kind: fc.constant('choose'), device: which, own: fc.boolean() }) },
   { weight: 1, arbitrary: fc.record({ kind: fc.constant('late'), device: which }) },
 ) as fc.Arbitrary<{
-  kind: 'edit' | 'send' | 'crash' | 'bring' | 'choose' | 'late'
+  kind: 'edit' | 'send' | 'crash' | 'fetch' | 'choose' | 'late'
   device: 0 | 1
   id?: string
   fate?: Fate
@@ -217,7 +217,7 @@ test(
           if (kind === 'edit') await work.edit(on1, on)
           else if (kind === 'send') await on1.page.sendNext(cable.ask)
           else if (kind === 'crash') await on1.crash()
-          else if (kind === 'bring') await on1.page.bringWork(cable.ask)
+          else if (kind === 'fetch') await on1.page.fetchWork(cable.ask)
           else if (kind === 'choose') await choose(on1, cable, keepsOwn)
           else await cable.deliverLate()
         }

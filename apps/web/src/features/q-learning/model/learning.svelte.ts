@@ -10,7 +10,7 @@ import { throwSeed } from './dice.ts'
 import { Drive, type LearnedWay } from './drive.svelte.ts'
 import { taskKey } from './guess.ts'
 import { Guessing } from './guessing.svelte.ts'
-import { type Blocks, Hands } from './hands.ts'
+import { type Blocks, BlockEdits } from './block-edits.ts'
 import { Player } from './player.svelte.ts'
 import { Records, rowOf } from './records.svelte.ts'
 import { Screen } from './screen.svelte.ts'
@@ -24,7 +24,7 @@ const KEEP_EVERY = 2000
 /** One playground: a course of learning, its map, and the verbs of a child's hand. */
 export class Learning {
   readonly session: LabSession
-  readonly hands: Hands
+  readonly edits: BlockEdits
   readonly records: Records
   readonly screen = new Screen()
   /** What the child thinks before Bo learns. */
@@ -52,7 +52,7 @@ export class Learning {
   constructor(session: LabSession, ui: LabUi, blocks: Blocks, pinned: number | null) {
     this.session = session
     this.drive = new Drive(session, ui, () => this.#learned())
-    this.hands = new Hands(() => this.outline, blocks)
+    this.edits = new BlockEdits(() => this.outline, blocks)
     const kept = session.learned
     this.records = new Records(kept?.runs ?? [])
     this.#seed = pinned ?? kept?.seed ?? throwSeed()

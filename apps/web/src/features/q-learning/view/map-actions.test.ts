@@ -1,10 +1,10 @@
 import { expect, test } from 'vitest'
 import { m } from '#words/message.ts'
-import { Hands } from '../model/hands.ts'
+import { BlockEdits } from '../model/block-edits.ts'
 import { actionsOf } from './map-actions.ts'
 
 /** Of a map on which the road from 3 to 2 is closed in that direction. */
-function handsAndSteps() {
+function editsAndSteps() {
   const steps: unknown[] = []
   const outline = {
     ...{
@@ -18,16 +18,16 @@ function handsAndSteps() {
     closed: [[3, 2]] as [number, number][],
     settings: { rules: 'standard', algorithm: 'q', alpha: 0.5, gamma: 0.8, nu: 0.1, rho: 0.5 } as const,
   }
-  const hands = new Hands(() => outline, {
+  const edits = new BlockEdits(() => outline, {
     setFields: (_, fields) => steps.push(fields),
     setClosed: (_, roads) => steps.push(roads),
   })
-  return { hands, steps }
+  return { edits, steps }
 }
 
 test('a station can become the start or the goal', () => {
-  const { hands, steps } = handsAndSteps()
-  for (const action of actionsOf({ kind: 'station', station: 5 }, hands)) action.act()
+  const { edits, steps } = editsAndSteps()
+  for (const action of actionsOf({ kind: 'station', station: 5 }, edits)) action.act()
   expect(steps).toEqual([
     { START: '5', FINISH: '1' },
     { START: '3', FINISH: '5' },
@@ -35,8 +35,8 @@ test('a station can become the start or the goal', () => {
 })
 
 test('a road can be made all that it is not', () => {
-  const { hands, steps } = handsAndSteps()
-  const actions = actionsOf({ kind: 'road', a: 3, b: 2 }, hands)
+  const { edits, steps } = editsAndSteps()
+  const actions = actionsOf({ kind: 'road', a: 3, b: 2 }, edits)
   expect(actions.map(({ label }) => label)).toEqual([
     m['q.openRoad'](),
     m['q.closeRoad'](),
@@ -47,5 +47,5 @@ test('a road can be made all that it is not', () => {
 })
 
 test('start and goal together are chosen by number, not by buttons', () => {
-  expect(actionsOf({ kind: 'ends' }, handsAndSteps().hands)).toEqual([])
+  expect(actionsOf({ kind: 'ends' }, editsAndSteps().edits)).toEqual([])
 })

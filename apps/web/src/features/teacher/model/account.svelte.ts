@@ -53,7 +53,7 @@ export class Account {
 
   /** @throws Refused */
   async signIn(username: string, password: string): Promise<void> {
-    await this.#api.tell('POST', '/auth/sign-in/username', { username, password })
+    await this.#api.send('POST', '/auth/sign-in/username', { username, password })
     await this.look()
   }
 
@@ -66,8 +66,8 @@ export class Account {
 
   /** Signs out here, or on every device. @throws Refused */
   async signOut(everywhere: boolean): Promise<void> {
-    if (this.#access.kind === 'substitute') await this.#api.tell('POST', '/substitute/leave')
-    else await this.#api.tell('POST', everywhere ? '/teachers/me/end-sessions' : '/auth/sign-out')
+    if (this.#access.kind === 'substitute') await this.#api.send('POST', '/substitute/leave')
+    else await this.#api.send('POST', everywhere ? '/teachers/me/end-sessions' : '/auth/sign-out')
     await this.look()
   }
 }

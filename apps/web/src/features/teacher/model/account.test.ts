@@ -16,7 +16,7 @@ beforeEach(async () => {
 
 const credentials = { username: 'm.weber', password: 'kastanie im regen' }
 const makeFirst = async (from: ClassApi) =>
-  from.tell('POST', '/teachers', { token: (await firstTeacherToken(server.ports))!, ...credentials })
+  from.send('POST', '/teachers', { token: (await firstTeacherToken(server.ports))!, ...credentials })
 
 test('a server that waits for its first teacher says so', async () => {
   expect(account.access.kind).toBe('asking')
@@ -26,10 +26,10 @@ test('a server that waits for its first teacher says so', async () => {
 
 test('the one-time link makes an account and signs it in, once', async () => {
   const token = (await firstTeacherToken(server.ports))!
-  await api.tell('POST', '/teachers', { token, ...credentials })
+  await api.send('POST', '/teachers', { token, ...credentials })
   await account.look()
   expect(account.access).toEqual({ kind: 'in', username: 'm.weber', operator: true })
-  const again = apiOn(server).tell('POST', '/teachers', {
+  const again = apiOn(server).send('POST', '/teachers', {
     token,
     username: 'other',
     password: 'ein langer satz',

@@ -36,7 +36,7 @@ export class ClassApi {
   }
 
   /** A request whose answer counts only as done. */
-  async tell(method: Method, path: string, body?: unknown): Promise<void> {
+  async send(method: Method, path: string, body?: unknown): Promise<void> {
     await (await this.#send(method, path, body)).body?.cancel()
   }
 

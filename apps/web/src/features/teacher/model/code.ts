@@ -4,7 +4,7 @@ import type { SchoolClass } from './answers.ts'
 export const wordsOf = ({ words }: Pick<SchoolClass, 'words'>): readonly string[] => words
 
 /** All three in a line: "kite otter plum". */
-export const sayCode = (school: Pick<SchoolClass, 'words'>): string => wordsOf(school).join(' ')
+export const codeLabel = (school: Pick<SchoolClass, 'words'>): string => wordsOf(school).join(' ')
 
 /** A word in two parts: what is enough to type, and the rest. */
 export const telling = (word: string): readonly [string, string] => [word.slice(0, 4), word.slice(4)]

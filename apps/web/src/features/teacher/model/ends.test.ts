@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest'
-import { dayFrom, endOfHalfYear, sayDay } from './ends.ts'
+import { dayFrom, endOfHalfYear, dayLabel } from './ends.ts'
 
 test.each([
   ['2026-11-24', '2027-01-31'],
@@ -18,6 +18,6 @@ test('days are counted over the end of a month and a year', () => {
 })
 
 test('a day is said in the language of the page', () => {
-  expect(sayDay('2027-01-31', 'en')).toBe('31 January 2027')
-  expect(sayDay('2027-01-31', 'de')).toBe('31. Januar 2027')
+  expect(dayLabel('2027-01-31', 'en')).toBe('31 January 2027')
+  expect(dayLabel('2027-01-31', 'de')).toBe('31. Januar 2027')
 })

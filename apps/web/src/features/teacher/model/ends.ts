@@ -21,7 +21,7 @@ export function dayFrom(day: string, offset: number): string {
 }
 
 /** A day as it is said: "31 January 2027". */
-export function sayDay(day: string, locale: string): string {
+export function dayLabel(day: string, locale: string): string {
   const [year, month, date] = day.split('-').map(Number)
   return new Date(year!, month! - 1, date).toLocaleDateString(locale === 'en' ? 'en-GB' : locale, {
     day: 'numeric',

@@ -1,6 +1,6 @@
 import { m } from '#words/message.ts'
 import type { Health } from './answers.ts'
-import { sayDay } from './ends.ts'
+import { dayLabel } from './ends.ts'
 
 /** One line of the server's health. */
 export interface Fact {
@@ -76,7 +76,7 @@ function backupFact({ backups }: Health, locale: string): Fact {
   const fine = backups.last !== null
   return {
     ...{ id: 'backup', fine, title, text: fine ? m['teacher.backupText']() : m['teacher.backupFirst']() },
-    value: backups.last === null ? m['teacher.noneYet']() : sayDay(backups.last, locale),
+    value: backups.last === null ? m['teacher.noneYet']() : dayLabel(backups.last, locale),
   }
 }
 

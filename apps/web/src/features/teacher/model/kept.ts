@@ -1,7 +1,7 @@
 import type { IconName } from '#parts/icons.ts'
 import { m } from '#words/message.ts'
 import type { Data } from './answers.ts'
-import { sayDay } from './ends.ts'
+import { dayLabel } from './ends.ts'
 
 interface KeptRow {
   readonly id: string
@@ -27,7 +27,7 @@ function backupRow({ backups }: Data): KeptRow {
 
 /** What the server keeps of a class, a line each. */
 export function keptOf(data: Data, locale: string): readonly KeptRow[] {
-  const until = sayDay(data.endsOn, locale)
+  const until = dayLabel(data.endsOn, locale)
   return [
     {
       ...{ id: 'pupils', icon: 'person', until },

@@ -29,7 +29,7 @@ beforeEach(async () => {
   const ask = askerOn(server)
   api = new ClassApi(ask)
   const token = (await firstTeacherToken(server.ports))!
-  await api.tell('POST', '/teachers', { token, username: 'm.weber', password: 'kastanie im regen' })
+  await api.send('POST', '/teachers', { token, username: 'm.weber', password: 'kastanie im regen' })
   const about = { name: '5b', language: 'en', grade: 5, endsOn: '2027-01-31' }
   live = follow((await api.ask(made, 'POST', '/classes', about)).id, ask)
   stop = live.watch()
@@ -148,13 +148,13 @@ test('a stream that the server ends to be opened again is opened again', async (
 })
 
 test('when the class is deleted the page says that it is over', async () => {
-  await api.tell('DELETE', `/classes/${live.id}`, { name: '5b' })
+  await api.send('DELETE', `/classes/${live.id}`, { name: '5b' })
   await settle(server)
   expect(live.connection).toBe('ended')
 })
 
 test('a session that is over ends the stream on every device', async () => {
-  await api.tell('POST', '/teachers/me/end-sessions')
+  await api.send('POST', '/teachers/me/end-sessions')
   await settle(server)
   expect(live.connection).toBe('ended')
 })
@@ -171,7 +171,7 @@ test('a substitute sees the class and helps, and changes no name', async () => {
   await vi.waitFor(() => expect(lent.connection).toBe('open'))
   expect(lent.tiles.map(({ nickname }) => nickname)).toEqual(['Fuchs'])
   expect(await lent.sendHint(fox.id, { text: 'Try it.' })).toBe(true)
-  const rename = new ClassApi(ask).tell('PATCH', `/classes/${live.id}/pupils/${fox.id}`, {
+  const rename = new ClassApi(ask).send('PATCH', `/classes/${live.id}/pupils/${fox.id}`, {
     nickname: 'Dachs',
   })
   await expect(rename).rejects.toMatchObject({ status: expect.any(Number) as number })

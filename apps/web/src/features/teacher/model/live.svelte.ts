@@ -198,7 +198,7 @@ export class LiveClass {
   #path = (path: string) => `/classes/${this.id}${path}`
 
   #do = (method: 'POST' | 'PUT' | 'DELETE', path: string, body?: unknown): Promise<boolean> =>
-    this.#attempts.do(() => this.#api.tell(method, this.#path(path), body))
+    this.#attempts.do(() => this.#api.send(method, this.#path(path), body))
 }
 
 /** What was found inside. */

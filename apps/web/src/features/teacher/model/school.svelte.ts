@@ -60,7 +60,7 @@ export class School {
 
   /** Deletes the class with everything; `name` is what was typed. */
   deleteAll = (name: string): Promise<boolean> =>
-    this.#attempts.do(() => this.#api.tell('DELETE', this.at(''), { name }))
+    this.#attempts.do(() => this.#api.send('DELETE', this.at(''), { name }))
 
   /** Three new pictures for a pupil, shown once; null where it was refused. */
   async newPictures(pupil: string): Promise<readonly string[] | null> {
@@ -84,7 +84,7 @@ export class School {
   endLending = () => this.#do('DELETE', '/substitute')
 
   async #do(method: 'POST' | 'PATCH' | 'DELETE', path: string, body?: unknown): Promise<boolean> {
-    const done = await this.#attempts.do(() => this.#api.tell(method, this.at(path), body))
+    const done = await this.#attempts.do(() => this.#api.send(method, this.at(path), body))
     if (done) await this.load()
     return done
   }

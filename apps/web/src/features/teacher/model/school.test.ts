@@ -4,7 +4,7 @@ import { beforeEach, expect, test } from 'vitest'
 import { apiOn, freshServer } from '../testing/class-server.ts'
 import { classes, made } from './answers.ts'
 import type { ClassApi } from './api.ts'
-import { joinAddress, sayCode } from './code.ts'
+import { joinAddress, codeLabel } from './code.ts'
 import { School } from './school.svelte.ts'
 import { minutesLeft } from './times.ts'
 
@@ -15,7 +15,7 @@ beforeEach(async () => {
   server = await freshServer()
   api = apiOn(server)
   const token = (await firstTeacherToken(server.ports))!
-  await api.tell('POST', '/teachers', { token, username: 'm.weber', password: 'kastanie im regen' })
+  await api.send('POST', '/teachers', { token, username: 'm.weber', password: 'kastanie im regen' })
   const about = { name: '5b', language: 'en', grade: 5, endsOn: '2027-01-31' }
   school = new School(api, (await api.ask(made, 'POST', '/classes', about)).id)
   await school.load()
@@ -25,7 +25,7 @@ const allClasses = async () => (await api.ask(classes, 'GET', '/classes')).class
 
 test('a new class is closed, has a code of three words and stands in the list', async () => {
   expect(school.row).toMatchObject({ name: '5b', grade: 5, open: false, joiningUntil: null, pupils: 0 })
-  expect(sayCode(school.row!).split(' ')).toHaveLength(3)
+  expect(codeLabel(school.row!).split(' ')).toHaveLength(3)
   expect((await allClasses()).map(({ name }) => name)).toEqual(['5b'])
 })
 

@@ -47,11 +47,11 @@ export class StreamSource implements Source {
       text += decoder.decode(value, { stream: true })
       const events = text.split('\n\n')
       text = events.pop()!
-      for (const one of events) this.#tell(one)
+      for (const one of events) this.#emit(one)
     }
   }
 
-  #tell(event: string) {
+  #emit(event: string) {
     const [, name, data] = /^event: (\w+)\ndata: (.*)$/s.exec(event) ?? []
     if (name) this.#hear.get(name)?.(new MessageEvent(name, { data: data! }))
   }

@@ -1,13 +1,13 @@
 import { m } from '#words/message.ts'
 import { agoOf, minutesSince, type Need, type SeenTile } from '../../model/live.ts'
 
-const sayNeed = (need: Need, now: number): string => {
+const needLabel = (need: Need, now: number): string => {
   if (need.kind === 'sameCheck') return m['teacher.stuck.sameCheck']({ times: need.times })
   return m[`teacher.stuck.${need.kind}`]({ minutes: minutesSince(need.since, now) })
 }
 
 /** "5 s ago": when something was changed last. */
-function sayAgo(then: number, now: number): string {
+function agoLabel(then: number, now: number): string {
   const { unit, count } = agoOf(then, now)
   return m[`teacher.ago.${unit}`]({ count })
 }
@@ -16,11 +16,11 @@ const timeOf = (when: number, locale: string) =>
   new Date(when).toLocaleTimeString(locale, { hour: 'numeric', minute: '2-digit' })
 
 /** The line below a tile: why it comes first, or when it moved last. */
-export function sayState({ tile, need, here, done }: SeenTile, now: number, locale: string): string {
+export function stateLabel({ tile, need, here, done }: SeenTile, now: number, locale: string): string {
   const { live } = tile
-  if (need) return sayNeed(need, now)
+  if (need) return needLabel(need, now)
   if (!live) return m['teacher.notHereYet']()
   if (!here) return m['teacher.notHereSince']({ time: timeOf(live.seenAt, locale) })
-  const ago = sayAgo(live.changedAt, now)
+  const ago = agoLabel(live.changedAt, now)
   return done ? m['teacher.allDone']({ ago }) : ago
 }

@@ -1,7 +1,7 @@
 import * as v from 'valibot'
 
 /** The pupil of a class who uses this device now. What is saved here is theirs: nobody else sees or sends it. */
-export interface Owner {
+export interface Account {
   readonly pupil: string
   readonly class: string
   readonly nickname: string
@@ -15,7 +15,7 @@ const schema = v.object({ pupil: id, class: id, nickname: text, className: text 
 const key = 'botgarten.class'
 
 /** The device's record of its pupil: the cheap sign by which a page knows that it belongs to a class. */
-function readOwner(): Owner | null {
+function readAccount(): Account | null {
   try {
     const found = v.safeParse(schema, JSON.parse(localStorage.getItem(key) ?? 'null'))
     return found.success ? found.output : null
@@ -25,23 +25,23 @@ function readOwner(): Owner | null {
 }
 
 /** For as long as a page is open it works for the pupil of its start: another one is another page. */
-const ofThisPage = readOwner()
+const ofThisPage = readAccount()
 
-export const owner = (): Owner | null => ofThisPage
+export const account = (): Account | null => ofThisPage
 
 /** Is the device another pupil's by now than this page is? */
-const ownerHasChanged = (): boolean => readOwner()?.pupil !== ofThisPage?.pupil
+const accountHasChanged = (): boolean => readAccount()?.pupil !== ofThisPage?.pupil
 
 /** From the next page on the device is this pupil's. @throws where the browser keeps nothing */
-export function setOwner(next: Owner | null): void {
+export function setAccount(next: Account | null): void {
   if (next) localStorage.setItem(key, JSON.stringify(next))
   else localStorage.removeItem(key)
 }
 
 /** Calls back when another tab has made the device somebody else's. Returns how to stop. */
-export function whenOwnerChanges(changed: () => void): () => void {
+export function whenAccountChanges(changed: () => void): () => void {
   const listener = (event: StorageEvent) => {
-    if ((event.key === key || event.key === null) && ownerHasChanged()) changed()
+    if ((event.key === key || event.key === null) && accountHasChanged()) changed()
   }
   addEventListener('storage', listener)
   return () => removeEventListener('storage', listener)

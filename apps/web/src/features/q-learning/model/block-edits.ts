@@ -7,7 +7,7 @@ export interface Blocks {
 }
 
 /** What a hand on the map and on the sliders changes in the blocks. */
-export class Hands {
+export class BlockEdits {
   readonly #outline: () => LearningOutline | null
   readonly #blocks: Blocks
 

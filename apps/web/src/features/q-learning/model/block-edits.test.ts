@@ -1,6 +1,6 @@
 import type { LearningOutline } from '@botgarten/programs'
 import { beforeEach, expect, test } from 'vitest'
-import { Hands } from './hands.ts'
+import { BlockEdits } from './block-edits.ts'
 
 const outline: LearningOutline = {
   ...{
@@ -16,21 +16,21 @@ const outline: LearningOutline = {
   pay: { own: { '3': 10, '2-5': -5 } },
 }
 let steps: unknown[] = []
-const hands = (of: LearningOutline | null = outline) =>
-  new Hands(() => of, {
+const edits = (of: LearningOutline | null = outline) =>
+  new BlockEdits(() => of, {
     setFields: (block, fields) => steps.push({ block, ...fields }),
     setClosed: (map, roads) => steps.push({ map, roads }),
   })
 beforeEach(() => (steps = []))
 
 test('a station becomes the start in one step', () => {
-  hands().setStation('START', 5)
+  edits().setStation('START', 5)
   expect(steps).toEqual([{ block: 'map', START: '5', FINISH: '1' }])
 })
 
 test('start and goal change places in one step rather than become one', () => {
-  hands().setStation('START', 1)
-  hands().setStation('FINISH', 3)
+  edits().setStation('START', 1)
+  edits().setStation('FINISH', 3)
   expect(steps).toEqual([
     { block: 'map', START: '1', FINISH: '3' },
     { block: 'map', START: '1', FINISH: '3' },
@@ -38,19 +38,19 @@ test('start and goal change places in one step rather than become one', () => {
 })
 
 test('a road is closed or opened in each direction, the others stay', () => {
-  hands().setRoad(2, 3, false, true)
-  hands().setRoad(0, 1, true, true)
+  edits().setRoad(2, 3, false, true)
+  edits().setRoad(0, 1, true, true)
   expect(steps).toEqual([
     { map: 'map', roads: [[3, 2]] },
     { map: 'map', roads: [[3, 2], [2, 3], [0, 1], [1, 0]] }, // prettier-ignore
   ])
-  expect([hands().isClosed(3, 2), hands().isClosed(0, 1)]).toEqual([true, false])
+  expect([edits().isClosed(3, 2), edits().isClosed(0, 1)]).toEqual([true, false])
 })
 
 test('own rewards come, change and go', () => {
-  hands().setOwn(['4'], 2.5)
-  hands().setOwn(['3'], 0)
-  hands().setOwn(['2-5', '5-2'], 1)
+  edits().setOwn(['4'], 2.5)
+  edits().setOwn(['3'], 0)
+  edits().setOwn(['2-5', '5-2'], 1)
   expect(steps).toEqual([
     { block: 'map', REWARDS: '3:10 4:2.5 2-5:-5' },
     { block: 'map', REWARDS: '2-5:-5' },
@@ -59,8 +59,8 @@ test('own rewards come, change and go', () => {
 })
 
 test('without blocks nothing happens', () => {
-  hands(null).setStation('START', 1)
-  hands(null).setOwn(['1'], 1)
-  hands({ ...outline, blocks: { map: 'map' } }).setBehaviour('RHO', '0.3')
+  edits(null).setStation('START', 1)
+  edits(null).setOwn(['1'], 1)
+  edits({ ...outline, blocks: { map: 'map' } }).setBehaviour('RHO', '0.3')
   expect(steps).toEqual([])
 })
