@@ -1,4 +1,4 @@
-// A class server of a test: the whole product on a data folder that nobody has used, asked over HTTP as pages do.
+// A class server of a test: the complete product on a data folder that nobody has used, asked over HTTP as pages do.
 import { mkdtempSync, rmSync } from 'node:fs'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'

@@ -108,7 +108,7 @@ export class Painted {
   }
 }
 
-/** A canvas that a worker paints says nothing of itself: it is looked at through another one. */
+/** A canvas that a worker paints cannot be read: it is looked at through another one. */
 async function copyOfCanvas() {
   globalThis.copyOf = (canvas) => {
     const { width, height } = canvas

@@ -33,7 +33,7 @@ const known = {
 
 type Values = ReturnType<typeof options<typeof known>>['values']
 
-/** `botgarten serve`: the lab and the class, until it is told to stop. It is what `npm start` runs. */
+/** `botgarten serve`: the lab and the class, until it is stopped. It is what `npm start` runs. */
 export const serve: Command = { options: known, execute: open }
 
 const usualPort = 4173
@@ -56,7 +56,7 @@ async function open(args: string[]): Promise<string> {
   }
 }
 
-/** Plays a lesson and says how it went. */
+/** Plays a lesson and prints how it went. */
 async function rehearsal(values: Values, data: string): Promise<string> {
   const pupils = wholeNumberIn('rehearse', values.rehearse, 35, 1, 200)
   const seconds = wholeNumberIn('seconds', values.seconds, 60, 1, 7200)

@@ -3,7 +3,7 @@ import { content } from '@botgarten/content/files'
 import { expect, test } from '../house.ts'
 import { fitOf } from '../lab-fit.ts'
 
-// German words are the longest. A map has the whole lab, and its program is folded.
+// German words are the longest. A map fills the lab, and its program is folded.
 test.use({ language: 'de' })
 
 const cards = content.cards.filter(({ bed }) => bed !== 'q-learning').map(({ id }) => id)

@@ -70,7 +70,7 @@ for (const language of languagesOf(import.meta.filename)) {
       await expect(error).toHaveCount(0)
     })
 
-    test('what the brick lacks is said at its block, for the robot that lacks it', async ({
+    test('what the brick lacks is shown at its block, for the robot that lacks it', async ({
       child,
       page,
     }) => {

@@ -64,7 +64,7 @@ async function classAsking(
   const token = roles.includes('substitute') ? cookieIn(headers, substituteCookie) : null
   const lent = token === null ? undefined : await classLent(db, token, ports.day(0))
   if (lent?.id === classId) return { ...nobody, class: lent }
-  // Whether another teacher has such a class is not told.
+  // Whether another teacher has such a class is not revealed.
   throw teacher || lent ? new Refusal(404, 'noSuchClass') : new Refusal(401, 'signIn')
 }
 
@@ -76,7 +76,7 @@ async function pupilAsking(ports: Ports, roles: readonly Role[], headers: Header
   return { ...nobody, pupil }
 }
 
-/** A page says whose it is: left open while another child has signed in, it neither sends nor gets anything of theirs. */
+/** A page sends whose it is: left open while another child has signed in, it neither sends nor gets anything of theirs. */
 function refuseOther(headers: Headers, { id }: Pupil): void {
   const meant = headers.get('botgarten-pupil')
   if (meant !== null && meant !== id) throw new Refusal(403, 'otherPupil')

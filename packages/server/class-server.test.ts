@@ -26,7 +26,7 @@ test('two servers on one folder: the second is refused, and after the first has 
   await (await openClassServer({ data: folder })).close()
 })
 
-test('a broken database is said, and said again, until a backup is taken or a new one is wanted', async () => {
+test('a broken database is reported at every start until a backup is taken or a new one is wanted', async () => {
   await (await openClassServer({ data: folder })).close()
   writeFileSync(
     join(folder, 'botgarten.db'),

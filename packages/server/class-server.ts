@@ -35,7 +35,7 @@ export interface ClassOptions {
   readonly publicAddress?: string | undefined
   /** Addresses of proxies whose word on who asks counts. */
   readonly proxies?: readonly string[]
-  /** Begins anew although a broken database was set aside. */
+  /** Starts over although a broken database was set aside. */
   readonly startOver?: boolean
 }
 

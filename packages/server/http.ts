@@ -54,6 +54,6 @@ export async function send(answer: Response, response: ServerResponse): Promise<
   response.writeHead(answer.status)
   if (json || !answer.body) return void response.end(json ?? undefined)
   // Whoever goes away ends the answer; that is no error of ours.
-  // oxlint-disable-next-line typescript/no-unnecessary-type-assertion -- the compiler tells the two streams apart
+  // oxlint-disable-next-line typescript/no-unnecessary-type-assertion -- the compiler distinguishes the two streams
   await pipeline(Readable.fromWeb(answer.body as ReadableStream), response).catch(() => {})
 }

@@ -140,7 +140,7 @@ describe.skipIf(why !== null)(`two nodes on one PostgreSQL${why ? ` (skipped: ${
   test('a lesson that is closed at one ends the streams at the other', async () => {
     const child = await events(0, '/me/stream', pupil)
     await child.next()
-    // Until both listen again after the cut, a message may be lost: the close is said until it is heard.
+    // Until both listen again after the cut, a message may be lost: the close is repeated until it arrives.
     const end = child.until(({ event }) => event === 'end')
     let heard = false
     void end.then(() => (heard = true))

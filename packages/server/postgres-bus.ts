@@ -16,17 +16,17 @@ interface Letter {
 
 /** A message as texts that PostgreSQL takes: many tiles go in several. */
 export function lettersOf(from: string, message: Message): string[] {
-  const whole = JSON.stringify({ from, message } satisfies Letter)
-  if (message.kind !== 'tiles' || Buffer.byteLength(whole) <= most || message.tiles.length < 2)
-    return Buffer.byteLength(whole) <= most ? [whole] : []
+  const letter = JSON.stringify({ from, message } satisfies Letter)
+  if (message.kind !== 'tiles' || Buffer.byteLength(letter) <= most || message.tiles.length < 2)
+    return Buffer.byteLength(letter) <= most ? [letter] : []
   const middle = Math.ceil(message.tiles.length / 2)
   const [first, second] = [message.tiles.slice(0, middle), message.tiles.slice(middle)]
   return [first, second].flatMap((tiles) => lettersOf(from, { ...message, tiles }))
 }
 
 /**
- * Tells the other nodes on the same PostgreSQL, by LISTEN and NOTIFY on a connection of its own. A connection that
- * breaks is made again; whatever was sent meanwhile is lost, and `missed` says so.
+ * Sends to the other nodes on the same PostgreSQL, by LISTEN and NOTIFY on a connection of its own. A connection that
+ * breaks is made again; whatever was sent meanwhile is lost, and `missed` is called.
  */
 export function postgresBus(address: string): Bus {
   const self = randomUUID()

@@ -26,7 +26,7 @@ export interface ServerOptions {
   readonly port: number
   /** All addresses of the machine where none is named. */
   readonly host?: string
-  /** What whoever runs the lab says about themselves; read from a file where it is not given. */
+  /** The imprint of who runs the lab; read from a file where it is not given. */
   readonly operator?: string | null
   /** Answers below `/api/class`, and is closed with the server. Where it is missing the lab is served alone. */
   readonly classServer?: ClassServer | null

@@ -27,7 +27,7 @@ export function codeKey(text: string): string | null {
   return starts.length === words ? starts.join('-') : null
 }
 
-/** The whole words of a code that is known by their first letters: `kite-otte-plum` is kite, otter, plum. */
+/** The complete words of a code that is known by their first letters: `kite-otte-plum` is kite, otter, plum. */
 export function wordsOfKey(key: string, language: CodeLanguage): readonly string[] {
   const list = codeWords(language)
   return key.split('-').map((start) => list.find((word) => word.startsWith(start)) ?? start)

@@ -19,7 +19,7 @@ test.each(['', 'kite', 'kite otter', 'kite otter plum rose', '123'])('%j is no c
   expect(codeKey(text)).toBeNull(),
 )
 
-test('a new code is three words of the list, is found by its first letters, and is told as whole words', () => {
+test('a new code is three words of the list, is found by its first letters, and is shown as complete words', () => {
   for (const language of ['de', 'en'] as const) {
     const words = newCode(language, random).split(' ')
     expect(words).toHaveLength(3)

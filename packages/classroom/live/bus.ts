@@ -1,6 +1,6 @@
 import type { Live } from './tiles.ts'
 
-/** What the nodes of a server tell each other. Whoever misses something reads the state again. */
+/** Messages between the nodes of a server. A node that misses some reads the state again. */
 export type Message =
   | { readonly kind: 'tiles'; readonly class: string; readonly tiles: readonly { id: string; live: Live }[] }
   /** Something in the database is another now: for these pupils, or for all of the class. */
@@ -18,7 +18,7 @@ export type Message =
       readonly by: string | null
       readonly until: number
     }
-  /** Streams end: of one pupil, of all pupils, of a teacher, or of the whole class. */
+  /** Streams end: of one pupil, of all pupils, of a teacher, or of all in the class. */
   | { readonly kind: 'end'; readonly class: string | null; readonly who: Ended; readonly reason: EndReason }
 
 export type Ended =
@@ -33,5 +33,5 @@ export interface Bus {
   close(): Promise<void>
 }
 
-/** Of a server with one node, which has nobody to tell. */
+/** Of a server with one node, which has no others. */
 export const noBus: Bus = { send: () => {}, listen: () => {}, close: () => Promise.resolve() }

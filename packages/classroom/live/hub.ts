@@ -32,7 +32,7 @@ interface Attention {
 
 /**
  * What is live on this node: who is where, and the streams of pages. It forgets everything when it ends; the other nodes
- * and the next reports of pupils tell it again.
+ * and the next reports of pupils restore it.
  */
 export class Hub {
   private readonly streams = new Set<Stream>()
@@ -88,7 +88,7 @@ export class Hub {
     return this.present.get(classId)?.get(pupil) ?? null
   }
 
-  // What pages are told.
+  // What pages get.
 
   /** Something in the database is another now, for these pupils or for all. */
   changed(classId: string, pupils: readonly string[] | null = null): void {

@@ -201,7 +201,7 @@ onBothDatabases((fresh) => {
     await state(stream, ({ class: { cards } }) => cards === null)
   })
 
-  test('streams end with the lesson, the pupil and the class, and say why', async () => {
+  test('streams end with the lesson, the pupil and the class, with their reason', async () => {
     const end = async (events: Events) => (await events.until(({ event }) => event === 'end')).data
     await teacher.delete(of(`/pupils/${otter.id}`))
     const closed = end(stream)
@@ -248,7 +248,7 @@ onBothDatabases((fresh) => {
     expect((await server.browser().post('/substitute', { token })).status).toBe(403)
   })
 
-  test('results say from how many start places each card was passed, at the best of times', async () => {
+  test('results count from how many start places each card was passed, at the best of times', async () => {
     const passed = (save: number, starts: number[]) => {
       const project = { ...(JSON.parse(projectText('r')) as object), progress: { starts, hints: 0 } }
       return fox.browser.put(`/projects/project-${save}?base=0&save=save-000${save}`, JSON.stringify(project))
@@ -267,7 +267,7 @@ onBothDatabases((fresh) => {
     )
   })
 
-  test('the data page says what is kept, and the export holds it', async () => {
+  test('the data page lists what is stored, and the export holds it', async () => {
     await fox.browser.put('/projects/project-1?base=0&save=save-0001', projectText('kept'))
     expect((await teacher.get(of('/data'))).body).toMatchObject({
       ...{ pupils: 2, projects: 1, versions: 1, endsOn: '2027-01-31', mostSpace: 500_000_000 },

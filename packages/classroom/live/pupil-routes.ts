@@ -7,7 +7,7 @@ import { documentOf, putAway } from './handouts-store.ts'
 import { liveOfPupil } from './me-live.ts'
 import { here } from './schema.ts'
 
-/** Events of a pupil's page: its whole state whenever that is another. One a browser, shared by its pages. */
+/** Events of a pupil's page: its complete state whenever that is another. One a browser, shared by its pages. */
 function stream({ ports, who, headers }: Call<undefined>): Promise<Response> {
   const { id, class: classId } = who.pupil!
   const token = cookieIn(headers, pupilCookie)

@@ -1,7 +1,7 @@
 import * as v from 'valibot'
 
 const id = v.pipe(v.string(), v.regex(/^[\w-]{1,64}$/))
-const whole = (least: number, most: number) =>
+const integer = (least: number, most: number) =>
   v.pipe(v.number(), v.integer(), v.minValue(least), v.maxValue(most))
 const centimetres = v.pipe(v.number(), v.minValue(-10_000), v.maxValue(10_000))
 
@@ -10,10 +10,10 @@ export const here = v.strictObject({
   card: v.nullable(id),
   project: v.nullable(id),
   checks: v.pipe(v.array(v.picklist(['open', 'passed', 'failed'])), v.maxLength(20)),
-  failed: whole(0, 999),
+  failed: integer(0, 999),
   running: v.boolean(),
-  idle: whole(0, 86_400),
-  size: v.nullable(v.strictTuple([whole(1, 10_000), whole(1, 10_000)])),
+  idle: integer(0, 86_400),
+  size: v.nullable(v.strictTuple([integer(1, 10_000), integer(1, 10_000)])),
   pose: v.nullable(
     v.strictObject({
       x: centimetres,
@@ -21,14 +21,14 @@ export const here = v.strictObject({
       heading: v.pipe(v.number(), v.minValue(-100_000), v.maxValue(100_000)),
     }),
   ),
-  trail: v.pipe(v.array(whole(-9999, 9999)), v.maxLength(320)),
+  trail: v.pipe(v.array(integer(-9999, 9999)), v.maxLength(320)),
 })
 
 const pupils = v.union([v.literal('all'), v.pipe(v.array(id), v.minLength(1), v.maxLength(100))])
 
 /** A hint of a card by its number, or in the teacher's own words; or a card's own start program. */
 export const handout = v.variant('kind', [
-  v.strictObject({ to: pupils, kind: v.literal('hint'), card: id, hint: whole(1, 9) }),
+  v.strictObject({ to: pupils, kind: v.literal('hint'), card: id, hint: integer(1, 9) }),
   v.strictObject({
     to: pupils,
     kind: v.literal('hint'),

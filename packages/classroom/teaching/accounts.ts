@@ -48,7 +48,7 @@ function standIn(address: string, secret: Uint8Array): string {
   return `fd00:${digits.match(/.{4}/g)!.slice(0, 3).join(':')}::1`
 }
 
-/** How passwords are hashed: scrypt where nothing is said. */
+/** How passwords are hashed: scrypt where nothing else is given. */
 export interface Hashing {
   readonly hash: (password: string) => Promise<string>
   readonly verify: (attempt: { readonly hash: string; readonly password: string }) => Promise<boolean>

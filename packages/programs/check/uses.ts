@@ -6,7 +6,7 @@ import { within } from './names.ts'
 import { definitionOf } from './places.ts'
 import { reachedIn } from './reached.ts'
 
-/** What of its robot a program comes to, as far as can be told without running. */
+/** What of its robot a program comes to, as far as is known without running. */
 export interface Uses {
   /** Ports whose sensors it reads. */
   readonly ports: readonly SensorPort[]

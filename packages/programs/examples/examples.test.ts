@@ -74,7 +74,7 @@ describe('examples as a file', () => {
     ])
   })
 
-  it('say of each neuron its kind and its port, so that others are told apart', () => {
+  it('say of each neuron its kind and its port, so that others can be distinguished', () => {
     const { neurons } = examplesFile(examples, net)
     expect(neurons.inputs.map(({ port }) => port)).toEqual(['ULTRASONIC_PORT_2', 'ULTRASONIC_PORT_3'])
     expect(neurons.outputs.map(({ port }) => port.at(-1))).toEqual(['C', 'B'])

@@ -151,7 +151,7 @@ describe('what is not finished', () => {
     expect(rows).toEqual(['', '# problem.missingValue.title'])
   })
 
-  it('is told from what the brick lacks', () => {
+  it('differs from what the brick lacks', () => {
     const { notes } = python(
       programOf([
         start,
@@ -232,7 +232,7 @@ describe('deciding', () => {
     expect(heads(rows)).toEqual(['if True:', 'else:', '    if False:', '    else:'])
   })
 
-  it('with a gap leaves the one before whole', () => {
+  it('with a gap leaves the one before complete', () => {
     const rows = lines([decide(yes, 1, [decide(null, 2, [])])])
     expect(heads(rows)).toEqual([
       'if True:',

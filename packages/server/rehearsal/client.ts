@@ -51,7 +51,7 @@ export class Client {
     throw new Error(`${method} ${path}: nobody answers.`)
   }
 
-  /** Holds a stream of events open until it is told to stop, opening it again whenever it ends. */
+  /** Holds a stream of events open until it is stopped, opening it again whenever it ends. */
   listen(path: string, hear: (bytes: number) => void = () => {}): () => void {
     const stop = new AbortController()
     const { signal } = stop

@@ -106,7 +106,7 @@ async function lostOf({ client, project, acknowledged }: Child): Promise<number>
 
 const mb = (bytes: number) => Math.round(bytes / 1e6)
 
-/** Looks at the memory of the server until it is told to stop. */
+/** Looks at the memory of the server until it is stopped. */
 function watch(teacher: Client, every: number) {
   const seen: number[] = []
   const timer = setInterval(() => {

@@ -27,16 +27,16 @@ export interface ServingNode {
 }
 
 async function portOf(running: ChildProcess): Promise<number> {
-  let [said, complained] = ['', '']
-  running.stderr!.on('data', (part) => (complained += String(part)))
+  let [output, errors] = ['', '']
+  running.stderr!.on('data', (part) => (errors += String(part)))
   return await new Promise((resolve, reject) => {
     running.stdout!.on('data', (part) => {
-      said += String(part)
-      const port = /http:\/\/localhost:(\d+)/.exec(said)?.[1]
+      output += String(part)
+      const port = /http:\/\/localhost:(\d+)/.exec(output)?.[1]
       if (port !== undefined) resolve(Number(port))
     })
     running.once('error', reject)
-    running.once('exit', () => reject(new Error(complained)))
+    running.once('exit', () => reject(new Error(errors)))
   })
 }
 

@@ -96,7 +96,7 @@ export const badgeSides = (): BadgeSides => new Map()
 
 /**
  * Where badges stand, clear of Bo, of each other and of what is taken. One that stands well stays on its side: they do not
- * jump about while Bo turns. @param last the side of each, by its id; it is brought up to date
+ * jump about while Bo turns. @param last the side of each, by its id; it is updated
  */
 export function placeBadges(
   badges: readonly (Size & { readonly id: string })[],

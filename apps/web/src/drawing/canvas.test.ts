@@ -14,9 +14,9 @@ beforeAll(() => {
 const unmoved = { a: 1, b: 0, c: 0, d: 1, e: 0, f: 0 }
 const families = { title: 'Baloo', read: 'Nunito' }
 
-/** What a canvas was told, in order: calls with what they were given, and what was set. */
+/** What a canvas was calls, in order: calls with what they were given, and what was set. */
 function painted(commands: readonly Command[]): readonly string[] {
-  const told: string[] = []
+  const calls: string[] = []
   const state: { [name: string]: unknown } = { globalAlpha: 1 }
   const said = (value: unknown) => (typeof value === 'string' ? value : JSON.stringify(value))
   const canvas = new Proxy(state, {
@@ -24,17 +24,17 @@ function painted(commands: readonly Command[]): readonly string[] {
       name in state
         ? state[name]
         : (...given: unknown[]) => {
-            told.push([name, ...given.map(said)].join(' '))
+            calls.push([name, ...given.map(said)].join(' '))
             return name === 'getTransform' ? unmoved : undefined
           },
     set: (_, name: string, value) => {
-      if (state[name] !== value) told.push(`${name} = ${said(value)}`)
+      if (state[name] !== value) calls.push(`${name} = ${said(value)}`)
       state[name] = value
       return true
     },
   })
   paint(canvas as unknown as Canvas, commands, families)
-  return told.slice(told.indexOf('lineJoin = round') + 1)
+  return calls.slice(calls.indexOf('lineJoin = round') + 1)
 }
 
 test('a shape is filled, then outlined', () => {
@@ -55,8 +55,8 @@ test('a shape is filled, then outlined', () => {
 
 test('a group is moved, turned, scaled, and what comes after it stands where it stood', () => {
   const dot: Command = { kind: 'circle', x: 0, y: 0, r: 1 }
-  const told = painted([{ kind: 'group', x: 5, y: 6, turn: 90, scale: [2, 3], shapes: [dot] }, dot])
-  const [moved, ...rest] = told
+  const calls = painted([{ kind: 'group', x: 5, y: 6, turn: 90, scale: [2, 3], shapes: [dot] }, dot])
+  const [moved, ...rest] = calls
   const [a, b, c, d, e, f] = moved!.split(' ').slice(1).map(Number) as [number, ...number[]]
   const at = (x: number, y: number) => [a * x + c! * y + e!, b! * x + d! * y + f!].map(Math.round)
   // Scaled first, then turned from the right to below, then moved.
@@ -76,8 +76,8 @@ test('a group is moved, turned, scaled, and what comes after it stands where it 
 
 test('a group in a group is where both take it', () => {
   const inner: Command = { kind: 'group', x: 10, turn: 30, shapes: [] }
-  const told = painted([{ kind: 'group', scale: 2, turn: 60, shapes: [inner] }])
-  const [a, b, , , e, f] = told[1]!.split(' ').slice(1).map(Number) as [number, ...number[]]
+  const calls = painted([{ kind: 'group', scale: 2, turn: 60, shapes: [inner] }])
+  const [a, b, , , e, f] = calls[1]!.split(' ').slice(1).map(Number) as [number, ...number[]]
   expect([a, b]).toEqual([expect.closeTo(0), expect.closeTo(2)])
   expect([e, f]).toEqual([expect.closeTo(10), expect.closeTo(10 * Math.sqrt(3))])
 })
@@ -122,8 +122,8 @@ test('corners are never rounder than half a side, lines close, opacities multipl
 
 test('many lines at once are one stroke', () => {
   const points = new Float32Array([0, 0, 1, 2, NaN, NaN, 3, 4, 5, 6])
-  const told = painted([{ kind: 'lines', points, stroke: '#111' }])
-  expect(told.filter((one) => /To|stroke$/.test(one))).toEqual([
+  const calls = painted([{ kind: 'lines', points, stroke: '#111' }])
+  expect(calls.filter((one) => /To|stroke$/.test(one))).toEqual([
     'moveTo 0 0',
     'lineTo 1 2',
     'moveTo 3 4',
@@ -156,7 +156,7 @@ test('a pale group is painted elsewhere first, so that what lies under its shape
     families,
     () => over as unknown as CanvasRenderingContext2D,
   )
-  expect(order.filter((told) => told.endsWith('ellipse'))).toEqual(['layer ellipse', 'layer ellipse'])
+  expect(order.filter((calls) => calls.endsWith('ellipse'))).toEqual(['layer ellipse', 'layer ellipse'])
   expect(order.slice(-3)).toEqual(['page globalAlpha 0.5', 'page drawImage', 'page setTransform'])
   expect(order).not.toContain('layer globalAlpha 0.5')
 })
@@ -199,7 +199,7 @@ describe('with canvases of its own', () => {
     })
   })
 
-  /** What is told to a canvas that is three times as fine, by the names of its methods and what is set. */
+  /** What is calls to a canvas that is three times as fine, by the names of its methods and what is set. */
   function screen() {
     const shown: unknown[] = []
     const state: { [key: string]: unknown } = {

@@ -8,7 +8,7 @@ test('what stands from the beginning rests', () => {
   expect(new Resting().split(all)).toEqual({ resting: all, moving: [] })
 })
 
-test('what moves is told apart until it has stood for half a second', () => {
+test('what moves is drawn apart until it has stood for half a second', () => {
   const resting = new Resting<{ id: string }>()
   const [a, b, moved] = named('a', 'b', 'a') as [{ id: string }, { id: string }, { id: string }]
   resting.split([a, b])

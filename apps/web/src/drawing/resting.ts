@@ -1,7 +1,7 @@
 /** Frames without a movement after which a thing rests. */
 const still = 30
 
-/** Tells what moves from what rests, so that what rests is painted as one picture. */
+/** Separates what moves from what rests, so that what rests is painted as one picture. */
 export class Resting<T> {
   #before: ReadonlySet<T> = new Set()
   /** Frames that are left until it rests. */

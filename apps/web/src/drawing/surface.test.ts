@@ -14,9 +14,9 @@ const frame = (more: Partial<Frame> = {}): Frame => ({
   ...more,
 })
 
-/** A canvas that writes down what it is told. */
+/** A canvas that records its calls. */
 function canvas() {
-  const told: string[] = []
+  const calls: string[] = []
   const restored: (() => void)[] = []
   const element = {
     width: 300,
@@ -29,11 +29,11 @@ function canvas() {
       name in own
         ? own[name]
         : (...given: unknown[]) => {
-            told.push([name, ...given.filter((one) => typeof one === 'number')].join(' '))
+            calls.push([name, ...given.filter((one) => typeof one === 'number')].join(' '))
             return { a: 1, b: 0, c: 0, d: 1, e: 0, f: 0 }
           },
   })
-  return { told, element, restored, context: context as unknown as PictureContext }
+  return { calls, element, restored, context: context as unknown as PictureContext }
 }
 
 let one: ReturnType<typeof canvas>
@@ -48,7 +48,7 @@ test('a canvas has the pixels of its screen, at twice and three times the densit
   for (const ratio of [1, 2, 3]) {
     surface.show(frame({ ratio }))
     expect(one.element).toMatchObject({ width: 100 * ratio, height: 50 * ratio })
-    expect(one.told).toContain(`setTransform ${ratio} 0 0 ${ratio} 0 0`)
+    expect(one.calls).toContain(`setTransform ${ratio} 0 0 ${ratio} 0 0`)
   }
 })
 
@@ -56,8 +56,8 @@ test('it is emptied, then painted from the lowest up', () => {
   const source = {} as ImageBitmap
   const under: Group = { kind: 'group', shapes: [{ kind: 'rect', x: 0, y: 0, width: 1, height: 1 }] }
   surface.show(frame({ under: [{ source, x: 1, y: 2, width: 3, height: 4 }, under] }))
-  const order = one.told.filter((told) => /clearRect|drawImage|roundRect|ellipse/.test(told))
-  expect(order.map((told) => told.split(' ')[0])).toEqual(['clearRect', 'drawImage', 'roundRect', 'ellipse'])
+  const order = one.calls.filter((call) => /clearRect|drawImage|roundRect|ellipse/.test(call))
+  expect(order.map((call) => call.split(' ')[0])).toEqual(['clearRect', 'drawImage', 'roundRect', 'ellipse'])
 })
 
 test('a picture that has not changed is not painted again, and one that has only where it lies', () => {
@@ -69,17 +69,20 @@ test('a picture that has not changed is not painted again, and one that has only
     shapes: [{ kind: 'group', still: { x: -2, y: -2, width: 4, height: 4 }, shapes }],
   })
   surface.show(frame({ shapes: [at(10)] }))
-  one.told.length = 0
+  one.calls.length = 0
   surface.show(frame({ shapes: [at(10)] }))
-  expect(one.told).toEqual([])
+  expect(one.calls).toEqual([])
   surface.show(frame({ shapes: [at(20)] }))
-  expect(one.told.filter((told) => told.startsWith('rect'))).toEqual(['rect 15 -5 10 10', 'rect 35 -5 10 10'])
+  expect(one.calls.filter((call) => call.startsWith('rect'))).toEqual([
+    'rect 15 -5 10 10',
+    'rect 35 -5 10 10',
+  ])
   vi.unstubAllGlobals()
 })
 
-test('other letters, another size and what a browser has dropped are painted as a whole', () => {
+test('other letters, another size and what a browser has dropped are painted completely', () => {
   surface.show(frame())
-  const painted = () => one.told.splice(0).filter((told) => told.startsWith('clearRect')).length
+  const painted = () => one.calls.splice(0).filter((call) => call.startsWith('clearRect')).length
   painted()
   surface.show(frame({ families: { ...families } }))
   surface.show(frame({ size: { width: 80, height: 50 } }))

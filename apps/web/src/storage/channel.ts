@@ -51,7 +51,7 @@ export function watchTabs(heard: Watcher): () => void {
 
 /** Calls back when a project was saved or thrown away, in this tab or another. Returns how to stop. */
 export function whenAnythingChanges(heard: () => void): () => void {
-  // A channel hears what others say, those of its own tab too.
+  // A channel gets the messages of others, those of its own tab too.
   const own = newChannel()
   const listener = ({ data }: MessageEvent<Message>) => {
     if (data.kind === 'saved' || data.kind === 'gone') heard()

@@ -56,7 +56,7 @@ export async function whereabouts(): Promise<AllWhereabouts> {
   }
 }
 
-/** The save to be sent next, the one that was begun first; null where all is in the class. Begun anew, it is kept first. */
+/** The save to be sent next, the one that was begun first; null where all is in the class. Begun again, it is saved first. */
 export async function nextToSend(): Promise<OutboxRecord | null> {
   return writing(async (transaction) => {
     const [begun] = await transaction.objectStore('outbox').getAll(null, 1)

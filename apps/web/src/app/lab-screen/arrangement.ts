@@ -59,7 +59,7 @@ function columnsDesigned(free: number): readonly [program: number, world: number
   return [program, Math.min(free - program - designed.network, designed.worldMost)]
 }
 
-/** Code wants its longest lines whole, beside its blocks. The second border is the code's. */
+/** Code wants room for its longest lines, beside its blocks. The second border is the code's. */
 const columnsCode = (free: number): readonly [program: number, code: number] => [
   Math.min(0.305 * free, designed.programMost),
   Math.min(0.415 * free, 820),

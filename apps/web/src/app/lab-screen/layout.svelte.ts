@@ -35,7 +35,7 @@ export class Layout {
   readonly slim = $derived.by(
     () => this.arrangement === 'stacked' && !this.#ui.filled && this.#screen.hasNetworkPane && !this.learning,
   )
-  /** Learning by trying has the whole lab, until its code is looked at: its program is folded, and its world stands within it. */
+  /** Learning by trying fills the lab, until its code is looked at: its program is folded, and its world stands within it. */
   readonly learning = $derived.by(() => this.#screen.session.learns && !this.#screen.codeOpen && !this.pages)
   /** px of the folded program: what stands beside the map begins below it. */
   foldedHeight = $state(0)

@@ -188,7 +188,7 @@ export class LabScreenState {
       ? wordsOfDifferences(this.differences, (block) => this.blocks?.reveal(block, true))
       : null
   })
-  /** What the real robot lacks is said at the blocks while their code is open. */
+  /** What the real robot lacks stands at the blocks while their code is open. */
   readonly robotLacks = $derived.by(() => (this.codeOpen ? (this.code?.missing ?? []) : []))
   closeFinding(): void {
     if (this.finding) this.ui.show(null)

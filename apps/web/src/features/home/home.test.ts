@@ -26,7 +26,7 @@ describe('the card to play next', () => {
   })
 })
 
-test('a tile says the first sentence of what its card is about', () => {
+test('a tile shows the first sentence of what its card is about', () => {
   const goal = 'Bo has only one try. Give Bo more of them, until Bo drives the short way.'
   expect(firstSentence(goal, 'en')).toBe('Bo has only one try.')
   const german = 'Sperre die Strecke zwischen 2 und 3. Lass Bo dann lernen und fahren.'

@@ -53,7 +53,7 @@ export class Code {
     )
   })
 
-  /** What the brick lacks, to be said at its blocks. */
+  /** What the brick lacks, to be shown at its blocks. */
   readonly missing: readonly Finding[] = $derived(
     this.file.notes
       .filter(({ gap }) => !gap)

@@ -6,7 +6,7 @@ import type { Badge } from '#drawing/badges.ts'
 import { lamps } from '#drawing/bo.ts'
 import { message, m } from '#words/message.ts'
 
-/** Of the floor where no sensor tells a colour. */
+/** Of the floor where no sensor sees a colour. */
 const blank = '#FFFDF8'
 /** Rows of a display that stand beside Bo; the drawer of its panel shows all of them. */
 const most = 3

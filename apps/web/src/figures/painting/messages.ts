@@ -7,7 +7,7 @@ export interface Face {
   readonly weight: string
 }
 
-/** What the worker that paints is told; `id`: of a canvas. */
+/** Messages to the worker that paints; `id`: of a canvas. */
 export type Message =
   | { readonly kind: 'open'; readonly id: number; readonly canvas: OffscreenCanvas }
   | {
@@ -22,7 +22,7 @@ export type Message =
   | { readonly kind: 'close'; readonly id: number }
   | { readonly kind: 'letters'; readonly faces: readonly Face[] }
 
-/** What the page is told: so many frames of a canvas have come, and the last of them is painted. */
+/** Messages to the page: so many frames of a canvas have come, and the last of them is painted. */
 export interface Painted {
   readonly id: number
   readonly count: number

@@ -23,7 +23,7 @@ const canPaint = () =>
 
 const isFace = (rule: CSSRule): rule is CSSFontFaceRule => rule instanceof CSSFontFaceRule
 
-/** Faces in the page's styles, with whole addresses. */
+/** Faces in the page's styles, with complete addresses. */
 function facesOf(sheet: CSSStyleSheet): readonly Face[] {
   const base = sheet.href ?? document.baseURI
   return [...sheet.cssRules].filter(isFace).map(({ style }) => ({
@@ -50,7 +50,7 @@ class Painting {
   #worker: Worker | null = null
   #next = 0
   readonly #waiting = new Map<number, Waiting>()
-  /** Letters that the worker was told of. */
+  /** Letters that the worker knows. */
   #families: unknown = null
   /** The worker is no use here: canvases are new ones from then on. */
   failed = $state(false)

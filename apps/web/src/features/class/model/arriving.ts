@@ -33,16 +33,16 @@ export async function fetchProject(ask: Ask, id: string, at?: number): Promise<F
 
 export type Version = v.InferOutput<typeof versions>['versions'][number]
 
-/** What can be taken back, the newest first; null where the class does not say. */
+/** What can be restored, the newest first; null where the class does not answer. */
 export async function fetchVersions(ask: Ask, id: string): Promise<readonly Version[] | null> {
   return read(versions, await ask('GET', `/projects/${idInClass(id)}/versions`))?.versions ?? null
 }
 
 /**
- * Brings a pupil's work from the class onto this device: what is not here, and what was left unchanged here. Work of this
+ * Fetches a pupil's work from the class onto this device: what is not here, and what was left unchanged here. Work of this
  * device stays as it is.
  * @param only one project, whose page waits for it; all where none is named
- * @returns why it could not be brought
+ * @returns why it could not be fetched
  */
 export async function fetchWork(ask: Ask, only?: string): Promise<Pause | null> {
   const reply = await ask('GET', '/projects')

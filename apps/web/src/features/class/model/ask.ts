@@ -1,6 +1,6 @@
 import * as v from 'valibot'
 
-/** What the class server says. `away`: it cannot be reached, or somebody else answers in its place. */
+/** What the class server answers. `away`: it cannot be reached, or somebody else answers in its place. */
 export type Reply =
   | { readonly kind: 'done'; readonly body: unknown }
   | { readonly kind: 'refused'; readonly status: number; readonly code: string; readonly facts: Facts }
@@ -39,7 +39,7 @@ async function replyIn(response: Response): Promise<Reply> {
   const body: unknown = await response.json()
   if (response.ok) return { kind: 'done', body }
   const found = v.safeParse(refusal, body)
-  // A proxy or a page that answers for everything: the class itself always says why.
+  // A proxy or a page that answers for everything: the class itself always gives a reason.
   if (!found.success) return { kind: 'away' }
   const { error: code, ...facts } = found.output
   return { kind: 'refused', status: response.status, code, facts }

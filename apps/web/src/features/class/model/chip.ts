@@ -4,7 +4,7 @@ import type { Pause } from './sending.ts'
 /** Where the open project is, as one word of a chip. */
 export type ChipState = 'class' | 'onItsWay' | 'conflict' | 'refused' | Pause
 
-/** @returns null where the device itself has something to say first: it could not save, or another tab holds the project */
+/** @returns null where the device's own state comes first: it could not save, or another tab holds the project */
 export function stateOf(
   local: 'saving' | 'saved' | 'failed' | 'elsewhere' | 'gone',
   place: Whereabouts | undefined,

@@ -1,7 +1,7 @@
 import { expect, test } from 'vitest'
 import { codeInLink, codeOf, fitsAsNickname, wordsIn } from './code.ts'
 
-test('a code is told by three words of at least four letters, in any letters', () => {
+test('a code is known by three words of at least four letters, in any letters', () => {
   expect(codeOf(['Kite', ' otte ', 'PLUM'])).toBe('kite otte plum')
   expect(codeOf(['kite', 'ott', 'plum'])).toBeNull()
   expect(codeOf(['kite', 'otter'])).toBeNull()

@@ -8,7 +8,7 @@ const robotsOf = ({ world }: Project) =>
   world.robots.map(({ id, config, program }) => ({ id, config, program }))
 const blocksOf = ({ programs }: Project) =>
   Object.fromEntries(Object.entries(programs).map(([id, { stacks, config }]) => [id, { stacks, config }]))
-/** Examples and practice belong to the knobs: both say how the network decides. */
+/** Examples and practice belong to the knobs: both decide what the network does. */
 const kinds: { readonly [kind in Kind]: (project: Project) => unknown } = {
   blocks: blocksOf,
   knobs: ({ brains }) => brains,

@@ -56,7 +56,7 @@ export class Gate {
     this.#busy = false
   }
 
-  /** @param open the page is shown already: only what the class forbids is said */
+  /** @param open the page is shown already: only what the class forbids is asked */
   async #enter(open: boolean): Promise<void> {
     if (open) this.#letThrough()
     const passage = await this.member.enter()

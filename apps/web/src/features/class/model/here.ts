@@ -1,6 +1,6 @@
 // Who sits at this device: asked at every start, after ten minutes without a key, and again by pictures after a lesson.
 
-/** Whoever says yes after so long is asked for the pictures. */
+/** A child who answers after so long is asked for the pictures. */
 const lesson = 90 * 60_000
 /** After so long without a key or a finger it may be somebody else. */
 const quiet = 10 * 60_000
@@ -42,9 +42,9 @@ export function isProven(pupil: string, now = Date.now()): boolean {
 
 /** How a page begins: it `asks`, the child is `here` already, or has come `back` just now. */
 export function beginning(pupil: string): 'asks' | 'here' | 'back' {
-  const said = read('sessionStorage', tab)
-  if (said === `back ${pupil}`) return 'back'
-  return said === pupil ? 'here' : 'asks'
+  const noted = read('sessionStorage', tab)
+  if (noted === `back ${pupil}`) return 'back'
+  return noted === pupil ? 'here' : 'asks'
 }
 
 /** In this tab it is not asked again. */

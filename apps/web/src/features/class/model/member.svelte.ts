@@ -57,14 +57,14 @@ export class Member {
     return () => (stop(), stopWatching())
   }
 
-  /** Brings the pupil's work from the class onto this device. */
+  /** Fetches the pupil's work from the class onto this device. */
   async fetchWork(only?: string): Promise<Pause | null> {
     const pause = await fetchWork(this.ask, only)
     await this.#look()
     return pause
   }
 
-  /** The child says yes: whether that is enough. */
+  /** The child has answered yes: whether that is enough. */
   async enter(): Promise<Passage> {
     const me = await fetchMe(this.ask)
     if (typeof me === 'object') this.#take(me)

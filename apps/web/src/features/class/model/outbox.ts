@@ -95,6 +95,6 @@ export class Outbox {
   }
 }
 
-/** A whole class that comes back at once does not ask in one moment. */
+/** A class whose devices all come back at once does not ask in one moment. */
 export const waitAfter = (failures: number, random = Math.random): number =>
   Math.min(longestWait, firstWait * 2 ** (failures - 1)) * (0.75 + random() / 2)

@@ -13,13 +13,13 @@ const schema = v.object({
 
 export type Me = v.InferOutput<typeof schema>
 
-/** Who the class says that this is, or why it does not say. */
+/** Who this is by the class, or why the class does not answer. */
 export async function fetchMe(ask: Ask): Promise<Me | Pause> {
   const reply = await ask('GET', '/me')
   return read(schema, reply) ?? pauseOf(reply)
 }
 
-/** What becomes of a child that says yes. `locked`: a lesson is over, and the class cannot be asked for the pictures. */
+/** What becomes of a child that answers yes. `locked`: a lesson is over, and the class cannot be asked for the pictures. */
 export type Passage = 'through' | 'pictures' | 'locked' | 'signedOut' | 'ended'
 
 export function passage(me: Me | Pause, isProven: boolean): Passage {

@@ -2,7 +2,7 @@ import * as v from 'valibot'
 
 const schema = v.object({ firstTeacher: v.nullable(v.object({})) })
 
-/** Can classes be joined here? Only a server with a teacher says so; a web space and a lab without a class say nothing. */
+/** Can classes be joined here? Only a server with a teacher answers so; a web space and a lab without a class do not. */
 export async function hasClasses(): Promise<boolean> {
   if (__WEB_SPACE__) return false
   try {

@@ -38,7 +38,7 @@ interface Asked {
   readonly weights: Weights
 }
 
-/** What each input brings to a neuron, with these values at the inputs. */
+/** What each input adds to a neuron, with these values at the inputs. */
 export function reasonsIn(
   { inputs, brain, weights }: Asked,
   neuron: string,

@@ -11,7 +11,7 @@ export const roomFor = ({ inputs, hidden, outputs }: NetworkOutline): number =>
 export const canGrow = (net: NetworkOutline, neurons: number): boolean =>
   neurons < mostInLayer && roomFor(net) > 0
 
-/** What becomes of a neuron's sum: of a hidden one its block says it, for its whole layer. */
+/** What becomes of a neuron's sum: a hidden one's is set at its block, for all of its layer. */
 export function setActivation(
   session: LabSession,
   blocks: Blocks | undefined,

@@ -1,12 +1,12 @@
 import { ownText, type LearningOutline } from '@botgarten/programs'
 
-/** Fields and closed roads are blocks: who holds the blocks changes them. Each call is one step to take back. */
+/** Fields and closed roads are blocks: who holds the blocks changes them. Each call is one step to undo. */
 export interface Blocks {
   setFields(block: string, fields: { readonly [name: string]: string }): void
   setClosed(map: string, roads: LearningOutline['closed']): void
 }
 
-/** What a hand on the map and on the sliders changes in the blocks. */
+/** What the map and the sliders change in the blocks. */
 export class BlockEdits {
   readonly #outline: () => LearningOutline | null
   readonly #blocks: Blocks

@@ -38,7 +38,7 @@ export class Clock {
 export const nextFrame = (): Promise<unknown> =>
   new Promise((done) => requestAnimationFrame(() => setTimeout(done)))
 
-/** Calls at most once in so many ms. Told the time of every frame. */
+/** Calls at most once in so many ms. Gets the time of every frame. */
 export function atMostEvery(ms: number, act: () => void): (now: number) => void {
   let last = 0
   return (now) => {

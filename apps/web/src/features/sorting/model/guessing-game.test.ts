@@ -33,7 +33,7 @@ test('behind the last round the other child is asked, and what was chosen in sec
   expect([game.stage, game.ticked, game.groups]).toEqual(['guess', [], game.rounds.at(-1)])
 })
 
-test('a wrong guess says how many were found, and can be tried again', () => {
+test('a wrong guess shows how many were found, and can be tried again', () => {
   const game = sortedBy('width', 'height')
   for (const feature of ['width', 'colour']) game.tick(feature)
   game.check()

@@ -18,7 +18,7 @@ const credentials = { username: 'm.weber', password: 'kastanie im regen' }
 const makeFirst = async (from: ClassApi) =>
   from.send('POST', '/teachers', { token: (await firstTeacherToken(server.ports))!, ...credentials })
 
-test('a server that waits for its first teacher says so', async () => {
+test('a server that waits for its first teacher is known as such', async () => {
   expect(account.access.kind).toBe('asking')
   await account.look()
   expect(account.access).toEqual({ kind: 'unmade' })
@@ -37,7 +37,7 @@ test('the one-time link makes an account and signs it in, once', async () => {
   await expect(again).rejects.toMatchObject({ code: 'linkUsedUp', status: 403 })
 })
 
-test('on another device the page says who made the server theirs, and takes the password', async () => {
+test('on another device the page names who made the server theirs, and takes the password', async () => {
   await makeFirst(apiOn(server))
   await account.look()
   expect(account.access).toMatchObject({ kind: 'out', first: { name: 'm.weber' } })

@@ -18,7 +18,7 @@ const schoolClass = v.object({
   grade: v.number(),
   /** Three words by their first four letters. */
   code: v.string(),
-  /** The same as whole words. */
+  /** The same as complete words. */
   words: list(v.string()),
   open: v.boolean(),
   /** Until when newcomers can join, in ms since 1970. */

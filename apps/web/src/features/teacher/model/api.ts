@@ -68,7 +68,7 @@ export class ClassApi {
 
 export const api = new ClassApi()
 
-/** The code of what was thrown, for the sentence that says it. */
+/** The code of what was thrown, for the sentence that explains it. */
 export const codeOf = (error: unknown): string => {
   if (error instanceof Refused) return error.code
   throw error

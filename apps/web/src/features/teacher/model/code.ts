@@ -1,6 +1,6 @@
 import type { SchoolClass } from './answers.ts'
 
-/** The words of a class's code, as they are said and shown. */
+/** The words of a class's code, as they are shown. */
 export const wordsOf = ({ words }: Pick<SchoolClass, 'words'>): readonly string[] => words
 
 /** All three in a line: "kite otter plum". */

@@ -17,7 +17,7 @@ test('days are counted over the end of a month and a year', () => {
   expect(dayFrom('2027-01-05', -14)).toBe('2026-12-22')
 })
 
-test('a day is said in the language of the page', () => {
+test('a day is written in the language of the page', () => {
   expect(dayLabel('2027-01-31', 'en')).toBe('31 January 2027')
   expect(dayLabel('2027-01-31', 'de')).toBe('31. Januar 2027')
 })

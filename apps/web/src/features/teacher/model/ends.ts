@@ -20,7 +20,7 @@ export function dayFrom(day: string, offset: number): string {
   return isoDay(new Date(year!, month! - 1, date! + offset))
 }
 
-/** A day as it is said: "31 January 2027". */
+/** A day as it is shown: "31 January 2027". */
 export function dayLabel(day: string, locale: string): string {
   const [year, month, date] = day.split('-').map(Number)
   return new Date(year!, month! - 1, date).toLocaleDateString(locale === 'en' ? 'en-GB' : locale, {

@@ -14,7 +14,7 @@ test.each(['localhost', '127.0.0.1', '[::1]'])('%s is a name for the machine its
   expect(isOwnMachine(name)).toBe(true),
 )
 
-test('pupils are told the address of the page, or one of the network where the page is on the server itself', () => {
+test('pupils get the address of the page, or one of the network where the page is on the server itself', () => {
   expect(addressFor(inRoom, health.addresses)).toBe('http://botgarten.local')
   expect(addressFor(own, health.addresses)).toBe('http://192.168.0.5:4173')
   expect(addressFor(own, ['http://localhost:4173'])).toBe('http://localhost:4173')
@@ -28,7 +28,7 @@ test('a backup that was never made and plain http are to do; the rest is fine', 
   expect(toDo(healthOf(inRoom, { secure: true, health: saved, here: now }, 'en'))).toEqual([])
 })
 
-test('too much memory, a full disk and a clock that is wrong are said', () => {
+test('too much memory, a full disk and a clock that is wrong are shown', () => {
   const bad = { ...health, memory: 250e6, freeSpace: 0.1e9, now: now - 300_000, backups: null }
   expect(toDo(healthOf(inRoom, { secure: true, health: bad, here: now }, 'de'))).toEqual([
     'memory',

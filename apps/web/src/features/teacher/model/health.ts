@@ -82,15 +82,15 @@ function backupFact({ backups }: Health, locale: string): Fact {
 
 interface Known {
   readonly secure: boolean
-  /** What the server says of itself to a teacher; null: nothing yet. */
+  /** What the server reports to a teacher; null: nothing yet. */
   readonly health: Health | null
-  /** The time by this device's clock when it was said. */
+  /** The time by this device's clock when it was reported. */
   readonly here: number
 }
 
 /** How the server is, a line a fact. */
 export function healthOf(at: Place, { secure, health, here }: Known, locale: string): readonly Fact[] {
-  const said = health
+  const known = health
     ? [
         memoryFact(health),
         spaceFact(health, locale),
@@ -98,5 +98,5 @@ export function healthOf(at: Place, { secure, health, here }: Known, locale: str
         backupFact(health, locale),
       ]
     : []
-  return [addressFact(at, health?.addresses ?? []), ...said, offlineFact(secure)]
+  return [addressFact(at, health?.addresses ?? []), ...known, offlineFact(secure)]
 }

@@ -126,7 +126,7 @@ test('which cards and blocks are free today is kept', async () => {
   expect(live.school).toMatchObject({ cards: ['friendship', 'fear'], level: 'plain' })
 })
 
-test('a stream that breaks is said, and comes back with all that was missed', async () => {
+test('a stream that breaks is shown as broken, and comes back with all that was missed', async () => {
   sources[0]!.cut()
   expect(live.connection).toBe('broken')
   // A browser opens it again by itself; here that is a new one.
@@ -147,7 +147,7 @@ test('a stream that the server ends to be opened again is opened again', async (
   expect(live.connection).toBe('open')
 })
 
-test('when the class is deleted the page says that it is over', async () => {
+test('when the class is deleted the page knows that it is over', async () => {
   await api.send('DELETE', `/classes/${live.id}`, { name: '5b' })
   await settle(server)
   expect(live.connection).toBe('ended')

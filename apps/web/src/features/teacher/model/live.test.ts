@@ -8,7 +8,7 @@ const live: Live = {
 }
 const tile = { id: '1', nickname: 'Otter', isNew: false, locked: false, handAt: null, live }
 
-test('a tile says whether its pupil is here, is done, and needs somebody', () => {
+test('a tile shows whether its pupil is here, is done, and needs somebody', () => {
   expect(seenTile(tile, now)).toMatchObject({ here: true, done: false, need: null })
   const all = { ...tile, live: { ...live, checks: ['passed', 'passed'] as const } }
   expect(seenTile(all, now)).toMatchObject({ done: true })
@@ -27,7 +27,7 @@ test('a trail is points; half a point at its end is left out', () => {
   ])
 })
 
-test('a clock that runs behind says no time below zero', () => {
+test('a clock that runs behind shows no time below zero', () => {
   expect(agoOf(now + 5000, now)).toEqual({ unit: 'seconds', count: 0 })
   expect(agoOf(now - 59_999, now)).toEqual({ unit: 'seconds', count: 59 })
   expect(agoOf(now - 61_000, now)).toEqual({ unit: 'minutes', count: 1 })

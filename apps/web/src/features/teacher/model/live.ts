@@ -30,7 +30,7 @@ export const trailOf = ({ trail }: Live): readonly { readonly x: number; readonl
 export const minutesSince = (then: number, now: number): number =>
   Math.max(0, Math.floor((now - then) / 60_000))
 
-/** How long ago something was, as the messages `teacher.ago.<unit>` say it. */
+/** How long ago something was, as the messages `teacher.ago.<unit>` word it. */
 export function agoOf(
   then: number,
   now: number,

@@ -29,7 +29,7 @@ function cellOf(
 
 const isDone = ({ kind }: Cell) => kind === 'done'
 
-/** Pupils × cards, from A to Z. Cards that are not free today say so where nothing was begun. */
+/** Pupils × cards, from A to Z. Cards that are not free today are marked where nothing was begun. */
 export function matrixOf(cards: readonly MatrixCard[], { pupils, free }: Results): readonly MatrixRow[] {
   const open = free && new Set(free)
   return pupils

@@ -4,7 +4,7 @@ import { ClassApi } from '../model/api.ts'
 
 const host = 'http://lab.test'
 
-/** A class server that begins anew, in this process. */
+/** A new class server, in this process. */
 export async function freshServer(): Promise<Server> {
   const database = openSqlite(':memory:')
   await migrate(database)

@@ -20,7 +20,7 @@ export class StreamSource implements Source {
     void this.#reader?.cancel()
   }
 
-  /** The cable is pulled: a browser tells of an error and goes on trying. */
+  /** The cable is pulled: a browser reports an error and goes on trying. */
   cut(): void {
     this.readyState = 0
     void this.#reader?.cancel()

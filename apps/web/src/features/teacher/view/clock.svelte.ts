@@ -2,7 +2,7 @@ import { createSubscriber } from 'svelte/reactivity'
 
 const step = 1000
 
-/** The time of day for what is said in seconds and minutes: it goes on while somebody looks. */
+/** The time of day for what is shown in seconds and minutes: it goes on while somebody looks. */
 class Clock {
   readonly #subscribe = createSubscriber((update) => {
     const timer = setInterval(update, step)
