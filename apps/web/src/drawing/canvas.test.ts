@@ -1,5 +1,6 @@
 import { beforeAll, beforeEach, describe, expect, test, vi } from 'vitest'
-import { paint, type Canvas } from './canvas.ts'
+import { paint } from './canvas.ts'
+import type { Canvas } from './shapes.ts'
 import type { Command } from './commands.ts'
 
 beforeAll(() => {

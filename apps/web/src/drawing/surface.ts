@@ -1,4 +1,5 @@
-import { paint, type Families, type Picture } from './canvas.ts'
+import { paint, type Picture } from './canvas.ts'
+import type { Families } from './shapes.ts'
 import { changes } from './changes.ts'
 import type { Command, Group } from './commands.ts'
 import { Pace } from './pace.ts'

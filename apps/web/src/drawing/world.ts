@@ -2,37 +2,16 @@ import type { RobotView, View } from '@botgarten/lab'
 import type { Obstacle, Pose, RobotConfig } from '@botgarten/simulation'
 import { drawBo, lampAt, lamps, partsOf } from './bo.ts'
 import { onFloor } from './camera.ts'
-import { greyOf } from './colours.ts'
+import { ring, turnHandle, type Chosen } from './chosen.ts'
 import type { Command } from './commands.ts'
 import { drawGap, type Gap } from './gap.ts'
-import type { Hit } from './grab.ts'
+import { drawGhost, type Ghost } from './ghost.ts'
 import type { Point, Size } from './points.ts'
 import { drawSenses } from './senses.ts'
 import { drawShadow, drawThing } from './thing-looks.ts'
 import { clockwise } from './things.ts'
 
 // What moves in a world, in px of the floor's box: x to the right, y down from its upper left corner.
-
-/** Where Bo does not stand now. */
-export interface Ghost {
-  readonly config: RobotConfig
-  readonly pose: Pose
-  readonly label: string
-  /** Of the label's letters, in px. */
-  readonly labelWidth: number
-  /** A shade of grey: it stood there. Otherwise pale: it would stand there. */
-  readonly grey: boolean
-}
-
-/** What is chosen by a hand: a ring around it, and a handle to turn it by. */
-export interface Chosen {
-  readonly at: Point
-  /** Degrees clockwise. */
-  readonly turn: number
-  readonly hit: Hit
-  /** Middle of the handle. */
-  readonly handle: Point
-}
 
 /** A thing where it stands. */
 export interface Placed {
@@ -70,7 +49,6 @@ export interface Scene {
 }
 
 const ink = '#3A2A20'
-const edge = '#8C7152'
 const tomato = '#C9401F'
 
 /** Everything in its order, from the floor up. */
@@ -192,57 +170,6 @@ function bump({ motors, touching }: RobotView): readonly Command[] {
   return [backwards ? { kind: 'group', y: -3, turn: 180, shapes: [lines] } : lines]
 }
 
-const greyInk = (ink: string | undefined) => (ink?.startsWith('#') ? greyOf(ink) : ink)
-
-const inGrey = (command: Command): Command => ({
-  ...command,
-  ...(command.kind === 'group' ? { shapes: command.shapes.map(inGrey) } : {}),
-  ...('fill' in command ? { fill: greyInk(command.fill)! } : {}),
-  ...('stroke' in command ? { stroke: greyInk(command.stroke)! } : {}),
-})
-
-const ghosts = new WeakMap<RobotConfig, readonly Command[]>()
-
-function ghostLook(config: RobotConfig, grey: boolean): readonly Command[] {
-  const look = ghosts.get(config) ?? drawBo({ config, led: null, text: false })
-  ghosts.set(config, look)
-  return grey ? look.map(inGrey) : look
-}
-
-/** Bo where it does not stand now, and why. */
-function drawGhost(
-  { config, pose, label, labelWidth, grey }: Ghost,
-  { floor, scale }: Scene,
-): readonly Command[] {
-  const at = onFloor(pose, floor, scale)
-  const top = at.y + 13 * scale + 2
-  const width = labelWidth + 28
-  return [
-    ...(grey ? [] : [{ kind: 'circle' as const, ...at, r: 12.5 * scale, fill: edge, opacity: 0.22 }]),
-    {
-      kind: 'group',
-      ...at,
-      turn: 90 - pose.heading,
-      scale,
-      opacity: grey ? 0.35 : 0.5,
-      shapes: ghostLook(config, grey),
-    },
-    {
-      kind: 'rect',
-      x: at.x - width / 2,
-      y: top,
-      width,
-      height: 24,
-      round: 11,
-      fill: '#FFFDF8',
-      stroke: edge,
-      lineWidth: 2,
-      dash: [5, 4],
-    },
-    { kind: 'text', x: at.x, y: top + 17, text: label, size: 14.5, font: 'read', align: 'middle', fill: ink },
-  ]
-}
-
 /** Halos of a lamp that shines, in cm about it. */
 const halos = [
   { r: 18, opacity: 0.3 },
@@ -257,50 +184,3 @@ function senses({ view, sensing, configs, floor, scale, strong }: Scene): readon
   const config = robot && configs.get(robot.id)
   return robot && config ? drawSenses(robot, config, floor, scale, strong) : []
 }
-
-/** A line as an outline outside of what can be grabbed. */
-function ring({ at, turn, hit: { width, height, round } }: Chosen): readonly Command[] {
-  const around = (out: number, look: object): Command =>
-    round
-      ? { kind: 'circle', x: 0, y: 0, r: width / 2 + out, ...look }
-      : {
-          kind: 'rect',
-          x: width / -2 - out,
-          y: height / -2 - out,
-          width: width + 2 * out,
-          height: height + 2 * out,
-          round: 6 + out,
-          ...look,
-        }
-  return [
-    {
-      kind: 'group',
-      ...at,
-      turn,
-      shapes: [
-        around(1.5, { stroke: '#fff', lineWidth: 3, opacity: 0.9 }),
-        around(1.25, { stroke: edge, lineWidth: 2.5, dash: [4, 5] }),
-      ],
-    },
-  ]
-}
-
-const turnHandle = ({ at, handle }: Chosen): readonly Command[] => [
-  { kind: 'line', points: [at, handle], stroke: edge, lineWidth: 2.5, dash: [5, 5] },
-  { kind: 'circle', x: handle.x, y: handle.y + 2, r: 16, fill: '#6E5032', opacity: 0.14 },
-  { kind: 'circle', ...handle, r: 15, fill: '#FFFDF8', stroke: edge, lineWidth: 2 },
-  {
-    kind: 'group',
-    x: handle.x - 10,
-    y: handle.y - 10,
-    scale: 20 / 24,
-    shapes: [
-      {
-        kind: 'path',
-        d: 'M19.5 12a7.5 7.5 0 1 1-2.6-5.7M20 3.5l-2.8 3.1-3.7-1.7',
-        stroke: ink,
-        lineWidth: 2.4,
-      },
-    ],
-  },
-]

@@ -1,4 +1,4 @@
-import type { Families } from '#drawing/canvas.ts'
+import type { Families } from '#drawing/shapes.ts'
 import type { Font } from '#drawing/commands.ts'
 import { comfort } from '#storage/comfort.svelte.ts'
 

@@ -1,5 +1,5 @@
 // Paints the canvases of a page beside it, so that the page itself has time for what a child does.
-import type { Families } from '#drawing/canvas.ts'
+import type { Families } from '#drawing/shapes.ts'
 import { Surface, type Frame } from '#drawing/surface.ts'
 import { Receiver } from '#drawing/wire.ts'
 import type { Face, Message, Painted } from './messages.ts'
