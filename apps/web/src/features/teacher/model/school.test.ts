@@ -61,6 +61,8 @@ test('a pupil gets another name, new pictures, and is removed', async () => {
   expect((await fox.browser.get('/me')).status).toBe(401)
   await school.removePupil(fox.id)
   expect(school.pupils.map(({ nickname }) => nickname)).toEqual(['Otter'])
+  expect(await school.newPictures(fox.id)).toBeNull()
+  expect(school.refused).toBe('noSuchPupil')
 })
 
 test('a class is deleted when its name was typed, and only then', async () => {
