@@ -103,10 +103,9 @@ export class Joining {
   /** Asks whose code this is, once it is typed. */
   async look(again = false): Promise<void> {
     const code = codeOf(this.words)
-    if (code === null || (code === this.#asked && !again)) {
-      if (code === null) this.#className = null
-      return
-    }
+    if (code === null) this.#className = null
+    // Whoever is asked already looks for what was typed meanwhile.
+    if (code === null || this.#busy || (code === this.#asked && !again)) return
     await this.#asking(async () => {
       this.#asked = code
       const reply = await this.#ask('POST', '/look', { code })
@@ -114,7 +113,7 @@ export class Joining {
       if (this.#className === null) this.#refuse(reply)
     })
     // Something else was typed meanwhile.
-    if (codeOf(this.words) !== this.#asked) await this.look()
+    if (codeOf(this.words) !== code) await this.look()
   }
 
   #refuse(reply: Reply): void {

@@ -1,0 +1,69 @@
+import { describe, expect, test } from 'vitest'
+import type { Ask, Reply } from './ask.ts'
+import { Joining } from './joining.svelte.ts'
+
+const away: Reply = { kind: 'away' }
+const found = (name: string): Reply => ({ kind: 'done', body: { name } })
+const refused = (code: string): Reply => ({ kind: 'refused', status: 429, code, facts: { seconds: 60 } })
+
+/** A class that answers when it is told to, and remembers what it was asked. */
+function slowClass() {
+  const asked: unknown[] = []
+  const waiting: ((reply: Reply) => void)[] = []
+  const ask: Ask = (_method, _path, body) => {
+    asked.push(body)
+    // A page that asks for ever would never come back here.
+    if (asked.length > 9) throw new Error('The class is asked again and again.')
+    return new Promise((resolve) => waiting.push(resolve))
+  }
+  const answer = async (reply: Reply) => {
+    waiting.shift()!(reply)
+    for (let turn = 0; turn < 20; turn++) await Promise.resolve()
+  }
+  return { ask, asked, answer }
+}
+
+const types = (joining: Joining, code: string) => (joining.words = code.split(' '))
+
+describe('a child that types the code', () => {
+  test.each([['away', away] as const, ['tooManyTries', refused('tooManyTries')] as const])(
+    'is told once why the class does not answer: %s',
+    async (code, reply) => {
+      const { ask, asked, answer } = slowClass()
+      const joining = new Joining(ask)
+      types(joining, 'kite otter plum')
+      void joining.look()
+      await answer(reply)
+      expect(asked).toHaveLength(1)
+      expect(joining.refused?.code).toBe(code)
+      expect(joining.busy).toBe(false)
+      void joining.look()
+      expect(asked).toHaveLength(2)
+    },
+  )
+
+  test('may go on typing while the class is asked: the last code counts', async () => {
+    const { ask, asked, answer } = slowClass()
+    const joining = new Joining(ask)
+    types(joining, 'kite otter plum')
+    void joining.look()
+    types(joining, 'kite otter plane')
+    await joining.look()
+    expect(asked).toEqual([{ code: 'kite otter plum' }])
+    await answer(refused('noOpenClass'))
+    expect(asked).toEqual([{ code: 'kite otter plum' }, { code: 'kite otter plane' }])
+    await answer(found('5b'))
+    expect(joining.className).toBe('5b')
+    expect(joining.refused).toBeNull()
+  })
+
+  test('is not told of a class whose code it has taken away meanwhile', async () => {
+    const { ask, answer } = slowClass()
+    const joining = new Joining(ask)
+    types(joining, 'kite otter plum')
+    void joining.look()
+    joining.words = ['kite', 'otter', '']
+    await answer(found('5b'))
+    expect(joining.className).toBeNull()
+  })
+})
