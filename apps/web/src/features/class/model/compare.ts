@@ -1,5 +1,6 @@
 import { networksByUse, sceneOf, type Project } from '@botgarten/programs'
 import type { World } from '@botgarten/simulation'
+import { clamp } from '#drawing/points.ts'
 
 /** Kinds of things in which two versions of a project may differ. */
 export type Kind = 'blocks' | 'knobs' | 'world' | 'robot' | 'learned' | 'name'
@@ -59,23 +60,30 @@ export function netOf({ programs, brains, world }: Project): SmallNet | null {
   return { inputs: net.inputs.length, outputs: net.outputs.length, links }
 }
 
-/** So many cm around Bo and what is next to it are seen. */
+/** In cm: at least so much around Bo is seen, at most twice as much. */
 const around = 130
+/** In cm: so far Bo and the thing beside it stay away from the edge. */
+const margin = 45
 
-/** The part of a world around Bo and what stands nearest to it. */
-export function closeUp({ size, robots, obstacles }: World) {
-  const width = Math.min(size.width, around)
-  const height = Math.min(size.height, around * 1.07)
-  const bo = robots[0]?.pose ?? { x: size.width / 2, y: size.height / 2 }
-  const away = ({ x, y }: { readonly x: number; readonly y: number }) => Math.hypot(x - bo.x, y - bo.y)
+type Place = { readonly x: number; readonly y: number }
+
+/** The part of a world that shows Bo and, where both fit, what stands nearest to it. */
+export function closeUp({ size, robots, obstacles }: Pick<World, 'size' | 'robots' | 'obstacles'>) {
+  const bo: Place = robots[0]?.pose ?? { x: size.width / 2, y: size.height / 2 }
+  const away = ({ x, y }: Place) => Math.max(Math.abs(x - bo.x), Math.abs(y - bo.y))
   const nearest = obstacles.map(({ pose }) => pose).toSorted((a, b) => away(a) - away(b))[0] ?? bo
-  const middle = (one: number, other: number, most: number) =>
-    one + Math.min(most, Math.max(-most, (other - one) / 2))
-  const x = middle(bo.x, nearest.x, width / 4)
-  const y = size.height - middle(bo.y, nearest.y, height / 4)
-  const within = (from: number, length: number, most: number) => Math.min(most - length, Math.max(0, from))
+  const side = clamp(away(nearest) + 2 * margin, around, 2 * around)
+  const width = Math.min(size.width, side)
+  const height = Math.min(size.height, side * 1.07)
+  const middle = (one: number, other: number, length: number) =>
+    one + clamp((other - one) / 2, margin - length / 2, length / 2 - margin)
+  const x = middle(bo.x, nearest.x, width)
+  const y = size.height - middle(bo.y, nearest.y, height)
   return {
-    ...{ left: within(x - width / 2, width, size.width), top: within(y - height / 2, height, size.height) },
+    ...{
+      left: clamp(x - width / 2, 0, size.width - width),
+      top: clamp(y - height / 2, 0, size.height - height),
+    },
     ...{ width, height },
   }
 }
