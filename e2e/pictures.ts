@@ -6,6 +6,9 @@ import { inHouse } from '../scripts/prepare/house.mjs'
 import { startServer } from '../scripts/server.ts'
 import { launchBrowser } from './browser.ts'
 import { Child } from './child.ts'
+import { classOfTest, serverWithData } from './class-server.ts'
+import { pupilScreens, type ClassScreen } from './screens-class.ts'
+import { startScreens, teacherScreens, type StartScreen } from './screens-teacher.ts'
 import { screens, type Screen } from './screens.ts'
 import { languages, type Language } from './words.ts'
 
@@ -14,13 +17,22 @@ const sizes = [
   { width: 1024, height: 768 },
   { width: 390, height: 844 },
 ]
-const isPhone = ({ width }: { readonly width: number }) => width < 640
+type Size = (typeof sizes)[number]
+const isPhone = ({ width }: Size) => width < 640
 const folder = inHouse('pictures')
 
+/** A server, and how its page comes to what is wanted. */
+interface Stage {
+  readonly url: string
+  show(child: Child, phone: boolean): Promise<void>
+  close(): Promise<void>
+}
+
 interface Wish {
-  readonly screen: Screen
+  readonly name: string
   readonly language: Language
-  readonly size: { readonly width: number; readonly height: number }
+  readonly size: Size
+  opens(): Promise<Stage>
 }
 
 /** Fonts are there, and nothing moves that comes to an end. */
@@ -34,33 +46,76 @@ async function settles(page: Page) {
   })
 }
 
-async function take(browser: Browser, baseURL: string, { screen, language, size }: Wish) {
+async function take(browser: Browser, { name, language, size, opens }: Wish) {
+  const stage = await opens()
   const locale = { en: 'en-GB', de: 'de-DE' }[language]
-  const context = await browser.newContext({ baseURL, locale, viewport: size, hasTouch: size.width < 1366 })
-  await context.addInitScript(() => localStorage.setItem('botgarten.tour', '"seen"'))
-  const page = await context.newPage()
-  await screen.show(new Child(page, language), isPhone(size))
-  await settles(page)
-  await page.screenshot({ path: `${folder}/${screen.name}-${language}-${size.width}x${size.height}.png` })
-  await context.close()
+  const options = { baseURL: stage.url, locale, viewport: size, hasTouch: size.width < 1366 }
+  const context = await browser.newContext(options)
+  try {
+    await context.addInitScript(() => localStorage.setItem('botgarten.tour', '"seen"'))
+    const page = await context.newPage()
+    await stage.show(new Child(page, language), isPhone(size))
+    await settles(page)
+    await page.screenshot({ path: `${folder}/${name}-${language}-${size.width}x${size.height}.png` })
+  } finally {
+    await context.close()
+    await stage.close()
+  }
 }
 
 await buildWhenNeeded()
 mkdirSync(folder, { recursive: true })
 const server = await startServer({ port: 0, host: '127.0.0.1' })
 const browser = await launchBrowser()
+
+const inLab = (screen: Screen): Wish[] =>
+  languages.flatMap((language) =>
+    sizes
+      .filter((size) => (isPhone(size) ? !screen.neverPhone : !screen.phoneOnly))
+      .map((size) => ({
+        ...{ name: screen.name, language, size },
+        opens: async () => ({ url: server.url, show: screen.show, close: async () => {} }),
+      })),
+  )
+
+/** Every picture has a class of its own: what one shows changes no other. */
+const inClass = (screen: ClassScreen): Wish[] =>
+  languages.flatMap((language) =>
+    [...sizes.filter((size) => !screen.neverPhone || !isPhone(size)), ...(screen.more ?? [])].map((size) => ({
+      ...{ name: screen.name, language, size },
+      opens: async () => {
+        const made = await classOfTest(language)
+        return { ...made, show: (child) => screen.show(child, made) }
+      },
+    })),
+  )
+
+const beforeAll = (screen: StartScreen): Wish[] =>
+  languages.flatMap((language) =>
+    sizes
+      .filter((size) => !isPhone(size))
+      .map((size) => ({
+        ...{ name: screen.name, language, size },
+        opens: async () => {
+          const empty = await serverWithData()
+          return { ...empty, show: (child) => screen.show(child, empty) }
+        },
+      })),
+  )
+
 const wanted = process.argv.slice(2)
-const requests = screens
-  .filter(({ name }) => wanted.length === 0 || wanted.some((part) => name.includes(part)))
-  .flatMap((screen) => languages.flatMap((language) => sizes.map((size) => ({ screen, language, size }))))
-  .filter(({ screen, size }) => (isPhone(size) ? !screen.neverPhone : !screen.phoneOnly))
+const wishes = [
+  ...screens.flatMap(inLab),
+  ...[...pupilScreens, ...teacherScreens].flatMap(inClass),
+  ...startScreens.flatMap(beforeAll),
+].filter(({ name }) => wanted.length === 0 || wanted.some((part) => name.includes(part)))
 const missing: string[] = []
-for (const request of requests)
-  await take(browser, server.url, request).catch((cause: unknown) => {
+for (const wish of wishes)
+  await take(browser, wish).catch((cause: unknown) => {
     const [what] = String(cause).split('\n\nCall log')
-    missing.push(`${request.screen.name} ${request.language} ${request.size.width}: ${what}`)
+    missing.push(`${wish.name} ${wish.language} ${wish.size.width}: ${what}`)
   })
-console.log(`${requests.length - missing.length} of ${requests.length} pictures in ${folder}`)
+console.log(`${wishes.length - missing.length} of ${wishes.length} pictures in ${folder}`)
 for (const line of missing) console.error(line)
 await browser.close()
 await server.close()

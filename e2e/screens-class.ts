@@ -1,0 +1,259 @@
+import { expect, type Page } from '@playwright/test'
+import { leftEye, leftWheel, type Child } from './child.ts'
+import { Pupil } from './child-class.ts'
+import { joins, saves, signsIn, type Joined, type MadeClass } from './made-class.ts'
+
+/** One picture of a class: how somebody gets there. */
+export interface ClassScreen {
+  readonly name: string
+  readonly neverPhone?: boolean
+  /** Sizes beside the usual ones. */
+  readonly more?: readonly { readonly width: number; readonly height: number }[]
+  show(child: Child, made: MadeClass): Promise<void>
+}
+
+const all = ['tree', 'cup', 'boat', 'star', 'house', 'fish', 'leaf', 'key', 'sun', 'ball', 'flag', 'moon']
+const wrong = (pupil: Joined) => all.filter((one) => !pupil.pictures.includes(one)).slice(0, 3)
+
+const named = (child: Child, pictures: readonly string[]) =>
+  pictures.map((one) => child.word(`class.picture.${one}`))
+
+/** A page of a class that cannot be reached. */
+const pullsCable = (page: Page) => page.route('**/api/class/**', (route) => route.abort())
+
+/** A pupil's lab with work that is in the class. */
+async function opensLab(child: Child, made: MadeClass) {
+  const pupil = await joins(made, 'Kestrel')
+  await saves(pupil)
+  await signsIn(child.page, made, pupil)
+  await child.opensLab('friendship')
+  return pupil
+}
+
+const chip = (child: Child, key: string) =>
+  child.page.getByRole('button', { name: child.word(key), exact: true })
+
+async function changes(child: Child, weight: number) {
+  if (child.page.viewportSize()!.width < 640) await child.turnsTo('networkTab')
+  await child.typesWeight(leftEye, leftWheel, weight)
+}
+
+async function disagrees(child: Child, made: MadeClass) {
+  const pupil = await opensLab(child, made)
+  await saves(pupil, { base: 1, starts: [0, 1], program: 'start' })
+  await changes(child, 0.5)
+  await expect(child.page.getByRole('dialog')).toBeVisible()
+  await expect(child.page.getByRole('heading', { level: 2 }).nth(1)).toBeVisible()
+}
+
+const gate: readonly ClassScreen[] = [
+  ...(['asks', 'back'] as const).map((as): ClassScreen => ({
+    name: as === 'asks' ? 'are-you' : 'welcome-back',
+    async show(child, made) {
+      const pupil = await joins(made, 'Fuchs')
+      await saves(pupil)
+      await signsIn(child.page, made, pupil, as)
+      await child.page.goto('/')
+      await expect(child.page.getByRole('dialog')).toBeVisible()
+      if (as === 'back') await expect(child.words('class.workIsHere')).toBeVisible()
+    },
+  })),
+  {
+    name: 'are-you-quiet',
+    async show(child, made) {
+      await child.page.clock.install()
+      await signsIn(child.page, made, await joins(made, 'Fuchs'))
+      await child.opensHome()
+      await child.page.clock.fastForward('11:00')
+      await expect(child.page.getByRole('dialog')).toBeVisible()
+    },
+  },
+  {
+    name: 'are-you-pictures',
+    async show(child, made) {
+      await child.page.route('**/api/class/me', async (route) => {
+        const answer = await route.fetch()
+        await route.fulfill({ json: { ...((await answer.json()) as object), fresh: false } })
+      })
+      await signsIn(child.page, made, await joins(made, 'Fuchs'), 'asks')
+      await child.page.goto('/')
+      await child.presses('class.yesOn')
+      await expect(child.words('class.whichPictures')).toBeVisible()
+    },
+  },
+  {
+    name: 'locked',
+    async show(child, made) {
+      await signsIn(child.page, made, await joins(made, 'Fuchs'), 'asks')
+      await pullsCable(child.page)
+      await child.page.goto('/')
+      await child.presses('class.yesOn')
+      await expect(child.words('class.lockedText')).toBeVisible()
+    },
+  },
+  {
+    name: 'signed-out',
+    async show(child, made) {
+      const pupil = await joins(made, 'Fuchs')
+      await signsIn(child.page, made, pupil)
+      await made.teacher.ask('POST', `/classes/${made.id}/sign-out-all`)
+      await child.page.goto('/')
+      await expect(child.words('class.signedOut')).toBeVisible()
+    },
+  },
+  {
+    name: 'class-ended',
+    async show(child, made) {
+      await signsIn(child.page, made, await joins(made, 'Fuchs'))
+      await made.teacher.ask('DELETE', `/classes/${made.id}`, { name: '5b' })
+      await child.page.goto('/')
+      await expect(child.words('class.ended')).toBeVisible()
+    },
+  },
+]
+
+const joining: readonly ClassScreen[] = [
+  { name: 'join', show: (child, made) => new Pupil(child, made).opens(null) },
+  {
+    name: 'join-nickname',
+    async show(child, made) {
+      const newcomer = new Pupil(child, made)
+      await newcomer.opens()
+      await newcomer.nickname.fill('Fuchs')
+    },
+  },
+  {
+    name: 'join-wrong-code',
+    async show(child, made) {
+      const newcomer = new Pupil(child, made)
+      await newcomer.opens('falsch immer kuchen')
+      await newcomer.isRefused()
+    },
+  },
+  {
+    name: 'join-taken',
+    async show(child, made) {
+      await joins(made, 'Fuchs')
+      const newcomer = new Pupil(child, made)
+      await newcomer.opensByLink()
+      await newcomer.nickname.fill('Fuchs')
+      await child.presses('class.join')
+      await newcomer.isRefused()
+    },
+  },
+  {
+    name: 'join-throttled',
+    async show(child, made) {
+      const newcomer = new Pupil(child, made)
+      await newcomer.opens(null)
+      await child.page.route('**/api/class/look', (route) =>
+        route.fulfill({ status: 429, json: { error: 'tooManyTries', seconds: 130 } }),
+      )
+      for (const word of made.code.split(' ')) await child.page.keyboard.type(`${word} `)
+      await newcomer.isRefused()
+    },
+  },
+  {
+    name: 'join-pictures',
+    async show(child, made) {
+      const newcomer = new Pupil(child, made)
+      await newcomer.opensByLink()
+      await newcomer.nickname.fill('Fuchs')
+      await child.presses('class.join')
+      await expect(child.button('class.remembered')).toBeVisible()
+    },
+  },
+  {
+    name: 'join-return',
+    async show(child, made) {
+      const { pictures, nickname } = await joins(made, 'Fuchs')
+      const newcomer = new Pupil(child, made)
+      await newcomer.opensByLink()
+      await child.presses('class.wasThere')
+      await newcomer.nickname.fill(nickname)
+      await child.presses('class.next')
+      await newcomer.taps(...named(child, pictures.slice(0, 2)))
+    },
+  },
+  {
+    name: 'join-return-wrong',
+    async show(child, made) {
+      const pupil = await joins(made, 'Fuchs')
+      const newcomer = new Pupil(child, made)
+      await newcomer.opensByLink()
+      await child.presses('class.wasThere')
+      await newcomer.nickname.fill(pupil.nickname)
+      await child.presses('class.next')
+      await newcomer.taps(...named(child, wrong(pupil)))
+      await newcomer.isRefused()
+    },
+  },
+]
+
+const inTheLab: readonly ClassScreen[] = [
+  {
+    name: 'class-chip',
+    async show(child, made) {
+      await opensLab(child, made)
+      await expect(chip(child, 'class.chipClass')).toBeVisible()
+    },
+  },
+  {
+    name: 'class-chip-why',
+    async show(child, made) {
+      await opensLab(child, made)
+      await pullsCable(child.page)
+      await changes(child, 0.3)
+      await chip(child, 'class.chipHere').click()
+      await expect(child.page.getByRole('dialog')).toBeVisible()
+    },
+  },
+  {
+    name: 'person-menu',
+    async show(child, made) {
+      await opensLab(child, made)
+      await new Pupil(child, made).opensMenu()
+    },
+  },
+  {
+    name: 'hand-up',
+    async show(child, made) {
+      await opensLab(child, made)
+      await new Pupil(child, made).opensMenu()
+      await child.presses('class.raiseHand')
+      await expect(child.button('class.raiseHand')).toHaveCount(0)
+    },
+  },
+  {
+    name: 'class-leave',
+    async show(child, made) {
+      await opensLab(child, made)
+      await new Pupil(child, made).opensMenu()
+      await child.presses('class.leave')
+      await expect(child.page.getByRole('dialog')).toBeVisible()
+    },
+  },
+  {
+    name: 'class-versions',
+    async show(child, made) {
+      const pupil = await opensLab(child, made)
+      await saves(pupil, { base: 1, starts: [0, 1] })
+      await child.reloads()
+      await new Pupil(child, made).opensMenu()
+      await child.presses('class.versions')
+      await expect(child.button('class.takeVersion')).toBeVisible()
+    },
+  },
+  { name: 'two-devices', show: disagrees },
+  {
+    name: 'class-home',
+    async show(child, made) {
+      await signsIn(child.page, made, await joins(made, 'Fuchs'))
+      await child.opensHome()
+      await expect(child.page.locator('.person')).toBeVisible()
+    },
+  },
+]
+
+/** What a pupil sees. */
+export const pupilScreens: readonly ClassScreen[] = [...joining, ...gate, ...inTheLab]
