@@ -17,6 +17,8 @@ export interface Size {
 interface Feature {
   readonly id: string
   readonly route?: string
+  /** Files of messages that it says. */
+  readonly words: readonly string[]
   readonly budget: { readonly page?: number; readonly part?: number }
 }
 
@@ -41,12 +43,12 @@ const atOnce =
     return name === `content-${card}` || features.some((id) => source === `src/features/${id}/lazy.ts`)
   }
 
-/** Everything that the lab may ask for, but the parts of pages of their own, other languages and cards. */
+/** Everything that the lab may ask for, but parts and words of pages of their own, other languages and cards. */
 const inLab =
-  (card: string, pages: readonly string[]): Asks =>
+  (card: string, pages: readonly string[], wordsOfPages: ReadonlySet<string>): Asks =>
   (source, { name = '' }) => {
-    const [, locale] = wordsOf(source) ?? /^(?:words)-(\w+)$/.exec(name) ?? []
-    if (locale) return locale === language
+    const [, locale, file = ''] = wordsOf(source) ?? /^(?:words)-(\w+)$/.exec(name) ?? []
+    if (locale) return locale === language && !wordsOfPages.has(file)
     if (name.startsWith('content-')) return name === `content-${card}`
     return !pages.includes(featureOf(source) ?? '')
   }
@@ -68,9 +70,23 @@ export function measure(): Size[] {
   const labOf = (asks: Asks) => scriptsOf(htmlOf(`lab/${card}`), manifest, sizeOf, asks)
   const lab = labOf(atOnce(card, ['editor']))
   const withPages = features.flatMap(({ id, route }) => (route === undefined ? [] : [id]))
+  // The blocks are in the first load; what learns by trying is measured by its own part.
+  const parts = features.filter(
+    ({ id, route }) => route === undefined && id !== 'editor' && id !== 'q-learning',
+  )
+  const labBudget = 450 * kB
+  const partsBudget = parts.reduce((sum, { budget }) => sum + (budget.part ?? 0), 0)
+  const said = (all: readonly Feature[]) => new Set(all.flatMap(({ words }) => words))
+  const inTheLab = said(features.filter(({ route }) => route === undefined))
+  const saidByPages = said(features.filter(({ route }) => route !== undefined))
+  const wordsOfPages = new Set([...saidByPages].filter((file) => !inTheLab.has(file)))
   const pages = [
-    sized('lab', lab, 450 * kB),
-    sized('lab, all of it', labOf(inLab(card, [...withPages, 'q-learning'])), 660 * kB),
+    sized('lab', lab, labBudget),
+    sized(
+      'lab, all of it',
+      labOf(inLab(card, [...withPages, 'q-learning'], wordsOfPages)),
+      labBudget + partsBudget,
+    ),
   ]
   for (const { id, route, budget } of features) {
     const own = route === undefined ? [] : scriptsOf(htmlOf(route), manifest, sizeOf, atOnce(null, []))
