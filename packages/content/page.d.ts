@@ -39,7 +39,7 @@ declare module 'content:items' {
   import type { Items, Lazy } from '@botgarten/content/catalogue'
   const part: Lazy<Items> & {
     /** Address of a picture by its path below `content/materials`. */
-    readonly pictureAt: (file: string) => string
+    readonly pictureAt: (file: string) => Promise<string>
   }
   export default part
 }

@@ -101,22 +101,26 @@ const modules: Parts = {
       export default { sets: ${data(content.sets)}, pictureOf: (set, thing) => pictures[set + '/' + thing] }`
   },
 
-  items(content) {
+  // They come with the first item that shows one: the library shows none.
+  'item-pictures'(content) {
     const files = content.items.flatMap(({ id }) => {
       const folder = content.itemFolder(id)
       return content.picturesOf(id).map((file) => [`${folder}/${file}`, content.path(folder, file)] as const)
     })
     const pictures = addresses('picture', files, '?url')
     return `${pictures.imports}
-      const pictures = ${pictures.table}
-      const texts = ${loaded('texts', content.languages)}
+      export default ${pictures.table}`
+  },
+
+  items(content) {
+    return `const texts = ${loaded('texts', content.languages)}
       export default {
         items: ${data(content.items)},
         questions: ${data(content.questions)},
         itemTexts: async (language) => (await texts[language]()).default,
         alignment: async () => (await import('${prefix}alignment')).default,
         references: async () => (await import('${prefix}references')).default,
-        pictureAt: (file) => pictures['materials/' + file] ?? file,
+        pictureAt: async (file) => (await import('${prefix}item-pictures')).default['materials/' + file] ?? file,
       }`
   },
 

@@ -12,5 +12,5 @@ export const teacher = {
   words: ['teacher'],
   route: 'teacher',
   load: () => import('./lazy.ts'),
-  budget: { page: 220_000, part: 110_000 },
+  budget: { page: 160_000, part: 160_000 },
 } satisfies Feature
