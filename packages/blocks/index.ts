@@ -13,6 +13,7 @@ export {
 } from './parts/layers.ts'
 export { nearestOption, optionFor } from './parts/options.ts'
 export { knowMaps, mostEpisodes, mostMoves } from './parts/maps.ts'
+export { executeOrders, hertzPerLevel } from './parts/orders.ts'
 export { filledRows, plugged, rowCount, rowName } from './parts/rows.ts'
 export { emptySorting } from './parts/empty-sorting.ts'
 export { nothing } from './parts/texts.ts'

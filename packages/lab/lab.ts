@@ -1,4 +1,4 @@
-import { emptyBrain, withWeight, type Brain } from '@botgarten/learning/neural-network'
+import type { Brain } from '@botgarten/learning/neural-network'
 import { hex } from '@botgarten/numbers'
 import {
   createSimulation,
@@ -16,7 +16,18 @@ import { sensesOf } from './robots/senses.ts'
 import { Run } from './run.ts'
 import { reachStop, stepBlock, stepNetwork, type Stops, type Walk } from './stepping.ts'
 import type { Course } from './timeline/moment.ts'
-import type { Check, Document, DriveKey, Input, Lab, Phase, StepKind } from './types.ts'
+import type {
+  Check,
+  Document,
+  DriveKey,
+  Hand,
+  Input,
+  Lab,
+  Phase,
+  Recording,
+  StepKind,
+  Wheels,
+} from './types.ts'
 import { variablesOf } from './variables.ts'
 import { viewOf } from './view.ts'
 
@@ -44,6 +55,9 @@ class OneLab implements Lab {
   #simulation!: Simulation
   #run!: Run
   #held: readonly DriveKey[] = []
+  /** On the pad, and what is recorded: as it was asked for, whatever moment is shown. */
+  #hand: Hand | null = null
+  #recording: Recording | null = null
   #buttons: readonly { readonly robot: number; readonly key: RobotKey }[] = []
   #other: Other | null = null
   /** Has a hand driven a robot while no run was on? Then that is where it starts. */
@@ -113,9 +127,9 @@ class OneLab implements Lab {
     this.#run.toNow()
     if (this.#phase === 'ended' && !this.#handDrove) this.#simulation = this.#atStart()
     for (const robot of this.#simulation.state.robots) freshRobot(robot)
+    this.#phase = 'running'
     this.#begin()
     this.#handDrove = false
-    this.#phase = 'running'
   }
 
   stop(): void {
@@ -124,6 +138,7 @@ class OneLab implements Lab {
       context.robot.stop()
       context.robot.tone(0, null)
     }
+    this.record(null)
     this.#phase = 'ready'
   }
 
@@ -186,27 +201,55 @@ class OneLab implements Lab {
     this.#run.advance()
     if (wasPast) {
       if (!this.#run.inPast) this.#keysAsHeld()
-    } else if (this.#run.isOver) {
-      this.stop()
-      this.#phase = 'ended'
+      return
     }
+    if (this.#run.brains !== this.#document.brains) this.#takeBrains()
+    if (!this.#run.isOver) return
+    this.stop()
+    this.#phase = 'ended'
   }
 
   setWeight(brain: string, from: string, to: string, weight: number, set = ''): void {
     this.branch()
-    const before = this.#document.brains[brain] ?? emptyBrain
-    this.#use(brain, withWeight(before, from, to, weight, set))
     this.#give({ kind: 'weight', brain, from, to, weight, set })
   }
 
   setBrain(brain: string, value: Brain): void {
     this.branch()
-    this.#use(brain, value)
     this.#give({ kind: 'brain', brain, value })
   }
 
-  #use(brain: string, value: Brain): void {
-    this.#document = { ...this.#document, brains: { ...this.#document.brains, [brain]: value } }
+  setTraining: Lab['setTraining'] = (brain, change) => {
+    this.branch()
+    this.#give({ kind: 'training', brain, ...change })
+  }
+
+  drive: Lab['drive'] = (wheels, others = {}, robot) => {
+    const index = this.#robotAt(robot)
+    this.#hand = wheels && { robot: index, ...wholePercent(wheels), others }
+    if (this.#run.inPast) return
+    this.#handDrove ||= wheels !== null && !this.#isOn
+    this.#giveHand(index)
+  }
+
+  #giveHand(robot: number): void {
+    this.#give({ kind: 'drive', ...(this.#hand ?? { robot, left: null, right: null }) })
+  }
+
+  record: Lab['record'] = (recording) => {
+    this.#recording = recording && { ...recording, robot: this.#robotAt(recording.robot) }
+    if (!this.#run.inPast && this.#recording !== this.#run.recording) this.#giveRecording()
+  }
+
+  #giveRecording(): void {
+    this.#give({ kind: 'record', recording: this.#recording })
+  }
+
+  remember: Lab['remember'] = (row) => {
+    this.branch()
+    const before = this.#document.brains[row.network]?.examples?.rows.length ?? 0
+    this.#give({ kind: 'remember', ...row, robot: this.#robotAt(row.robot) })
+    return (this.#document.brains[row.network]?.examples?.rows.length ?? 0) > before
   }
 
   place(id: string, pose: Pose, start?: Pose): Pose {
@@ -257,6 +300,8 @@ class OneLab implements Lab {
 
   #keysAsHeld(): void {
     this.#buttonsAsHeld()
+    if (!sameHand(this.#hand, this.#run.hand)) this.#giveHand(this.#run.hand?.robot ?? 0)
+    if (this.#recording !== this.#run.recording) this.#giveRecording()
     for (const key of new Set([...this.#run.keys, ...this.#held])) {
       const down = this.#held.includes(key)
       if (down !== this.#run.keys.includes(key))
@@ -266,6 +311,12 @@ class OneLab implements Lab {
 
   #give(input: Input): void {
     this.#run.give(input, this.#isOn)
+    this.#takeBrains()
+  }
+
+  /** What the run has made of its brains is the document's too: weights, rows that were written. */
+  #takeBrains(): void {
+    if (!this.#run.inPast) this.#document = { ...this.#document, brains: this.#run.brains }
   }
 
   goTo(tick: number): void {
@@ -317,3 +368,10 @@ class OneLab implements Lab {
   floor = () => this.#floor
   hash = () => hex(this.#run.hash)
 }
+
+const wholePercent = ({ left, right }: Wheels): Wheels => ({ left: wholeOf(left), right: wholeOf(right) })
+
+const wholeOf = (percent: number) => Math.max(-100, Math.min(100, Math.round(percent))) + 0
+
+const sameHand = (a: Hand | null, b: Hand | null) =>
+  a?.robot === b?.robot && a?.left === b?.left && a?.right === b?.right && a?.others === b?.others

@@ -3,8 +3,10 @@ import { addToHash, startHash, type Hash } from '@botgarten/numbers'
 import { runThread } from '@botgarten/programs'
 import { pressKey, rollsOn, TICKS_PER_SECOND, type Pose, type Simulation } from '@botgarten/simulation'
 import { observe, watch, type Watch } from './checks/checks.ts'
-import { withHandOnKeys } from './inputs/keys.ts'
+import { withHands } from './inputs/hands.ts'
 import { repeats } from './inputs/repeats.ts'
+import { heldOutputs, inputsNow, networkOf, showHeld } from './recording/columns.ts'
+import { recorded, withExample } from './recording/recorder.ts'
 import type { Brains } from './robots/brains.ts'
 import { mailOf } from './robots/mail.ts'
 import { nextTurn } from './robots/next-turn.ts'
@@ -13,7 +15,17 @@ import { poseIn, type Course, type Moment } from './timeline/moment.ts'
 import { shared } from './timeline/shared.ts'
 import { Timeline } from './timeline/timeline.ts'
 import { newTrack, note, trackUntil, type Track } from './timeline/tracks.ts'
-import type { Check, Document, DriveKey, Input, TimeView } from './types.ts'
+import type {
+  Check,
+  Document,
+  DriveKey,
+  Hand,
+  Input,
+  Recording,
+  Remembered,
+  TimeView,
+  TrainingChange,
+} from './types.ts'
 
 /** Ticks from keyframe to keyframe: so few that any moment is there again at once, on a slow laptop too. */
 const KEYFRAME_EVERY = 60
@@ -27,6 +39,8 @@ export class Run {
   brains: Brains
   starts: Moment['starts']
   keys: readonly DriveKey[] = []
+  hand: Hand | null = null
+  recording: Recording | null = null
   watches: Watch[]
   hash: Hash = startHash()
   tick = 0
@@ -114,6 +128,10 @@ export class Run {
     else if (input.kind === 'key') this.#press(input.key, input.down, input.robot)
     else if (input.kind === 'button') pressKey(this.simulation, input.robot, input.key, input.down)
     else if (input.kind === 'brain') this.#use(input.brain, input.value)
+    else if (input.kind === 'drive') this.hand = input.left === null ? null : handOf(input)
+    else if (input.kind === 'record') this.recording = input.recording
+    else if (input.kind === 'remember') this.#remember(input)
+    else if (input.kind === 'training') this.#train(input.brain, input)
     else {
       const { brain, from, to, weight, set } = input
       this.#use(brain, withWeight(this.brains[brain] ?? emptyBrain, from, to, weight, set))
@@ -134,6 +152,54 @@ export class Run {
   #use(id: string, brain: Brain): void {
     this.brains = { ...this.brains, [id]: brain }
     for (const robot of this.robots) robot.brains.use(id, brain)
+  }
+
+  /** Another table, another practice: the weights stay. */
+  #show(id: string, brain: Brain): void {
+    this.brains = { ...this.brains, [id]: brain }
+    for (const robot of this.robots) robot.brains.shown(id, brain)
+  }
+
+  #train(id: string, { examples, practice }: TrainingChange): void {
+    const { examples: shown, practice: note, ...rest } = this.brains[id] ?? emptyBrain
+    const next = {
+      examples: examples === undefined ? shown : examples,
+      practice: practice === undefined ? note : practice,
+    }
+    this.#show(id, {
+      ...rest,
+      ...(next.examples && { examples: next.examples }),
+      ...(next.practice && { practice: next.practice }),
+    })
+  }
+
+  #remember({ robot: index, network, drive, wheels, others }: Remembered): void {
+    const robot = this.robots[index]
+    const outline = robot && networkOf(robot, network)
+    if (!outline) return
+    robot.context.now = this.seconds
+    const { config } = this.simulation.world.robots[index]!
+    const outputs = heldOutputs(robot, outline, config.drive, wheels, others)
+    const brain = withExample(this, { robot: index, network, drive }, inputsNow(robot, outline), outputs)
+    if (brain) this.#show(network, brain)
+  }
+
+  /** After the programs and before the motors: what a hand holds is shown and written down (running.md 14, 16). */
+  #takeHands(): void {
+    this.#showHeld()
+    const { recording } = this
+    const brain = recording && recorded(this, recording, this)
+    if (brain) this.#show(recording.network, brain)
+  }
+
+  #showHeld(): void {
+    const { hand } = this
+    const robot = hand && this.robots[hand.robot]
+    if (!robot || Object.keys(hand.others).length === 0) return
+    for (const id of robot.networks) {
+      const outline = networkOf(robot, id)
+      if (outline) showHeld(robot, outline, hand.others)
+    }
   }
 
   /** Programs in order of robots, up to the end of their tick. With `untilNextBlock` each stops after one block. */
@@ -167,12 +233,13 @@ export class Run {
     if (this.#now) this.#giveAgain(Infinity)
     this.#runThreads()
     this.#noteEnd()
-    withHandOnKeys(this.simulation, this.#driven, this.keys, () => this.simulation.step())
+    this.#takeHands()
+    withHands(this.simulation, this, () => this.simulation.step())
     this.tick++
     this.#part = this.#given = 0
     this.#addHash()
     observe(this.checks, this.watches, this.seconds, this.simulation, this.#nextTurn)
-    if (!this.#now) this.#remember()
+    if (!this.#now) this.#keep()
     else if (this.tick >= this.#now.tick) this.toNow()
   }
 
@@ -181,7 +248,7 @@ export class Run {
     return nextTurn(this.robots[0]!, config, this.seconds, mirrored)
   }
 
-  #remember(): void {
+  #keep(): void {
     note(this.tracks, this.tick, this.simulation.state)
     if (this.tick % KEYFRAME_EVERY === 0)
       this.#timeline.keep(shared(this.moment(), this.#timeline.last ?? null))
@@ -192,8 +259,10 @@ export class Run {
     const moves = this.simulation.state.obstacles.some(
       ({ vx, vy, spin }) => vx !== 0 || vy !== 0 || spin !== 0,
     )
-    if (this.keys.length === 0 && !moves && !this.simulation.state.robots.some(rollsOn)) return false
-    withHandOnKeys(this.simulation, this.#driven, this.keys, () => this.simulation.step())
+    const driven = this.hand !== null || this.keys.length > 0
+    if (!driven && !moves && !this.simulation.state.robots.some(rollsOn)) return false
+    this.#showHeld()
+    withHands(this.simulation, this, () => this.simulation.step())
     return true
   }
 
@@ -235,6 +304,7 @@ export class Run {
       lastRuns: this.robots.map(({ brains }) => [...brains.lastRuns]),
       keys: this.keys,
       driven: this.#driven,
+      ...{ hand: this.hand, recording: this.recording },
       watches: structuredClone(this.watches),
       hash: [...this.hash],
       endedAt: this.endedAt,
@@ -289,6 +359,8 @@ export class Run {
     this.starts = moment.starts
     this.keys = moment.keys
     this.#driven = moment.driven
+    this.hand = moment.hand
+    this.recording = moment.recording
     this.watches = structuredClone(moment.watches) as Watch[]
     this.hash = [...moment.hash]
     this.endedAt = moment.endedAt
@@ -312,6 +384,8 @@ export class Run {
     }
   }
 }
+
+const handOf = ({ robot, left, right, others }: Hand): Hand => ({ robot, left, right, others })
 
 const samePose = (a: Pose | null, b: Pose | null) =>
   a?.x === b?.x && a?.y === b?.y && a?.heading === b?.heading

@@ -1,7 +1,8 @@
 import type { Brain, NetTrace } from '@botgarten/learning/neural-network'
+import type { Drive } from '@botgarten/learning/neural-network/examples'
 import type { Finding } from '@botgarten/blocks'
 import type { Project } from '@botgarten/programs'
-import type { Floor, LedColour, Pose, Ray, RobotKey, SensorPort } from '@botgarten/simulation'
+import type { Floor, LedColour, Percent, Pose, Ray, RobotKey, SensorPort } from '@botgarten/simulation'
 import type { Senses } from './robots/senses.ts'
 import type { Variable } from './variables.ts'
 import type { Moment } from './timeline/moment.ts'
@@ -56,6 +57,14 @@ export type Input =
   | ({ readonly kind: 'weight' } & WeightChange)
   /** `robot`: index of the one that the hand at the keys drives. */
   | { readonly kind: 'key'; readonly key: DriveKey; readonly down: boolean; readonly robot: number }
+  /** A hand on the pad, in whole percent; `left` and `right` null: it lets go. */
+  | ({ readonly kind: 'drive' } & (Hand | LetGo))
+  /** From here on rows are written, or no more (null). It changes nothing in how the run goes on. */
+  | { readonly kind: 'record'; readonly recording: Recording | null }
+  /** One row is written: what the network reads at this moment, and what was wished. */
+  | ({ readonly kind: 'remember' } & Remembered)
+  /** What a network was shown, or how it practises, was changed by hand. */
+  | ({ readonly kind: 'training'; readonly brain: string } & TrainingChange)
   /** A key on a robot's own panel. */
   | { readonly kind: 'button'; readonly key: RobotKey; readonly down: boolean; readonly robot: number }
 
@@ -66,6 +75,61 @@ export interface WeightChange {
   readonly to: string
   readonly weight: number
   readonly set: string
+}
+
+/** Speeds of both wheels. */
+export interface Wheels {
+  readonly left: Percent
+  readonly right: Percent
+}
+
+/** A hand on the pad. */
+export interface Hand extends Wheels {
+  /** Index of the robot. */
+  readonly robot: number
+  /** What else it holds, in percent by output neuron: lamps and words 100 or −100. */
+  readonly others: { readonly [neuronId: string]: number }
+}
+
+interface LetGo {
+  readonly robot: number
+  readonly left: null
+  readonly right: null
+}
+
+/** Rows that are written while time passes (running.md 14 to 17). By 'program': what the program does, else what a hand holds. */
+export interface Recording {
+  /** Index of the robot. */
+  readonly robot: number
+  /** Id of its network block, whether that runs or not. */
+  readonly network: string
+  readonly drive: Drive
+  /** A row in ticks that are divisible by it: 1 to 60. */
+  readonly every: number
+}
+
+export interface Remembered {
+  readonly robot: number
+  readonly network: string
+  readonly drive: Drive
+  readonly wheels: Wheels
+  readonly others: Hand['others']
+}
+
+/** Null: there are none any more. */
+export interface TrainingChange {
+  readonly examples?: Brain['examples'] | null
+  readonly practice?: Brain['practice'] | null
+}
+
+/** What is being recorded at the moment that is shown. */
+export interface RecordingView {
+  readonly robot: string
+  readonly network: string
+  /** Id of the drive; it is in the table as soon as it has a row. */
+  readonly drive: string
+  /** There is no room for more: nothing is written any more. */
+  readonly full: boolean
 }
 
 export type DriveKey = 'up' | 'down' | 'left' | 'right'
@@ -146,6 +210,7 @@ export interface View {
   /** Of one robot, by network block. A network that has not run since Start is not among them. */
   readonly networks: { readonly [networkId: string]: NetView }
   readonly checks: readonly CheckResult[]
+  readonly recording: RecordingView | null
   /** Of the first robot that has one. */
   readonly problem: Finding | null
 }
@@ -202,6 +267,20 @@ export interface Lab {
    */
   place(id: string, pose: Pose, start?: Pose): Pose
   press(key: DriveKey, down: boolean, robot?: string): void
+  /**
+   * A hand on the pad drives a robot, after its program (running.md 16); null: it lets go. `others`: what else it holds, by
+   * output neuron.
+   */
+  drive(wheels: Wheels | null, others?: Hand['others'], robot?: string): void
+  /**
+   * Writes rows into a network's table while a run is on, until it is told null or the run ends. A run goes the same with and
+   * without it.
+   */
+  record(recording: (Omit<Recording, 'robot'> & { readonly robot: string }) | null): void
+  /** Writes one row: what the network reads at this moment, and these wheels. Returns whether there was room for it. */
+  remember(row: Omit<Remembered, 'robot'> & { readonly robot: string }): boolean
+  /** Changes what a network was shown or how it practises; its weights stay. */
+  setTraining(brain: string, change: TrainingChange): void
   /** Presses a key on a robot's own panel, or lets it go. */
   pressButton(key: RobotKey, down: boolean, robot?: string): void
   /** What a robot's program remembers at the moment that is shown. */

@@ -2,10 +2,11 @@ import { trace, type Brain, type NetTrace, type Weights } from '@botgarten/learn
 import { evaluate } from '@botgarten/programs'
 import { degreesOf, type Pose, type SensorPort } from '@botgarten/simulation'
 import { results } from './checks/checks.ts'
+import { isFull } from './recording/recorder.ts'
 import { weightsFor } from './robots/brains.ts'
 import type { RobotRun } from './robots/run.ts'
 import type { Run } from './run.ts'
-import type { NetView, Phase, RobotView, View } from './types.ts'
+import type { NetView, Phase, RecordingView, RobotView, View } from './types.ts'
 
 type Placed = { readonly x: number; readonly y: number; readonly heading: number }
 
@@ -26,8 +27,16 @@ export function viewOf(run: Run, phase: Phase, robot: number, other: boolean): V
     brains: run.brains,
     networks: networksOf(run, phase, robot),
     checks: results(run.checks, run.watches),
+    recording: recordingOf(run),
     problem: run.robots.find(({ thread }) => thread.problem)?.thread.problem ?? null,
   }
+}
+
+function recordingOf({ recording, robots, brains }: Run): RecordingView | null {
+  if (!recording) return null
+  const { robot, network, drive } = recording
+  const full = isFull(brains, network, drive.id)
+  return { robot: robots[robot]?.id ?? '', network, drive: drive.id, full }
 }
 
 function robotView(run: Run, robot: RobotRun, index: number, phase: Phase): RobotView {

@@ -4,7 +4,8 @@ import { nothing } from './texts.ts'
 
 type Kind = Order['order']
 
-const hertzPerLevel = 5
+/** A tone neuron's level 1 sounds so many hertz high. */
+export const hertzPerLevel = 5
 
 // Plain loops, no closures: a net runs in every tick.
 const isOrder = (value: Value | undefined): value is Order =>

@@ -7,5 +7,6 @@ export function repeats(last: Input, next: Input): boolean {
       last.brain === next.brain && last.from === next.from && last.to === next.to && last.set === next.set
     )
   if (last.kind === 'brain' && next.kind === 'brain') return last.brain === next.brain
+  if (last.kind === 'drive' && next.kind === 'drive') return last.robot === next.robot
   return last.kind === 'place' && next.kind === 'place' && last.id === next.id
 }

@@ -29,6 +29,8 @@ export const weightsFor = (brain: Brain, placement: RobotPlacement): Weights =>
 export interface NetRun {
   readonly inputs: readonly number[]
   readonly brain: Brain
+  /** Simulated seconds at its tick. */
+  readonly now: number
 }
 
 /** The networks of one robot, ready to run, with the last run of each. */
@@ -52,6 +54,11 @@ export class RobotBrains {
     this.#nets.set(id, layOut(brain, weightsFor(brain, this.#placement)))
   }
 
+  /** A brain with other examples and the same weights. */
+  shown(id: string, brain: Brain): void {
+    this.#brains.set(id, brain)
+  }
+
   /** A brain with the weights this robot drives with, and the biases among them in its neurons. */
   brain(id: string): { layers: Brain['layers']; weights: Weights } | undefined {
     const brain = this.#brains.get(id)
@@ -64,9 +71,9 @@ export class RobotBrains {
   }
 
   /** One run of a network. Unknown networks give nothing. */
-  think(id: string, inputs: readonly number[]): readonly number[] {
+  think(id: string, inputs: readonly number[], now: number): readonly number[] {
     this.runs++
-    this.lastRuns.set(id, { inputs: inputs.slice(), brain: this.#brains.get(id) ?? emptyBrain })
+    this.lastRuns.set(id, { inputs: inputs.slice(), brain: this.#brains.get(id) ?? emptyBrain, now })
     return this.would(id, inputs)
   }
 

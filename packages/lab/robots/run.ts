@@ -39,14 +39,18 @@ export function robotRun(
   const program = programs[placement.program] ?? nothing
   const index = indexProgram(program)
   const nets = new RobotBrains(placement, brains)
-  const think = (id: string, inputs: readonly number[]) => nets.think(id, inputs)
+  const context: RobotRun['context'] = {
+    ...{ robot: robotOf(simulation, robot), now: 0, mail },
+    think: (id, inputs) => nets.think(id, inputs, context.now),
+    brain: (id) => nets.brain(id),
+  }
   return {
     id: placement.id,
     program,
     index,
     networks: networks(program).map(({ id }) => id),
     brains: nets,
-    context: { robot: robotOf(simulation, robot), now: 0, think, brain: (id) => nets.brain(id), mail },
+    context,
     thread: startThread(index, seedOf(simulation, robot)),
   }
 }

@@ -5,6 +5,11 @@ const LONGEST = 10 * 60 * 60
 /** Marks of one kind that are nearer to each other than this (ticks) are one. */
 const PAUSE = 60
 
+/** Inputs that leave a mark on the line of time. */
+const markOf: { readonly [kind in Input['kind']]?: Mark['kind'] } = {
+  ...{ place: 'place', weight: 'weight', brain: 'weight', button: 'weight' },
+}
+
 /** An input as it was given: before its tick ran, after so many steps from block to block inside it. */
 export interface Given {
   readonly part: number
@@ -57,7 +62,8 @@ export class Timeline<Keyframe extends { readonly tick: number }> {
     if (!inputs) this.#inputs.set(tick, [given])
     else if (instead) inputs[inputs.length - 1] = given
     else inputs.push(given)
-    if (given.input.kind !== 'key') this.#mark(tick, given.input.kind === 'place' ? 'place' : 'weight')
+    const mark = markOf[given.input.kind]
+    if (mark) this.#mark(tick, mark)
   }
 
   #mark(tick: number, kind: Mark['kind']): void {

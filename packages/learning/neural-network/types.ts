@@ -48,6 +48,8 @@ export interface PracticeNote {
   readonly curve: readonly CurvePoint[]
   /** Rounds to go back to. */
   readonly marks: readonly number[]
+  /** What was chosen since, for the next practice. */
+  readonly next?: Pick<PracticeNote, 'seed' | 'settings'>
 }
 
 /** How one output came about: a term a link, `product = input × weight`. */

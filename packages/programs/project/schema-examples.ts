@@ -66,29 +66,32 @@ const weights = recordOf(recordOf(finite))
 const count = v.pipe(v.number(), v.integer(), v.minValue(0), v.maxValue(1_000_000))
 const between = (least: number, most: number) => v.pipe(finite, v.minValue(least), v.maxValue(most))
 
+const settings = v.object({
+  rate: between(0.0001, 5),
+  momentum: between(0, 0.999),
+  optimizer: v.picklist(['sgd', 'adam']),
+  decay: between(0, 1),
+  batch: v.pipe(count, v.minValue(1)),
+  rounds: v.pipe(count, v.minValue(1)),
+  bias: v.picklist(['on', 'off']),
+  range: v.picklist(['free', 'unit']),
+  order: v.picklist(['shuffled', 'table']),
+  patience: count,
+  keepBack: between(0, 1),
+  from: v.picklist(['knobs', 'zero']),
+  mirror: v.boolean(),
+})
+
 /** Of what was practised; the network is learned again from it. */
 export const practiceSchema: v.GenericSchema<unknown, PracticeNote> = v.object({
   seed,
   start: weights,
-  settings: v.object({
-    rate: between(0.0001, 5),
-    momentum: between(0, 0.999),
-    optimizer: v.picklist(['sgd', 'adam']),
-    decay: between(0, 1),
-    batch: v.pipe(count, v.minValue(1)),
-    rounds: v.pipe(count, v.minValue(1)),
-    bias: v.picklist(['on', 'off']),
-    range: v.picklist(['free', 'unit']),
-    order: v.picklist(['shuffled', 'table']),
-    patience: count,
-    keepBack: between(0, 1),
-    from: v.picklist(['knobs', 'zero']),
-    mirror: v.boolean(),
-  }),
+  settings,
   round: count,
   curve: v.pipe(
     v.array(v.object({ round: count, practised: finite, kept: v.nullable(finite) })),
     v.maxLength(1100),
   ),
   marks: v.pipe(v.array(count), v.maxLength(1000)),
+  next: v.exactOptional(v.object({ seed, settings })),
 })

@@ -95,13 +95,19 @@ const mostForOne = 100_000
 
 /**
  * The value of a value block right now, without a running program: what a sensor reads, what a layer gives.
- * null where the block is unknown, gives nothing or cannot go on.
+ * null where the block is unknown, gives nothing or cannot go on. `given`: what stands in its `got` at its start.
  */
-export function evaluate(index: ProgramIndex, blockId: string, host: Host): Value {
+export function evaluate(
+  index: ProgramIndex,
+  blockId: string,
+  host: Host,
+  given: readonly Value[] = [],
+): Value {
   const node = index.blocks.get(blockId)
   if (!node?.isValue || node.isFunction) return null
   // The biggest net is read at once; a function that does not end is left.
   const thread = { ...threadFrom(node), spent: -mostForOne }
+  thread.frames[0]?.got.push(...given)
   const machine = freshMachine(thread, index)
   machine.context.take(thread, host)
   machine.nodes.push(node)

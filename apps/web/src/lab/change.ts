@@ -34,6 +34,10 @@ export type Change =
   | WeightChange
   /** All weights of a network, in every set. */
   | { readonly kind: 'brain'; readonly id: string; readonly after: Brain }
+  /** What a network was shown: rows set aside, wishes changed, drives thrown away, files opened. Undefined: nothing. */
+  | { readonly kind: 'examples'; readonly network: string; readonly after: Brain['examples'] | undefined }
+  /** How a network practised last and practises next. Its weights stay. */
+  | { readonly kind: 'practice'; readonly network: string; readonly after: Brain['practice'] | undefined }
   /** What a robot is built of. */
   | { readonly kind: 'config'; readonly id: string; readonly after: RobotConfig }
   /** Floor, size and things. `pictures`: new ones that lie in it; `stood`: where everything is put. */
@@ -101,6 +105,10 @@ export function backFrom(
       const id = change.kind === 'weight' ? change.network : change.id
       return { kind: 'brain', id, after: document.brains[id] ?? emptyBrain }
     }
+    case 'examples':
+      return { ...change, after: document.brains[change.network]?.examples }
+    case 'practice':
+      return { ...change, after: document.brains[change.network]?.practice }
     case 'config': {
       const robot = document.world.robots.find(({ id }) => id === change.id)
       return robot ? { ...change, after: robot.config } : null

@@ -4,9 +4,11 @@ import {
   type Check,
   type Document,
   type DriveKey,
+  type Hand,
   type Lab,
   type StepKind,
   type View,
+  type Wheels,
 } from '@botgarten/lab'
 import type { Brain } from '@botgarten/learning/neural-network'
 import type { Floor, RobotKey } from '@botgarten/simulation'
@@ -142,6 +144,14 @@ export class RunningLab {
     this.#lab.pressButton(key, down, robot)
     this.#wake()
   }
+  /** A hand on the pad of the chosen robot; null: it lets go. */
+  drive = (wheels: Wheels | null, others: Hand['others'] = {}) => {
+    this.#lab.drive(wheels, others, this.#chosen)
+    this.#wake()
+  }
+  record = (...what: Parameters<Lab['record']>) => this.#then(() => this.#lab.record(...what))
+  remember = (...what: Parameters<Lab['remember']>) => this.#then(() => this.#lab.remember(...what))
+  setTraining = (...what: Parameters<Lab['setTraining']>) => this.#then(() => this.#lab.setTraining(...what))
   setStops = (blocks: readonly string[]) => this.#lab.setStops(blocks)
   missing = () => this.#lab.missing()
   variables = (robot: string) => this.#lab.variables(robot)

@@ -1,6 +1,6 @@
 import type { Finding } from '@botgarten/blocks'
 import type { DriveKey } from '@botgarten/lab'
-import { emptyBrain } from '@botgarten/learning/neural-network'
+import { emptyBrain, type Brain } from '@botgarten/learning/neural-network'
 import { inScene, networksByUse, sceneOf } from '@botgarten/programs'
 import type { Learned, Project, Scene } from '@botgarten/programs'
 import type { Floor } from '@botgarten/simulation'
@@ -13,10 +13,11 @@ import { floorPictureOf, type Opened } from './opening.ts'
 import { CardProgress } from './progress.svelte.ts'
 import { RunningLab } from './running.svelte.ts'
 import { UndoStack } from './undo.svelte.ts'
+import { HandOnExamples } from './examples.ts'
 import { HandOnWeights } from './weights.ts'
 
 /** In a moment of the past these make another future (running.md 9). */
-const goesOn: readonly Change['kind'][] = ['place', 'weight', 'brain']
+const goesOn: readonly Change['kind'][] = ['place', 'weight', 'brain', 'examples', 'practice']
 
 /** One project in a child's hands: its running lab, and `apply`, through which every edit goes. Nothing here is drawn. */
 export class LabSession {
@@ -24,6 +25,7 @@ export class LabSession {
   readonly undo: UndoStack
   readonly autosave: ProjectAutosave
   readonly weights: HandOnWeights
+  readonly examples: HandOnExamples
   readonly opened: Opened
   /** Takes one of Blockly's own steps back or forth; the editor sets it. */
   moveBlocks: (direction: 'undo' | 'redo', program: string) => boolean = () => false
@@ -49,6 +51,7 @@ export class LabSession {
     this.#progress = new CardProgress(card?.card, project.progress)
     this.lab = new RunningLab(project, opened.floor, card?.card.checks ?? [])
     this.weights = new HandOnWeights(this)
+    this.examples = new HandOnExamples(this)
     this.#findings = new Findings(() => this.lab.document)
     this.undo = new UndoStack({
       apply: (change, part) => this.apply(change, part),
@@ -168,6 +171,12 @@ export class LabSession {
       case 'brain':
         lab.setBrain(change.id, change.after)
         return change
+      case 'examples':
+        lab.setTraining(change.network, { examples: change.after ?? null })
+        return change
+      case 'practice':
+        lab.setTraining(change.network, { practice: change.after ?? null })
+        return change
       case 'config': {
         const robot = document.world.robots.find(({ id }) => id === change.id)
         if (!robot || JSON.stringify(robot.config) === JSON.stringify(change.after)) return null
@@ -202,6 +211,14 @@ export class LabSession {
         this.#extras.take(change)
         return change
     }
+  }
+
+  /** Rows were written by the run itself, or by a hand that remembers: they can be taken back, and are saved. */
+  noteExamples(network: string, before: Brain['examples']): void {
+    const after = this.lab.document.brains[network]?.examples
+    if (after === before) return
+    const change = { kind: 'examples', network, after } as const
+    this.#tell({ kind: 'changed', change, back: { ...change, after: before }, joined: false })
   }
 
   /** Blockly has taken a step of its own: it can be taken back there. */

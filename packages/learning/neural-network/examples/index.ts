@@ -1,5 +1,17 @@
 export { headOfRow, mostOf, place, shownBy } from './types.ts'
 export type { Drive, Examples, Row, ShownBy } from './types.ts'
-export { noExamples, shownPairs, withDrive, type Recorded, type ShownPair } from './rows.ts'
+export {
+  freshDrive,
+  hasRoom,
+  noExamples,
+  shownPairs,
+  withDrive,
+  withRow,
+  type Recorded,
+  type Shown,
+  type ShownPair,
+} from './rows.ts'
+export { columnsFor } from './columns.ts'
+export { practiceChoice, starterChoice, withChoice, type PracticeChoice } from './choice.ts'
 export { beginExercise, prepare, type Exercise, type Prepared } from './prepare.ts'
 export { findingsIn, type ExampleFinding, type Table } from './checks/index.ts'

@@ -1,5 +1,6 @@
 import type { Pair } from '../train/rows.ts'
-import { headOfRow, mostOf, place, type Drive, type Examples, type Row } from './types.ts'
+import { columnsFor } from './columns.ts'
+import { headOfRow, mostOf, place, type Drive, type Examples, type Row, type ShownBy } from './types.ts'
 
 /** No examples yet, for a network with these neurons. */
 export const noExamples = (inputs: readonly string[], outputs: readonly string[]): Examples => ({
@@ -42,9 +43,9 @@ export interface Recorded {
   readonly tick: number
   /** cm, degrees. */
   readonly pose: { readonly x: number; readonly y: number; readonly heading: number }
-  /** In percent, in the order of the columns. */
-  readonly inputs: readonly number[]
-  readonly outputs: readonly number[]
+  /** In percent, in the order of the columns; null where nothing belongs there. */
+  readonly inputs: readonly (number | null)[]
+  readonly outputs: readonly (number | null)[]
 }
 
 /**
@@ -79,14 +80,60 @@ function withoutRepeats(recorded: readonly Recorded[]): readonly Recorded[] {
   return kept
 }
 
-const isRepeat = (a: Recorded, b: Recorded) =>
-  a.inputs.every((value, k) => Math.abs(value - b.inputs[k]!) <= 1) &&
-  a.outputs.every((value, k) => Math.abs(value - b.outputs[k]!) <= 1)
+const isRepeat = (a: Recorded, b: Recorded) => isNear(a.inputs, b.inputs) && isNear(a.outputs, b.outputs)
+
+type Values = readonly (number | null)[]
+
+const isNear = (a: Values, b: Values) =>
+  a.every((value, k) => {
+    const other = b[k] ?? null
+    return value === null || other === null ? value === other : Math.abs(value - other) <= 1
+  })
 
 /** Two decimals; −0 is 0. */
 const rounded = (value: number) => Math.round(100 * value) / 100 + 0
 
 const rowOf = ({ tick, pose, inputs, outputs }: Recorded, drive: number): Row => [
   ...[drive, tick, rounded(pose.x), rounded(pose.y), rounded(pose.heading), 1],
-  ...[...inputs, ...outputs].map(rounded),
+  ...[...inputs, ...outputs].map((value) => (value === null ? null : rounded(value))),
 ]
+
+/** An example as a network gives it: by the ids of its neurons, in percent. */
+export interface Shown extends Pick<Recorded, 'tick' | 'pose'> {
+  readonly inputs: { readonly [neuronId: string]: number }
+  readonly outputs: { readonly [neuronId: string]: number }
+}
+
+/**
+ * The table with one row more, at the end of a drive; the drive begins with its first row. Neurons that have no column get one.
+ * The same table where the row repeats the one before, within 1 in every column, or where there is no room.
+ */
+export function withRow(examples: Examples, drive: Drive, shown: Shown): Examples {
+  if (!hasRoom(examples, drive.id)) return examples
+  const table = columnsFor(examples, Object.keys(shown.inputs), Object.keys(shown.outputs))
+  const known = table.drives.findIndex(({ id }) => id === drive.id)
+  const index = known < 0 ? table.drives.length : known
+  const row = rowOf(inColumns(table, shown), index)
+  const last = table.rows.at(-1)
+  if (last?.[place.drive] === index && isNear(last.slice(headOfRow), row.slice(headOfRow))) return examples
+  const drives = known < 0 ? [...table.drives, drive] : table.drives
+  return { ...table, drives, rows: [...table.rows, row] }
+}
+
+const inColumns = ({ inputs, outputs }: Examples, shown: Shown): Recorded => ({
+  ...{ tick: shown.tick, pose: shown.pose },
+  inputs: inputs.map((id) => shown.inputs[id] ?? null),
+  outputs: outputs.map((id) => shown.outputs[id] ?? null),
+})
+
+/** May one more row be written into this drive? */
+export const hasRoom = ({ drives, rows }: Examples, drive: string): boolean =>
+  rows.length < mostOf.rows && (drives.length < mostOf.drives || drives.some(({ id }) => id === drive))
+
+/** A name that no drive of the table has: what shows, and a number. */
+export function freshDrive({ drives }: Examples, by: ShownBy): string {
+  const taken = new Set(drives.map(({ id }) => id))
+  let number = drives.length + 1
+  while (taken.has(`${by}-${number}`)) number++
+  return `${by}-${number}`
+}
