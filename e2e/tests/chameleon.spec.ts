@@ -1,9 +1,11 @@
 // Rooms: content, network
+import type { Locator } from '@playwright/test'
 import { axeFindings } from '../axe.ts'
 import { chooses, setsKnob } from '../child-cards.ts'
 import type { Child } from '../child.ts'
 import { TimeHands } from '../child-time.ts'
 import { expect, test } from '../house.ts'
+import { fitOf } from '../lab-fit.ts'
 import { languagesOf } from '../words.ts'
 
 const sees = (child: Child, colour: string) =>
@@ -26,6 +28,29 @@ for (const language of languagesOf(import.meta.filename)) {
       await child.seesCheck('chameleon', 'green')
       await child.seesCheck('chameleon', 'yellow', false)
       await child.seesCheck('chameleon', 'red', false)
+    })
+
+    test('blocks that grow stay in sight: every plus stands above the scroll bar, and nothing is cut off', async ({
+      child,
+      page,
+    }) => {
+      await child.opensLab('chameleon')
+      const box = async (thing: Locator) => (await thing.boundingBox())!
+      const bar = page.locator('.blocklyMainWorkspaceScrollbar.blocklyScrollbarHorizontal')
+      for (const list of ['inputs', 'inputs', 'inputs', 'outputs', 'outputs', 'outputs']) {
+        const plus = child.block(list).locator('.editor-plus').first()
+        const lines = child.block(list).locator('.blocklyDraggable')
+        const count = await lines.count()
+        await plus.click()
+        await expect(lines).toHaveCount(count + 1)
+        await expect
+          .poll(async () => {
+            const { y, height } = await box(plus)
+            const { cut } = await fitOf(page)
+            return { above: y + height <= (await box(bar)).y, below: y > (await box(lines.last())).y, cut }
+          })
+          .toEqual({ above: true, below: true, cut: 0 })
+      }
     })
 
     test('a net that grows lights up on all three leaves', async ({ child, page }) => {

@@ -2,6 +2,7 @@ import * as Blockly from 'blockly/core'
 import type { Program } from '@botgarten/programs'
 import { watchCopies, type Copy } from '../model/copies.ts'
 import { followNeurons } from './follow.ts'
+import { followGrowth } from './growth.ts'
 
 export interface Reports {
   change(program: Program): void
@@ -18,6 +19,7 @@ const settle = 16
 export function listen(workspace: Blockly.WorkspaceSvg, reports: Reports, emit: () => void): () => void {
   const copiesIn = watchCopies(workspace)
   const follow = followNeurons(workspace, () => workspace.isDragging())
+  const grow = followGrowth(workspace)
   let group: string | null = null
   let waiting: ReturnType<typeof setTimeout> | undefined
   /** A block in the hand has changed something: that is told once it is put down. */
@@ -34,6 +36,7 @@ export function listen(workspace: Blockly.WorkspaceSvg, reports: Reports, emit: 
   const hear = (event: Blockly.Events.Abstract) => {
     if (event instanceof Blockly.Events.Selected) reports.select(event.newElementId ?? null)
     follow(event)
+    grow(event)
     if (event instanceof Blockly.Events.BlockDrag && event.isStart === false && inHand) soon()
     // What is still being typed is no number yet.
     if (event.isUiEvent || event instanceof Blockly.Events.BlockFieldIntermediateChange) return

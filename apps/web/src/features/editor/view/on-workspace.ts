@@ -38,15 +38,19 @@ const beside = 8
 const leastScale = 0.7
 
 /** Blocks that are wider than the pane are drawn a little smaller, so that all of them is seen. */
-function fitWidth(workspace: Workspace): void {
+export function fitWidth(workspace: Workspace): void {
   const room = workspace.getMetricsManager().getViewMetrics().width - beside
   Blockly.renderManagement.triggerQueuedRenders(workspace)
   const stacks = workspace.getTopBlocks(false)
   const right = (stack: Blockly.BlockSvg) =>
     Math.min(near, stack.getRelativeToSurfaceXY().x) + stack.getHeightWidth().width
   const widest = Math.max(0, ...stacks.map(right))
-  if (widest * workspace.scale <= room || room <= 0) return
-  workspace.setScale(Math.min(workspace.scale, Math.max(leastScale, room / widest)))
+  const { scale, scrollX, scrollY } = workspace
+  // Blocks that fit exactly are too wide by a rounding error.
+  if (widest * scale < room + 1 || room <= 0) return
+  workspace.setScale(Math.min(scale, Math.max(leastScale, room / widest)))
+  // Blockly moves the blocks by the width of the toolbox as well.
+  workspace.scroll(scrollX, (scrollY * workspace.scale) / scale)
 }
 
 /**
@@ -59,6 +63,19 @@ export function place(workspace: Workspace): void {
   const first = stacks.find(isStart) ?? stacks[0]
   const { x, y } = first?.getRelativeToSurfaceXY() ?? { x: 0, y: 0 }
   workspace.scroll(shift(x) * workspace.scale, shift(y) * workspace.scale)
+}
+
+/** Px at the edges of the pane that its scroll bars take. */
+const bars = 12
+
+/** Scrolls as little as it takes to see the first of these parts that fits between the scroll bars, or else the last. */
+export function showPart(workspace: Workspace, parts: readonly Blockly.utils.Rect[]): void {
+  const around = bars / workspace.scale
+  const room = workspace.getMetricsManager().getViewMetrics(true).height - 2 * around
+  const part = parts.find(({ top, bottom }) => bottom - top <= room) ?? parts.at(-1)
+  if (!part) return
+  const { top, bottom, left, right } = part
+  workspace.scrollBoundsIntoView(new Blockly.utils.Rect(top, bottom + around, left, right + around), 0)
 }
 
 /** Share of the pane's height that no panel lies over. */
