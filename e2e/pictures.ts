@@ -35,9 +35,11 @@ interface Wish {
   opens(): Promise<Stage>
 }
 
-/** Fonts are there, and nothing moves that comes to an end. */
+/** Fonts, pictures and the painter of canvases are there, and nothing moves that comes to an end. */
 async function settles(page: Page) {
+  await page.waitForLoadState('networkidle')
   await page.evaluate(async () => {
+    for (let frames = 3; frames > 0; frames -= 1) await new Promise(requestAnimationFrame)
     await document.fonts.ready
     const ending = document
       .getAnimations()
