@@ -126,6 +126,19 @@ export interface Host {
   readonly brain?: (id: string) => HostBrain | undefined
   /** Other robots of the same world. Not given: there are none. */
   readonly mail?: Mail
+  /** What the program's first network is shown, and its practice. Not given: it can be shown nothing. */
+  readonly teaching?: Teaching
+}
+
+/** Where something cannot be done, its problem's name in the section `problem` of the words comes back. */
+export interface Teaching {
+  /** One example: what the network reads in this tick, and what the robot does. */
+  remember(): string | null
+  /** So many rounds are done before the next tick begins. */
+  practise(rounds: number): string | null
+  forget(what: 'examples' | 'practice'): void
+  /** How far the network is off its examples, in percent. */
+  error(): number | string
 }
 
 /** As much of a brain as blocks look at: neurons' names and biases by layer from the inputs on, weights by name. */

@@ -183,17 +183,27 @@ class OneLab implements Lab {
     }
   }
 
-  advance(ticks: number): boolean {
+  advance(ticks: number, examples = Infinity): boolean {
     if (this.#run.inPast) return false
+    if (this.#phase === 'running' && !this.#practise(examples)) return true
     let moved = false
     for (let tick = 0; tick < ticks; tick++) {
       if (this.#phase === 'running') {
         moved = true
         if (this.#stops.size > 0 && reachStop(this.#run, this.#stops)) this.#phase = 'paused'
         else this.#tick()
+        if (!this.#practise(examples)) break
       } else if (this.#phase !== 'paused') moved = this.#run.idle() || moved
     }
     return moved
+  }
+
+  /** Returns whether all is practised that programs asked for. */
+  #practise(examples: number): boolean {
+    const { brains } = this.#run
+    const isDone = this.#run.practise(examples)
+    if (this.#run.brains !== brains) this.#takeBrains()
+    return isDone
   }
 
   #tick(): void {
@@ -238,7 +248,7 @@ class OneLab implements Lab {
 
   record: Lab['record'] = (recording) => {
     this.#recording = recording && { ...recording, robot: this.#robotAt(recording.robot) }
-    if (!this.#run.inPast && this.#recording !== this.#run.recording) this.#giveRecording()
+    if (!this.#run.inPast && this.#recording !== this.#run.school.state.recording) this.#giveRecording()
   }
 
   #giveRecording(): void {
@@ -300,8 +310,9 @@ class OneLab implements Lab {
 
   #keysAsHeld(): void {
     this.#buttonsAsHeld()
-    if (!sameHand(this.#hand, this.#run.hand)) this.#giveHand(this.#run.hand?.robot ?? 0)
-    if (this.#recording !== this.#run.recording) this.#giveRecording()
+    if (!sameHand(this.#hand, this.#run.school.state.hand))
+      this.#giveHand(this.#run.school.state.hand?.robot ?? 0)
+    if (this.#recording !== this.#run.school.state.recording) this.#giveRecording()
     for (const key of new Set([...this.#run.keys, ...this.#held])) {
       const down = this.#held.includes(key)
       if (down !== this.#run.keys.includes(key))

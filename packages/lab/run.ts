@@ -5,8 +5,8 @@ import { pressKey, rollsOn, TICKS_PER_SECOND, type Pose, type Simulation } from 
 import { observe, watch, type Watch } from './checks/checks.ts'
 import { withHands } from './inputs/hands.ts'
 import { repeats } from './inputs/repeats.ts'
-import { heldOutputs, inputsNow, networkOf, showHeld } from './recording/columns.ts'
-import { recorded, withExample } from './recording/recorder.ts'
+import { School } from './recording/school.ts'
+import { teachingOf } from './recording/teaching.ts'
 import type { Brains } from './robots/brains.ts'
 import { mailOf } from './robots/mail.ts'
 import { nextTurn } from './robots/next-turn.ts'
@@ -15,17 +15,7 @@ import { poseIn, type Course, type Moment } from './timeline/moment.ts'
 import { shared } from './timeline/shared.ts'
 import { Timeline } from './timeline/timeline.ts'
 import { newTrack, note, trackUntil, type Track } from './timeline/tracks.ts'
-import type {
-  Check,
-  Document,
-  DriveKey,
-  Hand,
-  Input,
-  Recording,
-  Remembered,
-  TimeView,
-  TrainingChange,
-} from './types.ts'
+import type { Check, Document, DriveKey, Input, TimeView } from './types.ts'
 
 /** Ticks from keyframe to keyframe: so few that any moment is there again at once, on a slow laptop too. */
 const KEYFRAME_EVERY = 60
@@ -39,8 +29,7 @@ export class Run {
   brains: Brains
   starts: Moment['starts']
   keys: readonly DriveKey[] = []
-  hand: Hand | null = null
-  recording: Recording | null = null
+  readonly school = new School(this)
   watches: Watch[]
   hash: Hash = startHash()
   tick = 0
@@ -72,6 +61,7 @@ export class Run {
         programs,
         brains,
         mailOf(index, () => this.robots),
+        (program) => teachingOf(this, index, program),
       ),
     )
     this.tracks = this.robots.map(newTrack)
@@ -110,8 +100,18 @@ export class Run {
     return this.#now !== null
   }
 
+  /**
+   * Practises what programs asked for in the tick before, about so many examples of it; no time passes until it is done. Returns
+   * whether it is.
+   */
+  practise(examples = Infinity): boolean {
+    return this.school.practise(examples)
+  }
+
   /** Takes an input for the coming tick; in a run it is written into the log (running.md 2). Not in the past. */
   give(input: Input, inRun: boolean): void {
+    // Practice comes before what a hand does to the same brain.
+    if ('brain' in input || input.kind === 'remember') this.practise()
     const before = input.kind === 'place' ? this.poseOf(input.id) : null
     this.#take(input)
     if (!inRun) return
@@ -127,14 +127,11 @@ export class Run {
     if (input.kind === 'place') this.#place(input.id, input.pose)
     else if (input.kind === 'key') this.#press(input.key, input.down, input.robot)
     else if (input.kind === 'button') pressKey(this.simulation, input.robot, input.key, input.down)
-    else if (input.kind === 'brain') this.#use(input.brain, input.value)
-    else if (input.kind === 'drive') this.hand = input.left === null ? null : handOf(input)
-    else if (input.kind === 'record') this.recording = input.recording
-    else if (input.kind === 'remember') this.#remember(input)
-    else if (input.kind === 'training') this.#train(input.brain, input)
+    else if (input.kind === 'brain') this.use(input.brain, input.value)
+    else if (input.kind !== 'weight') this.school.take(input)
     else {
       const { brain, from, to, weight, set } = input
-      this.#use(brain, withWeight(this.brains[brain] ?? emptyBrain, from, to, weight, set))
+      this.use(brain, withWeight(this.brains[brain] ?? emptyBrain, from, to, weight, set))
     }
   }
 
@@ -149,57 +146,14 @@ export class Run {
     this.keys = [...this.keys.filter((pressed) => pressed !== key), ...(down ? [key] : [])]
   }
 
-  #use(id: string, brain: Brain): void {
+  use(id: string, brain: Brain): void {
     this.brains = { ...this.brains, [id]: brain }
     for (const robot of this.robots) robot.brains.use(id, brain)
   }
 
-  /** Another table, another practice: the weights stay. */
-  #show(id: string, brain: Brain): void {
+  show(id: string, brain: Brain): void {
     this.brains = { ...this.brains, [id]: brain }
     for (const robot of this.robots) robot.brains.shown(id, brain)
-  }
-
-  #train(id: string, { examples, practice }: TrainingChange): void {
-    const { examples: shown, practice: note, ...rest } = this.brains[id] ?? emptyBrain
-    const next = {
-      examples: examples === undefined ? shown : examples,
-      practice: practice === undefined ? note : practice,
-    }
-    this.#show(id, {
-      ...rest,
-      ...(next.examples && { examples: next.examples }),
-      ...(next.practice && { practice: next.practice }),
-    })
-  }
-
-  #remember({ robot: index, network, drive, wheels, others }: Remembered): void {
-    const robot = this.robots[index]
-    const outline = robot && networkOf(robot, network)
-    if (!outline) return
-    robot.context.now = this.seconds
-    const { config } = this.simulation.world.robots[index]!
-    const outputs = heldOutputs(robot, outline, config.drive, wheels, others)
-    const brain = withExample(this, { robot: index, network, drive }, inputsNow(robot, outline), outputs)
-    if (brain) this.#show(network, brain)
-  }
-
-  /** After the programs and before the motors: what a hand holds is shown and written down (running.md 14, 16). */
-  #takeHands(): void {
-    this.#showHeld()
-    const { recording } = this
-    const brain = recording && recorded(this, recording, this)
-    if (brain) this.#show(recording.network, brain)
-  }
-
-  #showHeld(): void {
-    const { hand } = this
-    const robot = hand && this.robots[hand.robot]
-    if (!robot || Object.keys(hand.others).length === 0) return
-    for (const id of robot.networks) {
-      const outline = networkOf(robot, id)
-      if (outline) showHeld(robot, outline, hand.others)
-    }
   }
 
   /** Programs in order of robots, up to the end of their tick. With `untilNextBlock` each stops after one block. */
@@ -214,12 +168,14 @@ export class Run {
 
   /** One step of the programs from block to block, inside this tick. Returns whether the tick is over for all. */
   stepBlocks(): boolean {
+    this.practise()
     if (this.#now) this.#giveAgain(this.#part)
     return this.#runThreads(true)
   }
 
   /** What was given in this tick of the past, up to a part of it. */
   #giveAgain(part: number): void {
+    this.practise()
     const inputs = this.#timeline.inputsAt(this.tick)
     for (let next = inputs[this.#given]; next && next.part <= part; next = inputs[this.#given]) {
       while (this.#part < next.part) this.#runThreads(true)
@@ -230,11 +186,12 @@ export class Run {
 
   /** One tick, in the order of running.md 2. In the past it is the one that was, up to the present. */
   advance(): void {
+    this.practise()
     if (this.#now) this.#giveAgain(Infinity)
     this.#runThreads()
     this.#noteEnd()
-    this.#takeHands()
-    withHands(this.simulation, this, () => this.simulation.step())
+    this.school.takeHands()
+    withHands(this.simulation, this.school.hands, () => this.simulation.step())
     this.tick++
     this.#part = this.#given = 0
     this.#addHash()
@@ -259,10 +216,10 @@ export class Run {
     const moves = this.simulation.state.obstacles.some(
       ({ vx, vy, spin }) => vx !== 0 || vy !== 0 || spin !== 0,
     )
-    const driven = this.hand !== null || this.keys.length > 0
+    const driven = this.school.state.hand !== null || this.keys.length > 0
     if (!driven && !moves && !this.simulation.state.robots.some(rollsOn)) return false
-    this.#showHeld()
-    withHands(this.simulation, this, () => this.simulation.step())
+    this.school.showHeld()
+    withHands(this.simulation, this.school.hands, () => this.simulation.step())
     return true
   }
 
@@ -304,7 +261,7 @@ export class Run {
       lastRuns: this.robots.map(({ brains }) => [...brains.lastRuns]),
       keys: this.keys,
       driven: this.#driven,
-      ...{ hand: this.hand, recording: this.recording },
+      school: this.school.state,
       watches: structuredClone(this.watches),
       hash: [...this.hash],
       endedAt: this.endedAt,
@@ -354,13 +311,12 @@ export class Run {
     this.#part = moment.part
     this.#given = moment.given
     for (const [id, brain] of Object.entries(moment.brains))
-      if (this.brains[id] !== brain) this.#use(id, brain)
+      if (this.brains[id] !== brain) this.use(id, brain)
     this.brains = moment.brains
     this.starts = moment.starts
     this.keys = moment.keys
     this.#driven = moment.driven
-    this.hand = moment.hand
-    this.recording = moment.recording
+    this.school.restore(moment.school)
     this.watches = structuredClone(moment.watches) as Watch[]
     this.hash = [...moment.hash]
     this.endedAt = moment.endedAt
@@ -384,8 +340,6 @@ export class Run {
     }
   }
 }
-
-const handOf = ({ robot, left, right, others }: Hand): Hand => ({ robot, left, right, others })
 
 const samePose = (a: Pose | null, b: Pose | null) =>
   a?.x === b?.x && a?.y === b?.y && a?.heading === b?.heading

@@ -254,9 +254,10 @@ export interface Lab {
   setStops(blocks: readonly string[]): void
   /**
    * Lets time pass: the run, or a robot that is driven by hand while no program runs.
-   * Returns whether anything can look different now.
+   * Practice that a program asks for takes no time: with `examples` about so many are practised in one call, the rest and the
+   * ticks after it come with the next ones. Returns whether anything can look different now.
    */
-  advance(ticks: number): boolean
+  advance(ticks: number, examples?: number): boolean
   /** `set`: name of the weight set, '' for the knobs. */
   setWeight(brain: string, from: string, to: string, weight: number, set?: string): void
   /** Puts another brain in a network's place: reset, undo, weights of duplicated neurons. */

@@ -32,7 +32,8 @@ export function viewOf(run: Run, phase: Phase, robot: number, other: boolean): V
   }
 }
 
-function recordingOf({ recording, robots, brains }: Run): RecordingView | null {
+function recordingOf({ school, robots, brains }: Run): RecordingView | null {
+  const { recording } = school.state
   if (!recording) return null
   const { robot, network, drive } = recording
   const full = isFull(brains, network, drive.id)

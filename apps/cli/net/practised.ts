@@ -1,11 +1,11 @@
-import { withWeights, type Brain } from '@botgarten/learning/neural-network'
-import { beginExercise, prepare, type Exercise } from '@botgarten/learning/neural-network/examples'
+import type { Brain } from '@botgarten/learning/neural-network'
+import { afterLesson, beginLesson, prepare, type Exercise } from '@botgarten/learning/neural-network/examples'
 import {
   byHeartSince,
   obstacleTo,
-  practise,
+  practiseFor,
   sleepingIn,
-  weightsIn,
+  type CurvePoint,
   type Obstacle,
   type Settings,
 } from '@botgarten/learning/neural-network/train'
@@ -19,24 +19,19 @@ export function practised(exercise: Exercise, settings: Settings, brain: Brain) 
   if (prepared.data.practised.count === 0) throw new FileError('examples.noRows')
   const obstacle = obstacleTo(prepared.data)
   if (obstacle) throw new FileError('examples.cannot', { why: obstacleSaid(obstacle) })
-  const practice = beginExercise(prepared, settings, exercise)
-  const curve = practise(practice)
-  const weights = weightsIn(practice.net, practice.parameters, exercise.weights)
-  const { seed, keepBack, from, mirror } = exercise
-  const note = {
-    ...{ seed, start: prepared.data.weights, round: practice.round, curve, marks: [] },
-    settings: { ...settings, keepBack, from, mirror: mirror !== null },
-  }
+  const lesson = beginLesson(exercise, settings, prepared)
+  const { practice, curve } = lesson
+  practiseFor(practice, curve, Infinity)
+  const after = { ...afterLesson(brain, lesson), examples: exercise.examples }
   return {
-    ...{ prepared, practice, curve, weights, last: lastOf(curve, practice.round) },
+    ...{ prepared, practice, curve, weights: after.weights, last: lastOf(curve, practice.round) },
     ...{ sleeping: sleepingIn(practice), byHeart: byHeartSince(curve) },
-    brain: { ...withWeights(brain, weights), examples: exercise.examples, practice: note },
-    hash: hashOf(practice.parameters),
+    ...{ brain: after, hash: hashOf(practice.parameters) },
   }
 }
 
 /** The errors of the weights that it ended with: those of the best round where it went back to one. */
-const lastOf = (curve: ReturnType<typeof practise>, round: number) =>
+const lastOf = (curve: readonly CurvePoint[], round: number) =>
   curve.findLast((point) => point.round === round) ?? curve.at(-1)!
 
 /** 64 bits over the weights and biases, layer by layer (float64). */

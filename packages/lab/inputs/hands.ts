@@ -5,7 +5,7 @@ const FORWARD: Percent = 60
 const TURN: Percent = 25
 
 /** Wheel speeds for the arrow keys that are down. */
-export function wheelsOf(keys: readonly DriveKey[]): Wheels {
+function wheelsOf(keys: readonly DriveKey[]): Wheels {
   const both = (down: DriveKey, up: DriveKey) => Number(keys.includes(down)) - Number(keys.includes(up))
   const ahead = both('up', 'down') * FORWARD
   const aside = both('right', 'left') * TURN

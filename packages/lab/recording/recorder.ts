@@ -25,7 +25,7 @@ export interface Recorder {
 }
 
 /** The table of a network, with a column for each of its neurons. */
-export function tableOf(brain: Brain): Examples {
+function tableOf(brain: Brain): Examples {
   const ids = (layer: Brain['layers'][number] = []) => layer.map(({ id }) => id)
   const [inputs, outputs] = [ids(brain.layers[0]), ids(brain.layers.at(-1))]
   return brain.examples ? columnsFor(brain.examples, inputs, outputs) : noExamples(inputs, outputs)
@@ -62,7 +62,7 @@ interface Into {
   readonly drive: Drive
 }
 
-/** The network's brain with one example more. Null where nothing is written. */
+/** The network's brain with one example more. Null where nothing is written: it repeats the one before, or there is no room. */
 export function withExample(
   { simulation, brains, tick }: Recorder,
   { robot, network, drive }: Into,

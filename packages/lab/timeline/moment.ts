@@ -3,7 +3,8 @@ import type { Thread } from '@botgarten/programs'
 import { degreesOf, type Pose, type SimulationState } from '@botgarten/simulation'
 import type { Watch } from '../checks/checks.ts'
 import type { Brains, NetRun } from '../robots/brains.ts'
-import type { DriveKey, Hand, Recording } from '../types.ts'
+import type { SchoolState } from '../recording/school.ts'
+import type { DriveKey } from '../types.ts'
 import type { Timeline } from './timeline.ts'
 import type { Track } from './tracks.ts'
 
@@ -23,9 +24,7 @@ export interface Moment {
   readonly keys: readonly DriveKey[]
   /** Index of the robot that the keys drive. */
   readonly driven: number
-  /** On the pad. */
-  readonly hand: Hand | null
-  readonly recording: Recording | null
+  readonly school: SchoolState
   readonly watches: readonly Watch[]
   readonly hash: Hash
   readonly endedAt: number | null

@@ -3,7 +3,7 @@ import { describe, expect, it } from 'vitest'
 import { formsOf } from '../../messages/index.ts'
 import { languagesIn, wordsOf as allWordsOf } from '../../messages/folder.ts'
 
-const rooms = ['../../blocks', '..']
+const rooms = ['../../blocks', '..', '../../lab/recording']
 
 function sources(folder: URL): string[] {
   return readdirSync(folder, { withFileTypes: true }).flatMap((entry) => {

@@ -10,6 +10,7 @@ import type {
   NetMemory,
   Robot,
   SortingMemory,
+  Teaching,
   Value,
 } from '@botgarten/blocks'
 import type { Scope, Thread } from '../types.ts'
@@ -24,6 +25,7 @@ export class Running implements Context, Memory {
   think!: Host['think']
   brain: ((id: string) => HostBrain | undefined) | undefined
   mail: Mail | undefined
+  teaching: Teaching | undefined
   readonly networkId: string
   compared: readonly [Value, Value] | null = null
   #thread!: Thread
@@ -41,6 +43,7 @@ export class Running implements Context, Memory {
     this.think = host.think
     this.brain = host.brain
     this.mail = host.mail
+    this.teaching = host.teaching
   }
 
   get(name: string): Value | undefined {

@@ -19,6 +19,9 @@ const BUDGET = 10
 /** After so many ticks the clock is looked at again. */
 const SLICE = 10
 
+/** So many are practised between two looks at the clock, where a program asks for practice. */
+const EXAMPLES = 1000
+
 /** A lab for the screen: one view a frame, and the verbs of a child's hand. */
 export class RunningLab {
   #lab: Lab = createLab()
@@ -97,7 +100,7 @@ export class RunningLab {
     const end = performance.now() + BUDGET
     let moved = false
     for (let left = ticks; left > 0; left -= SLICE) {
-      if (!this.#lab.advance(Math.min(left, SLICE))) break
+      if (!this.#lab.advance(Math.min(left, SLICE), EXAMPLES)) break
       moved = true
       if (performance.now() > end) break
     }

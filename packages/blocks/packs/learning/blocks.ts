@@ -1,6 +1,10 @@
 // Made by `npm run blocks`.
 
+import { ai_nn_error } from '../../network/ai_nn_error.ts'
+import { ai_nn_forget } from '../../network/ai_nn_forget.ts'
 import { ai_nn_hidden_layer } from '../../network/ai_nn_hidden_layer.ts'
+import { ai_nn_practise } from '../../network/ai_nn_practise.ts'
+import { ai_nn_remember } from '../../network/ai_nn_remember.ts'
 import { ai_q_apply_learning_rule } from '../../q-learning/ai_q_apply_learning_rule.ts'
 import { ai_q_barrier_mountain } from '../../q-learning/ai_q_barrier_mountain.ts'
 import { ai_q_draw_the_best_way } from '../../q-learning/ai_q_draw_the_best_way.ts'
@@ -17,7 +21,11 @@ import type { TypeIn } from '../packs.ts'
 import type { Definition } from '../../types.ts'
 
 export const blocks: { readonly [T in TypeIn<'learning'>]: Definition } = {
+  ai_nn_error,
+  ai_nn_forget,
   ai_nn_hidden_layer,
+  ai_nn_practise,
+  ai_nn_remember,
   ai_q_apply_learning_rule,
   ai_q_barrier_mountain,
   ai_q_draw_the_best_way,

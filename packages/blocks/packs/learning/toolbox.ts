@@ -7,6 +7,7 @@ import {
   learner,
   learningMap,
 } from '../../parts/learning-examples.ts'
+import { error, forget, practise, remember } from '../../parts/teaching-examples.ts'
 import { colourReading, find, groupAs } from '../../parts/sorting-examples.ts'
 import { withRest, type ToolboxCategory } from '../../toolbox.ts'
 import type { Template } from '../../types.ts'
@@ -23,8 +24,10 @@ const sorting: readonly Template[] = [
   { type: 'ai_sorting_name', values: { GROUP: number(1), NAME: text('') } },
 ]
 
+const teaching: readonly Template[] = [remember, practise(60), error, forget('EXAMPLES')]
+
 const presets: readonly ToolboxCategory[] = [
-  { category: 'network', blocks: [hiddenLayer(3)] },
+  { category: 'network', blocks: [hiddenLayer(3), ...teaching] },
   { category: 'q-learning', blocks: trying },
   { category: 'sorting', blocks: sorting },
 ]

@@ -1,4 +1,5 @@
 import { starter } from '../train/settings.ts'
+import type { Settings } from '../train/types.ts'
 import type { Brain, PracticeNote } from '../types.ts'
 
 /** How a network practises next: what was chosen, else as it practised last, else the starter's. */
@@ -17,3 +18,9 @@ export function practiceChoice({ practice }: Brain): PracticeChoice {
 /** The note with another choice; how it practised before stays. */
 export const withChoice = (note: PracticeNote | undefined, next: PracticeChoice): PracticeNote =>
   note && note.round > 0 ? { ...note, next } : { ...next, start: {}, round: 0, curve: [], marks: [] }
+
+/** What practice itself takes of a choice; the rest decides how it begins. */
+export function stepSettings({ settings }: PracticeChoice): Settings {
+  const { keepBack: _held, from: _begins, mirror: _mirrored, ...rest } = settings
+  return rest
+}

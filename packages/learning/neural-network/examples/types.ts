@@ -15,7 +15,7 @@ export interface Examples {
 export interface Drive {
   readonly id: string
   readonly by: ShownBy
-  /** Of the run; 0 without one. */
+  /** Of the run; 0 without one, and of what a program writes. */
   readonly seed: number
   readonly note?: string
   /** Chosen by hand to be held back for the test, or not; goes before the draw. */

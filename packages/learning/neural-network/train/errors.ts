@@ -2,8 +2,11 @@ import { exp, ln } from '@botgarten/numbers'
 import { forwardOver } from './forward.ts'
 import type { Practice, Rows } from './types.ts'
 
+/** What a network is measured with. */
+export type Measured = Pick<Practice, 'net' | 'parameters' | 'sums' | 'values'>
+
 /** L of the row that ran last: (1/m) Σ (y − t)², or −Σ t ln y. */
-export function lossOf({ net, sums, values }: Practice, { targets }: Rows, row: number): number {
+export function lossOf({ net, sums, values }: Measured, { targets }: Rows, row: number): number {
   const layer = net.layers.at(-1)
   if (!layer) return 0
   const { to, outputs } = layer
@@ -29,7 +32,7 @@ function entropy(sums: Float64Array, at: number, count: number, targets: Float64
 }
 
 /** The mean loss over rows with the weights of now; null where there are none. Writes over the values of the last run. */
-export function meanLoss(practice: Practice, rows: Rows): number | null {
+export function meanLoss(practice: Measured, rows: Rows): number | null {
   if (rows.count === 0) return null
   let sum = 0
   for (let row = 0; row < rows.count; row++) {
@@ -46,7 +49,7 @@ export const percentOff = (loss: number): number => 100 * Math.sqrt(loss)
  * How many rows are right. `one`: of several lamps the highest above 0 is the one that was shown, or none is above 0 where none
  * was shown; `each`: every word is above 0 where it was shown, and no other.
  */
-export function rightRows(practice: Practice, rows: Rows, kind: 'one' | 'each'): number {
+export function rightRows(practice: Measured, rows: Rows, kind: 'one' | 'each'): number {
   const { to = 0, outputs = 0 } = practice.net.layers.at(-1) ?? {}
   let right = 0
   for (let row = 0; row < rows.count; row++) {

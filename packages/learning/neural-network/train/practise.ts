@@ -22,13 +22,21 @@ const pointOf = (practice: Practice): CurvePoint => ({
 
 /** Practises to its end and gives the curve, its first and its last round always in it. */
 export function practise(practice: Practice): readonly CurvePoint[] {
+  const curve = beginCurve(practice)
+  practiseFor(practice, curve, Infinity)
+  return curve
+}
+
+export const beginCurve = (practice: Practice): CurvePoint[] => [pointOf(practice)]
+
+/** Practises whole rounds until about so many examples are done, and goes on with the curve. Returns whether practice is over. */
+export function practiseFor(practice: Practice, curve: CurvePoint[], examples: number): boolean {
   const every = Math.ceil(practice.settings.rounds / mostPoints)
-  const curve = [pointOf(practice)]
-  while (practice.ended === null) {
+  for (let done = 0; practice.ended === null && done < examples; done += practice.practised.count) {
     finishThisRound(practice)
     if (practice.round % every === 0 || practice.ended !== null) curve.push(pointOf(practice))
   }
-  return curve
+  return practice.ended !== null
 }
 
 /**

@@ -1,0 +1,39 @@
+import { weightsOf } from '@botgarten/learning/neural-network'
+import { practiceChoice, prepare, type Exercise } from '@botgarten/learning/neural-network/examples'
+import { obstacleTo, type Obstacle } from '@botgarten/learning/neural-network/train'
+import { mirrorIn } from '@botgarten/programs/examples'
+import { networkOf } from './columns.ts'
+import type { Recorder } from './recorder.ts'
+
+/** What a robot's network practises when a program asks for it: on from the weights the robot drives with. Null: it has no examples. */
+export function exerciseOf(
+  { robots, simulation, brains }: Recorder,
+  index: number,
+  network: string,
+): Exercise | null {
+  const [robot, brain, placement] = [robots[index], brains[network], simulation.world.robots[index]]
+  const outline = robot && networkOf(robot, network)
+  if (!outline || !placement || !brain?.examples) return null
+  const { seed, settings } = practiceChoice(brain)
+  return {
+    ...{ id: network, layers: brain.layers, weights: weightsOf(brain, placement.brain) },
+    ...{ examples: brain.examples, seed, keepBack: settings.keepBack, from: 'knobs' },
+    mirror: settings.mirror ? mirrorIn(outline, placement.config) : null,
+  }
+}
+
+const problems: { readonly [kind in Obstacle['kind']]: string } = {
+  noLinks: 'practiseNoLinks',
+  threshold: 'practiseThreshold',
+  softmax: 'practiseSoftmax',
+  none: 'practiseNone',
+}
+
+/** Why a network cannot practise: its problem's name in the words, or null. */
+export function problemOf(exercise: Exercise | null): string | null {
+  if (!exercise) return 'noExamples'
+  const { data } = prepare(exercise)
+  if (data.practised.count === 0) return 'noExamples'
+  const obstacle = obstacleTo(data)
+  return obstacle && problems[obstacle.kind]
+}

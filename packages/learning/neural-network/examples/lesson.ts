@@ -1,0 +1,62 @@
+import { withWeights } from '../edit.ts'
+import { meanLoss, percentOff, rightRows } from '../train/errors.ts'
+import { layOutTraining, parametersIn, weightsIn } from '../train/layout.ts'
+import { beginCurve, type CurvePoint } from '../train/practise.ts'
+import { rowsOf } from '../train/rows.ts'
+import type { Practice, Settings } from '../train/types.ts'
+import type { Brain, PracticeNote, Weights } from '../types.ts'
+import { beginExercise, prepare, type Exercise, type Prepared } from './prepare.ts'
+import { shownPairs } from './rows.ts'
+import type { Examples } from './types.ts'
+
+/** Practice on its way, with what it began from. It goes on by `practiseFor`. */
+export interface Lesson {
+  readonly exercise: Exercise
+  readonly settings: Settings
+  readonly prepared: Prepared
+  readonly practice: Practice
+  readonly curve: CurvePoint[]
+}
+
+/** @throws RangeError as `beginPractice` does */
+export function beginLesson(exercise: Exercise, settings: Settings, prepared = prepare(exercise)): Lesson {
+  const practice = beginExercise(prepared, settings, exercise)
+  return { exercise, settings, prepared, practice, curve: beginCurve(practice) }
+}
+
+/** The brain with what a lesson has come to, in a weight set, and how it came about. */
+export function afterLesson(brain: Brain, lesson: Lesson, set = ''): Brain {
+  const { exercise, practice } = lesson
+  const weights = weightsIn(practice.net, practice.parameters, exercise.weights)
+  return { ...withWeights(brain, weights, set), practice: noteOf(lesson) }
+}
+
+function noteOf({ exercise, settings, prepared, practice, curve }: Lesson): PracticeNote {
+  const { seed, keepBack, from, mirror } = exercise
+  return {
+    ...{ seed, start: prepared.data.weights, round: practice.round, curve, marks: [] },
+    settings: { ...settings, keepBack, from, mirror: mirror !== null },
+  }
+}
+
+/**
+ * How far a network is off all its examples that are on, in percent: the root of the mean square; with `choice` the share of
+ * rows that are wrong. Null: there are none.
+ */
+export function errorOn(
+  layers: Brain['layers'],
+  weights: Weights,
+  examples: Examples,
+  choice: 'one' | 'each' | null,
+): number | null {
+  const ids = (layer: Brain['layers'][number] = []) => layer.map(({ id }) => id)
+  const { pairs } = shownPairs(examples, ids(layers[0]), ids(layers.at(-1)))
+  if (pairs.length === 0) return null
+  const net = layOutTraining(layers)
+  const rows = rowsOf(pairs)
+  const [sums, values] = [new Float64Array(net.count), new Float64Array(net.count)]
+  const measured = { net: { ...net, shares: false }, parameters: parametersIn(net, weights), sums, values }
+  return choice === null
+    ? percentOff(meanLoss(measured, rows)!)
+    : 100 * (1 - rightRows(measured, rows, choice) / rows.count)
+}
