@@ -1,8 +1,8 @@
 import type { Point, Size } from './points.ts'
 import { clamp } from './points.ts'
 
-/** `below`: on lines under the node · `line`: on one line under it · `beside`: on the node's outer side, where rows are low. */
-type LabelForm = 'below' | 'line' | 'beside'
+/** `below`: on lines under the node · `beside`: on the node's outer side, where rows are low. */
+type LabelForm = 'below' | 'beside'
 
 /** Where the nodes of a network stand, in px; from the inputs to the outputs. */
 export interface NetworkLayout {
@@ -62,15 +62,16 @@ export function layoutNetwork(room: Size, inputs: number, outputs: number): Netw
 
 function labelling({ width }: Size, row: number): Labelling {
   if (width < wide) return { form: 'below', places: row >= 124, height: lineHeight * (row >= 124 ? 3 : 2) }
-  if (row < 100) return { form: 'beside', places: true, height: 0 }
-  if (row < 124) return { form: 'line', places: true, height: lineHeight + 6 }
+  // Under a node in a low row a label would lie on the links and their knobs.
+  if (row < 124) return { form: 'beside', places: true, height: 0 }
   return { form: 'below', places: true, height: lineHeight * (row >= roomyRow ? 3 : 2) + 4 }
 }
 
 /** Height of a row, radius of a node, and the room over the first row that its weights need. */
 function rowsIn(room: Size, rows: number, { height, form }: Labelling) {
   const content = height + gapBetweenRows
-  const largest = form === 'beside' ? 24 : clamp(room.width * 0.105, 42, largestRadius)
+  const beside = room.height / rows < 100 ? 24 : 32
+  const largest = form === 'beside' ? beside : clamp(room.width * 0.105, 42, largestRadius)
   const rowOf = (all: number) => clamp(all / rows, 2 * smallestRadius + content, highestRow)
   const middle = (rowOf(room.height) - height) / 2
   // What is left out above makes the rows lower, and with them their middle.
@@ -81,13 +82,12 @@ function rowsIn(room: Size, rows: number, { height, form }: Labelling) {
 
 function labelWidth({ form, height, places }: Labelling, side: number, radius: number): number {
   if (form === 'beside') return side - radius - 14
-  const clear = height >= 3 * lineHeight ? 36 : places ? Infinity : 28
+  const clear = height >= 3 * lineHeight ? 8 : places ? Infinity : 28
   return Math.min(2 * side - 4, Math.max(narrowestLabel, 2 * radius + clear))
 }
 
 function sideOf(width: number, radius: number, form: LabelForm): number {
-  const share =
-    form === 'beside' ? 106 + radius : clamp(width * (form === 'line' ? 0.21 : 0.18), radius + 14, 140)
+  const share = form === 'beside' ? 106 + radius : clamp(width * 0.18, radius + 14, 140)
   return Math.max(share, (width - longestLink) / 2)
 }
 
