@@ -10,5 +10,5 @@ test('the last save is told in the largest whole unit', () => {
 })
 
 test('a clock that was set back does not tell the future', () => {
-  expect(ago(now + 5000, now, 'en')).toBe('this minute')
+  expect(ago(now + 5000, now, 'en')).toBe('now')
 })

@@ -4,11 +4,11 @@ const units = [
   ['minute', 60_000],
 ] as const
 
-/** "2 minutes ago" in the child's language. */
+/** "2 minutes ago" in the child's language; "now" within the first minute. */
 export function ago(when: number, now: number, locale: string): string {
   const words = new Intl.RelativeTimeFormat(locale, { numeric: 'auto' })
   const past = Math.max(0, now - when)
   for (const [unit, length] of units)
     if (past >= length) return words.format(-Math.floor(past / length), unit)
-  return words.format(0, 'minute')
+  return words.format(0, 'second')
 }
