@@ -1,5 +1,6 @@
 import * as v from 'valibot'
 import { inOrder } from '@botgarten/classroom/tiles'
+import type { Source } from '#parts/page/source.ts'
 import * as answers from './answers.ts'
 import type { SchoolClass } from './answers.ts'
 import { Refused, type ClassApi } from './api.ts'
@@ -8,13 +9,6 @@ import type { Tile } from './live.ts'
 
 /** The session is over, or the class is no more. */
 const isOver = (error: unknown) => error instanceof Refused && [401, 404, 410].includes(error.status)
-
-/** What is used of an EventSource. */
-export interface Source {
-  readonly readyState: number
-  addEventListener(name: string, hear: (event: MessageEvent<string>) => void): void
-  close(): void
-}
 
 /** A hint of a card by its number from 1, or in own words. */
 type Hint = { readonly card: string; readonly hint: number } | { readonly text: string }

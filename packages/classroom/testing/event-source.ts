@@ -1,8 +1,7 @@
-import type { Server } from '@botgarten/classroom/testing'
-import type { Source } from '../model/live.svelte.ts'
+import type { Server } from './world.ts'
 
 /** Reads server-sent events of an answer as a browser's EventSource does, in this process. */
-export class StreamSource implements Source {
+export class StreamSource {
   readyState = 0
   readonly #hear = new Map<string, (event: MessageEvent<string>) => void>()
   #reader: ReadableStreamDefaultReader<Uint8Array> | undefined
