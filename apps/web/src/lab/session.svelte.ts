@@ -4,6 +4,7 @@ import { emptyBrain, type Brain } from '@botgarten/learning/neural-network'
 import { inScene, networksByUse, sceneOf } from '@botgarten/programs'
 import type { Learned, Project, Scene } from '@botgarten/programs'
 import type { Floor } from '@botgarten/simulation'
+import { allowed } from './allowed.svelte.ts'
 import type { Slots } from './slots.ts'
 import { backFrom, type Change, type LabEvent, type Part } from './change.ts'
 import { Extras } from './extras.svelte.ts'
@@ -100,8 +101,13 @@ export class LabSession {
   /** Address of the floor's picture, null where it has none. */
   floorUrl = $derived.by(() => floorPictureOf(this.lab.document.world, this.pictures))
 
-  /** Is the shelf with every block shown? Where nobody has said so, a program that holds more comes with it. */
+  /** May the child choose between the two toolboxes? */
+  get choosesBlocks(): boolean {
+    return allowed.level === null
+  }
+  /** Is the toolbox with every block shown? Where nobody has said so, a program that holds more comes with it. */
   get showsAll(): boolean {
+    if (allowed.level !== null) return allowed.level === 'all'
     const { shelf } = this.#extras
     return shelf ? shelf === 'all' : this.opened.expert
   }

@@ -17,8 +17,14 @@ describe('the card to play next', () => {
     expect(nextOf([card('vessels', 0, 0), card('tidy up', 1, 2)])?.label).toBe('tidy up')
   })
 
-  test('is none where all are done', () => {
-    expect(nextOf([card('vessels', 0, 0), card('tidy up', 2, 2)])).toBeNull()
+  test('is the first one again where all are done', () => {
+    expect(nextOf([card('vessels', 0, 0), card('tidy up', 2, 2)])?.label).toBe('vessels')
+  })
+
+  test('is one that the teacher has left open, and none where there is none', () => {
+    const closed = { ...card('chameleon', 0, 3), closed: true }
+    expect(nextOf([closed, card('caution', 0, 3)])?.label).toBe('caution')
+    expect(nextOf([closed])).toBeNull()
   })
 
   test('a playground without goals is never done', () => {

@@ -4,6 +4,7 @@ import type { Group, Playground } from '@botgarten/content'
 import { resolve } from '$app/paths'
 import { allCards, pictureOf, placeOf } from '#content/cards.ts'
 import { shownName, titleOf, addressOf } from '#content/names.ts'
+import { allowed } from '#lab/allowed.svelte.ts'
 import { language } from '#words/language.svelte.ts'
 import type { Listed } from '#storage/projects.ts'
 
@@ -36,6 +37,8 @@ export interface BedCard {
   readonly level: Level
   /** Cards of one kind bear its mark. */
   readonly group: Group | null
+  /** A teacher has not left it open today. */
+  readonly closed?: boolean
 }
 
 /** What each card is about, by its id. */
@@ -61,10 +64,14 @@ export interface HomeProps {
 /** Were the goals reached from every start place? A playground without goals is never done. */
 export const isDone = ({ level }: BedCard): boolean => level.of > 0 && level.passed >= level.of
 
-/** The card to play next: the first that is not done. One without goals is next until another has been begun. */
+/**
+ * The card to play next: the first that is open and not done. One without goals is next until another has been begun.
+ * Where all are done it is the first one again; null where none is open.
+ */
 export function nextOf(cards: readonly BedCard[]): BedCard | null {
   const begun = cards.some(({ level }) => level.passed > 0)
-  return cards.find((card) => (card.level.of > 0 ? !isDone(card) : !begun)) ?? null
+  const open = cards.filter(({ closed }) => !closed)
+  return open.find((card) => (card.level.of > 0 ? !isDone(card) : !begun)) ?? open[0] ?? null
 }
 
 /** What lies on this device, as tiles that lead back to it. */
@@ -101,4 +108,5 @@ export const bedOf = (bed: Playground, kept: readonly Listed[], goals: Goals): B
       picture: pictureOf(id),
       group: group ?? null,
       level: levelOf(id, kept),
+      closed: !allowed.isOpen(id),
     }))

@@ -1,0 +1,24 @@
+/** Which cards and blocks a teacher leaves open today. `cards`: ids; null: all. `level`: null: as the child likes. */
+interface Today {
+  readonly cards: readonly string[] | null
+  readonly level: 'plain' | 'all' | null
+}
+
+/** What may be opened today. Without a class that is everything; a class sets it. */
+class Allowed {
+  #today = $state.raw<Today>({ cards: null, level: null })
+
+  set(today: Today): void {
+    // What is drawn from it is looked at again only where it has changed.
+    if (JSON.stringify(today) !== JSON.stringify(this.#today)) this.#today = today
+  }
+  /** @param place a card by its id, or `free` */
+  isOpen(place: string): boolean {
+    return place === 'free' || (this.#today.cards?.includes(place) ?? true)
+  }
+  get level() {
+    return this.#today.level
+  }
+}
+
+export const allowed = new Allowed()
