@@ -190,6 +190,15 @@ const joining: readonly ClassScreen[] = [
   },
 ]
 
+/** The teacher looks inside, and sends a hint and a program. */
+async function teacherSends({ id, teacher }: MadeClass, pupil: Joined) {
+  await teacher.ask('POST', `/classes/${id}/handouts`, {
+    ...{ to: [pupil.id], kind: 'hint', card: 'friendship', hint: 1 },
+  })
+  await teacher.ask('POST', `/classes/${id}/handouts`, { to: 'all', kind: 'program', card: 'fear' })
+  await teacher.ask('POST', `/classes/${id}/pupils/${pupil.id}/inside`)
+}
+
 const inTheLab: readonly ClassScreen[] = [
   {
     name: 'class-chip',
@@ -245,6 +254,49 @@ const inTheLab: readonly ClassScreen[] = [
     },
   },
   { name: 'two-devices', show: disagrees },
+  ...(['from-teacher', 'from-teacher-folded', 'from-teacher-home'] as const).map((name): ClassScreen => ({
+    name,
+    async show(child, made) {
+      const pupil = await opensLab(child, made)
+      if (name.endsWith('home')) await child.opensHome()
+      await teacherSends(made, pupil)
+      await expect(child.words('class.looksInBy', { name: 'm.weber' })).toBeVisible()
+      await expect(child.button('class.openOffer')).toBeVisible()
+      if (!name.endsWith('folded')) return
+      for (const title of ['class.hintFor', 'class.offer'])
+        await child.page
+          .getByRole('button', {
+            name: child.word(title, { card: child.card('friendship'), name: child.card('fear') }),
+          })
+          .click()
+    },
+  })),
+  {
+    name: 'attention',
+    async show(child, made) {
+      await opensLab(child, made)
+      await child.presses('lab.start')
+      await made.teacher.ask('PUT', `/classes/${made.id}/attention`, { on: true })
+      await expect(child.words('class.attentionTitle')).toBeVisible()
+    },
+  },
+  ...(['closed-card', 'free-today'] as const).map((name): ClassScreen => ({
+    name,
+    async show(child, made) {
+      await made.teacher.ask('PUT', `/classes/${made.id}/free`, {
+        cards: ['fear', 'way-home'],
+        level: 'plain',
+      })
+      if (name === 'closed-card') {
+        await opensLab(child, made)
+        await expect(child.words('class.closedTitle')).toBeVisible()
+      } else {
+        await signsIn(child.page, made, await joins(made, 'Fuchs'))
+        await child.opensHome()
+        await expect(child.page.getByRole('img', { name: child.word('home.closed') }).first()).toBeVisible()
+      }
+    },
+  })),
   {
     name: 'class-home',
     async show(child, made) {

@@ -25,6 +25,7 @@ export class Gate {
   constructor(member: Member, through: () => void) {
     this.member = member
     this.#through = through
+    member.whenOver = () => void this.#askAgain()
     const at = beginning(member.account.pupil)
     this.#question = at === 'here' ? null : at
     if (at === 'back') void this.#fetch()
@@ -64,10 +65,24 @@ export class Gate {
     if (passage === 'through') {
       if (!open) this.#letThrough()
       void this.member.fetchWork()
-    } else this.#question = passage
+    } else this.#stop(passage)
+  }
+
+  /** The class has signed this pupil out, or has closed: what it wants to be shown first. */
+  async #askAgain(): Promise<void> {
+    const passage = await this.member.enter()
+    if (passage === 'ended') await this.member.end()
+    if (passage === 'through') this.member.live.start()
+    else this.#stop(passage)
+  }
+
+  #stop(question: Question): void {
+    this.member.live.stop()
+    this.#question = question
   }
 
   #letThrough(): void {
+    this.member.live.start()
     stayHere(this.member.account.pupil)
     this.#question = null
     this.#through()

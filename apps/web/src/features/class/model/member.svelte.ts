@@ -5,6 +5,7 @@ import type { Picture } from '@botgarten/classroom/pictures'
 import { fetchWork } from './arriving.ts'
 import { forgetHere, isProven, prove } from './here.ts'
 import { refusedBy, type Refused } from './joining.svelte.ts'
+import { PupilLive } from './live.svelte.ts'
 import { Outbox } from './outbox.ts'
 import { fetchMe, passage, type Me, type Passage } from './pupil.ts'
 import type { Pause } from './sending.ts'
@@ -17,6 +18,9 @@ export class Member {
   readonly account: Account
   readonly ask: Ask
   readonly outbox: Outbox
+  readonly live: PupilLive
+  /** Is called when the lesson is over for this pupil. */
+  whenOver: () => void = () => {}
   #places = $state.raw<AllWhereabouts>(noPlaces)
   #pause = $state.raw<Pause | null>(null)
   #handUp = $state(false)
@@ -28,6 +32,7 @@ export class Member {
       this.#pause = pause
       void this.#look()
     })
+    this.live = new PupilLive(ask, { me: (me) => this.#take(me), over: () => this.whenOver() })
   }
 
   get handUp() {
@@ -54,7 +59,7 @@ export class Member {
     const stop = this.outbox.start()
     // Another child uses this device now: what is open here is not theirs.
     const stopWatching = whenAccountChanges(() => location.assign('/'))
-    return () => (stop(), stopWatching())
+    return () => (stop(), stopWatching(), this.live.stop())
   }
 
   /** Fetches the pupil's work from the class onto this device. */
@@ -96,6 +101,7 @@ export class Member {
 
   /** The device is nobody's from now on. What is in the class goes from here; what is not waits, and nobody else sees it. */
   async leave(): Promise<void> {
+    this.live.stop()
     await this.outbox.flush()
     await this.#look()
     await this.ask('POST', '/me/leave')

@@ -2,27 +2,53 @@ import * as v from 'valibot'
 import { pauseOf, type Pause } from './sending.ts'
 import { read, type Ask } from './ask.ts'
 
-const schema = v.object({
+const handout = v.object({
+  id: v.string(),
+  kind: v.picklist(['hint', 'program']),
+  /** Card of a hint or of a start program; null: own words, or a project. */
+  card: v.nullable(v.string()),
+  /** The n-th hint of the card, from 1. */
+  hint: v.nullable(v.number()),
+  /** Own words, or the name of a project. */
+  text: v.nullable(v.string()),
+})
+
+export const me = v.object({
   id: v.string(),
   nickname: v.string(),
   /** Has joined or shown the pictures within this lesson. */
   fresh: v.boolean(),
   hand: v.boolean(),
-  class: v.object({ id: v.string(), name: v.string(), open: v.boolean() }),
+  class: v.object({
+    id: v.string(),
+    name: v.string(),
+    open: v.boolean(),
+    /** Ids of the cards that are open today; null: all. */
+    cards: v.nullable(v.array(v.string())),
+    /** Which blocks there are; null: as the child likes. */
+    level: v.nullable(v.picklist(['plain', 'all'])),
+  }),
+  /** For so many seconds at the most the teacher wants to be looked at. */
+  attention: v.nullable(v.number()),
+  /** A teacher looks at this pupil's work; no name: a substitute. */
+  inside: v.nullable(v.object({ by: v.nullable(v.string()) })),
+  /** What the teacher has sent and the child has not put away, the oldest first. */
+  handouts: v.array(handout),
 })
 
-export type Me = v.InferOutput<typeof schema>
+export type Me = v.InferOutput<typeof me>
+export type Handout = Me['handouts'][number]
 
 /** Who this is by the class, or why the class does not answer. */
 export async function fetchMe(ask: Ask): Promise<Me | Pause> {
   const reply = await ask('GET', '/me')
-  return read(schema, reply) ?? pauseOf(reply)
+  return read(me, reply) ?? pauseOf(reply)
 }
 
 /** What becomes of a child that answers yes. `locked`: a lesson is over, and the class cannot be asked for the pictures. */
 export type Passage = 'through' | 'pictures' | 'locked' | 'signedOut' | 'ended'
 
-export function passage(me: Me | Pause, isProven: boolean): Passage {
+export function passage(me: Pick<Me, 'fresh'> | Pause, isProven: boolean): Passage {
   if (typeof me === 'object') return me.fresh ? 'through' : 'pictures'
   if (me === 'ended') return 'ended'
   if (me === 'signedOut' || me === 'otherPupil') return 'signedOut'

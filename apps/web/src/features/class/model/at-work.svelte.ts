@@ -1,0 +1,49 @@
+import { untrack } from 'svelte'
+import type { LabSession } from '#lab/session.svelte.ts'
+import type { LabUi } from '#lab/ui.svelte.ts'
+import type { PupilLive } from './live.svelte.ts'
+import { reportOf } from './report.ts'
+
+/** How many runs in a row have missed the same check first. */
+export function countMissed(
+  before: { readonly check: string; readonly times: number } | null,
+  missed: string,
+): { readonly check: string; readonly times: number } {
+  return { check: missed, times: before?.check === missed ? before.times + 1 : 1 }
+}
+
+/** Lets the class know what happens in a lab, and stop it. Returns how to end that. */
+export function follow(live: PupilLive, session: LabSession, ui: LabUi): () => void {
+  const card = session.opened.card?.card
+  let failed: ReturnType<typeof countMissed> | null = null
+  let changedAt = Date.now()
+  const stopListening = session.listen((event) => {
+    if (event.kind === 'changed') changedAt = Date.now()
+  })
+  const stopWatching = $effect.root(() => {
+    $effect(() => {
+      if (ui.missed) failed = countMissed(failed, ui.missed.check)
+    })
+    $effect(() => {
+      if (session.lab.facts.succeeded) failed = null
+    })
+    $effect(() => {
+      const isHeld = live.attention || live.closedPlace !== null
+      if (isHeld && session.lab.facts.phase === 'running') untrack(() => session.lab.pause())
+    })
+  })
+  const leave = live.work({
+    place: card?.id ?? 'free',
+    get changedAt() {
+      return changedAt
+    },
+    report: () =>
+      reportOf({
+        ...{ card: card?.id ?? null, project: session.autosave.id },
+        checks: card?.checks.map(({ id }) => id) ?? [],
+        ...{ missed: ui.missed?.check ?? null, failed: failed?.times ?? 0 },
+        ...{ size: session.lab.document.world.size, view: session.lab.view },
+      }),
+  })
+  return () => (leave(), stopWatching(), stopListening())
+}

@@ -1,0 +1,129 @@
+// Rooms: class
+import { axeFindings } from '../axe.ts'
+import { Child, leftEye, leftWheel } from '../child.ts'
+import { classOfTest } from '../class-server.ts'
+import { expect, test as base } from '../house.ts'
+import { joins, signsIn } from '../made-class.ts'
+import { languagesOf } from '../words.ts'
+
+type School = Awaited<ReturnType<typeof classOfTest>>
+
+const test = base.extend<object, { school: School }>({
+  school: [
+    // eslint-disable-next-line no-empty-pattern -- Playwright reads the names of what is asked for
+    async ({}, use) => {
+      const school = await classOfTest()
+      await use(school)
+      await school.close()
+    },
+    { scope: 'worker' },
+  ],
+  house: [({ school }, use) => use(school.url), { scope: 'worker' }],
+})
+
+const isAccessible = async (child: Child) => expect(await axeFindings(child.page)).toEqual([])
+
+/** What the teacher's page knows of the one pupil. */
+async function liveOf({ teacher, id }: School) {
+  const { body } = await teacher.ask('GET', `/classes/${id}/live`)
+  const [tile] = (
+    body as { tiles: readonly { live: { card: string; running: boolean; trail: object } | null }[] }
+  ).tiles
+  return tile?.live ?? null
+}
+
+for (const language of languagesOf(import.meta.filename)) {
+  test.describe(`a lesson, in ${language}`, () => {
+    test.use({ language })
+
+    test('a child works while the teacher looks, helps, asks for attention and closes a card', async ({
+      child,
+      school,
+    }) => {
+      const { page } = child
+      const { teacher, id } = school
+      const pupil = await joins(school, 'Fuchs')
+      const teaches = async (method: string, path: string, body?: unknown) =>
+        expect((await teacher.ask(method, `/classes/${id}${path}`, body)).status).toBeLessThan(300)
+      await signsIn(page, school, pupil)
+      await child.opensLab('friendship')
+      await child.typesWeight(leftEye, leftWheel, 0.8)
+
+      await test.step('the teacher sees what it is at', async () => {
+        await child.presses('lab.start')
+        await expect.poll(() => liveOf(school)).toMatchObject({ card: 'friendship', running: true })
+      })
+
+      await test.step('and the child sees who looks inside', async () => {
+        await teaches('POST', `/pupils/${pupil.id}/inside`)
+        await expect(child.words('class.looksInBy', { name: 'm.weber' })).toBeVisible()
+        await teaches('DELETE', `/pupils/${pupil.id}/inside`)
+        await expect(child.words('class.looksInBy', { name: 'm.weber' })).toHaveCount(0)
+      })
+
+      await test.step('attention stops Bo, nothing closes it, and the child goes on afterwards', async () => {
+        await teaches('PUT', '/attention', { on: true })
+        const sheet = page.getByRole('dialog')
+        await expect(sheet).toContainText(child.word('class.attentionTitle'))
+        await isAccessible(child)
+        await page.keyboard.press('Escape')
+        await page.keyboard.press('Escape')
+        await expect(sheet).toBeVisible()
+        await expect.poll(() => page.evaluate(() => botgarten!.view()!.phase)).not.toBe('running')
+        await teaches('PUT', '/attention', { on: false })
+        await expect(sheet).toHaveCount(0)
+      })
+
+      await test.step('a hint stays until it is put away', async () => {
+        await teaches('POST', '/handouts', { to: 'all', kind: 'hint', text: 'Look at the left wheel.' })
+        await expect(page.getByText('Look at the left wheel.')).toBeVisible()
+        await isAccessible(child)
+        await child.reloads()
+        await expect(page.getByText('Look at the left wheel.')).toBeVisible()
+        await child.presses('class.putAway')
+        await expect(page.getByText('Look at the left wheel.')).toHaveCount(0)
+      })
+
+      await test.step('a start program becomes a project of its own', async () => {
+        await teaches('POST', '/handouts', { to: [pupil.id], kind: 'program', card: 'friendship' })
+        await child.presses('class.openOffer')
+        await expect(page).toHaveURL(/\?p=friendship-/)
+        await child.seesLab()
+        await child.seesWeight(leftEye, leftWheel, 0)
+        await expect(child.button('class.openOffer')).toHaveCount(0)
+        await child.opensLab('friendship')
+        await child.seesWeight(leftEye, leftWheel, 0.8)
+      })
+
+      await test.step('a card that is closed leads to those that are open', async () => {
+        await teaches('PUT', '/free', { cards: ['fear'], level: 'plain' })
+        await expect(page.getByRole('dialog')).toContainText(child.word('class.closedTitle'))
+        await isAccessible(child)
+        await page.getByRole('link', { name: child.word('class.toGarden') }).click()
+        await child.seesTitle()
+        await expect(page.locator('a[href*="/lab/friendship"]:not(.tile)')).toHaveCount(0)
+        await isAccessible(child)
+        await child.chooses('fear')
+        await expect(page.getByText(child.word('editor.all'), { exact: true })).toHaveCount(0)
+      })
+
+      await test.step('two pages of the browser share what the teacher says', async () => {
+        const there = new Child(await page.context().newPage(), language)
+        await there.page.addInitScript((here) => sessionStorage.setItem('botgarten.here', here), pupil.id)
+        await there.opensLab('fear')
+        await teaches('PUT', '/attention', { on: true })
+        for (const one of [child, there]) await expect(one.words('class.attentionTitle')).toBeVisible()
+        await teaches('PUT', '/attention', { on: false })
+        // Left as a child leaves it: the other page has the stream then.
+        await there.page.goto('about:blank')
+        await there.page.close()
+      })
+
+      await test.step('when the class is closed the pictures are asked', async () => {
+        await teaches('POST', '/close')
+        await expect(child.words('class.whichPictures')).toBeVisible()
+        await isAccessible(child)
+      })
+    })
+  })
+}
