@@ -69,9 +69,24 @@ for (const language of languagesOf(import.meta.filename)) {
         await page.keyboard.press('Escape')
         await page.keyboard.press('Escape')
         await expect(sheet).toBeVisible()
-        await expect.poll(() => page.evaluate(() => botgarten!.view()!.phase)).not.toBe('running')
+        const before = await child.painted.stands()
+        await expect.poll(() => liveOf(school)).toMatchObject({ running: false })
+        expect(await child.painted.stands()).toEqual(before)
         await teaches('PUT', '/attention', { on: false })
         await expect(sheet).toHaveCount(0)
+      })
+
+      await test.step('two pages of the browser share what the teacher says', async () => {
+        const there = new Child(await page.context().newPage(), language)
+        await there.page.addInitScript((here) => sessionStorage.setItem('botgarten.here', here), pupil.id)
+        await there.opensLab('fear')
+        await teaches('PUT', '/attention', { on: true })
+        for (const one of [child, there]) await expect(one.words('class.attentionTitle')).toBeVisible()
+        await teaches('PUT', '/attention', { on: false })
+        // Left as a child leaves it: the other page has the stream then.
+        const closed = there.page.waitForEvent('close')
+        await there.page.close({ runBeforeUnload: true })
+        await closed
       })
 
       await test.step('a hint stays until it is put away', async () => {
@@ -105,18 +120,6 @@ for (const language of languagesOf(import.meta.filename)) {
         await isAccessible(child)
         await child.chooses('fear')
         await expect(page.getByText(child.word('editor.all'), { exact: true })).toHaveCount(0)
-      })
-
-      await test.step('two pages of the browser share what the teacher says', async () => {
-        const there = new Child(await page.context().newPage(), language)
-        await there.page.addInitScript((here) => sessionStorage.setItem('botgarten.here', here), pupil.id)
-        await there.opensLab('fear')
-        await teaches('PUT', '/attention', { on: true })
-        for (const one of [child, there]) await expect(one.words('class.attentionTitle')).toBeVisible()
-        await teaches('PUT', '/attention', { on: false })
-        // Left as a child leaves it: the other page has the stream then.
-        await there.page.goto('about:blank')
-        await there.page.close()
       })
 
       await test.step('when the class is closed the pictures are asked', async () => {

@@ -4,4 +4,6 @@ export { default as Join } from './view/Join.svelte'
 export { default as PersonMenu } from './view/PersonMenu.svelte'
 export { memberHere } from './model/member.svelte.ts'
 export { soon } from './model/arriving.ts'
-export { follow } from './model/at-work.svelte.ts'
+
+/** What lets the class know what happens in a lab. */
+export const loadFollow = () => import('./model/at-work.svelte.ts')
