@@ -20,7 +20,7 @@ function solution(id: string): string {
   return path
 }
 
-/** Ten files as a person reads them; `vitest -u` writes them again. */
+/** Files as a person reads them; `vitest -u` writes them again. */
 const goldens: readonly (readonly [name: string, from: string, ...options: string[]])[] = [
   ['friendship-pybricks-en', solution('friendship')],
   ['friendship-ev3dev2-de', solution('friendship'), '--dialect', 'ev3dev2', '--lang', 'de'],
@@ -38,6 +38,8 @@ const goldens: readonly (readonly [name: string, from: string, ...options: strin
     '--lang',
     'de',
   ],
+  ['friendship-spike-de', solution('friendship'), '--dialect', 'spike', '--lang', 'de'],
+  ['interest-spike-en', solution('interest'), '--dialect', 'spike'],
   ['action-pybricks-de', join(given, 'programs/upstream__xNN__action.xml'), '--lang', 'de'],
 ]
 
@@ -85,10 +87,10 @@ describe('botgarten convert FILE out.py', () => {
     expect(await made('--no-errors')).not.toContain('raise')
   })
 
-  it('knows both robots, and no other', async () => {
+  it('knows three robots, and no other', async () => {
     const out = join(folder, 'other.py')
     expect((await botgarten('convert', solution('square'), out, '--dialect', 'nxt')).stderr).toMatch(
-      /pybricks or ev3dev2/,
+      /pybricks, ev3dev2 or spike|pybricks or ev3dev2 or spike/,
     )
   })
 

@@ -194,7 +194,7 @@ def sounds():
     ev3.speaker.volume(numberVar)
     show(number_text(ev3.speaker.volume()), numberVar, numberVar)
     # Der Roboter spricht nur eine Sprache.
-    # Pybricks 4 kann auf dem EV3 nicht sprechen: Hier wird nichts gesagt.
+    # Mit Pybricks kann der Roboter nicht sprechen: Hier wird nichts gesagt.
 
 
 def lights():

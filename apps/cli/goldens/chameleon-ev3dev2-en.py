@@ -2,8 +2,8 @@
 # chameleon. Made with Botgarten.
 # For an EV3 with ev3dev.
 # Port 1: color sensor
-# Port C: motor of the left wheel
 # Port B: motor of the right wheel
+# Port C: motor of the left wheel
 from math import pi
 from time import sleep
 

@@ -94,7 +94,7 @@ async function byPython({ document, floor, checks, ticks }: Task, dialect: Diale
     note(drive, run.view())
     if (--left === 0) throw new Error('time is up')
   }
-  const { error } = await runPython(text, run.robot, { tick, random: () => 0 })
+  const { error } = await runPython(text, run.robot, { tick, random: () => 0 }, config)
   expect(error ?? '').toMatch(/^$|time is up/)
   run.robot.stop()
   while (left > 0) {
@@ -140,6 +140,12 @@ const read = ({ words }: Drive) =>
     .filter((word, tick) => words.slice(tick, tick + 6).every((later) => later === word))
     .filter((word, k, all) => word !== all[k - 1])
 
+/** The hub of SPIKE Prime shows one word for all of a network's outputs. */
+const asOnHub = (word: string) => word.split('|').find((row) => /[^-]/.test(row)) ?? word.slice(0, 1)
+
+const readFrom = (drive: Drive, dialect: Dialect) =>
+  read(dialect === 'spike' ? { ...drive, words: drive.words.map(asOnHub) } : drive)
+
 /** This check looks into the blocks' program. */
 const seen = ({ checks }: Drive) => checks.filter(([id]) => id !== 'eyesDecide')
 
@@ -151,7 +157,7 @@ describe.each(dialects)('a card’s solution as Python for %s', (dialect) => {
     expect(astray(ours, theirs)).toEqual([])
     expect(seen(theirs)).toEqual(seen(ours))
     expect(theirs.lamps).toEqual(ours.lamps)
-    expect(read(theirs)).toEqual(read(ours))
+    expect(read(theirs)).toEqual(readFrom(ours, dialect))
     expect(sounding(theirs)).toEqual(sounding(ours))
   })
 })

@@ -63,7 +63,7 @@ function headRows({ input, devices, say }: Draft): readonly Row[] {
     ...(input.dialect === 'ev3dev2' ? [plain('#!/usr/bin/env python3')] : []),
     plain(`# ${say('python.head', { name })}`),
     plain(`# ${dialect}`),
-    ...[...new Set(plugs)].map((plug) => plain(`# ${plug}`)),
+    ...[...new Set(plugs)].sort().map((plug) => plain(`# ${plug}`)),
   ]
 }
 

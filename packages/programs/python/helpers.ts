@@ -5,6 +5,8 @@ import { network } from './helpers/network.ts'
 import { sorting } from './helpers/sorting.ts'
 import { ev3dev2 } from './robots/ev3dev2-helpers.ts'
 import { pybricks } from './robots/pybricks-helpers.ts'
+import { spike } from './robots/spike-helpers.ts'
+import type { Dialect } from './types.ts'
 
 /** What a helper may ask for while its lines are written. */
 export interface HelperAt {
@@ -20,10 +22,13 @@ type Helper = (h: HelperAt) => readonly string[]
 export type Helpers = { readonly [name: string]: Helper }
 
 const shared: Helpers = { ...general, ...network, ...sorting }
-const own = { pybricks, ev3dev2 }
+const own: { readonly [dialect in Dialect]: Helpers } = {
+  ...{ pybricks, ev3dev2 },
+  spike: { ...pybricks, ...spike },
+}
 
 export const isHelper = (name: string): boolean =>
-  Object.hasOwn(shared, name) || Object.hasOwn(pybricks, name) || Object.hasOwn(ev3dev2, name)
+  [shared, ...Object.values(own)].some((helpers) => Object.hasOwn(helpers, name))
 
 /** Brings a function along, and those that it calls before it. Gives its name in this file. */
 export function helper(at: PythonAt, draft: Draft, wanted: string): string {
@@ -44,5 +49,10 @@ const explained = [
   ...['speed', 'straight', 'curve', 'distance', 'show', 'number_text', 'rgb', 'highest', 'find_groups'],
 ]
 
-const commented = ({ say }: Draft, wanted: string): readonly string[] =>
-  explained.includes(wanted) ? [`    # ${say(`python.helper.${wanted}`)}`] : []
+/** The same where the hub of SPIKE Prime is another. */
+const onSpike: { readonly [wanted: string]: string } = { show: 'letters', rgb: 'hsv' }
+
+function commented({ say, input }: Draft, wanted: string): readonly string[] {
+  const key = (input.dialect === 'spike' && onSpike[wanted]) || wanted
+  return explained.includes(wanted) ? [`    # ${say(`python.helper.${key}`)}`] : []
+}

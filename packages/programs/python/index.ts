@@ -15,7 +15,7 @@ export { dialects } from './types.ts'
 export type { Dialect, Learned, PythonFile, PythonInput, PythonNote, Say } from './types.ts'
 export { fileName } from './file-name.ts'
 
-const robots = { pybricks: pybricksRobot, ev3dev2: ev3dev2Robot }
+const robots = { pybricks: pybricksRobot, ev3dev2: ev3dev2Robot, spike: pybricksRobot }
 
 /**
  * A program as Python for a real robot. What its brick cannot do stands in it as a comment, what is not finished as

@@ -67,7 +67,7 @@ const taken = [
     'LargeMotor',
   ],
   ...['MediumMotor', 'SpeedDPS', 'TouchSensor', 'ColorSensor', 'UltrasonicSensor', 'GyroSensor'],
-  ...['InfraredSensor', 'SoundSensor', '_'],
+  ...['InfraredSensor', 'SoundSensor', 'PrimeHub', 'ForceSensor', 'Axis', '_'],
 ]
 
 /** Letters that are easily taken for digits: no linter lets them stand alone (pycodestyle E741). */

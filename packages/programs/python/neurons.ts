@@ -67,24 +67,32 @@ export function outputLines(
     outputs.flatMap((neuron, k) => (kindOf(neuron) === kind ? [{ neuron, name: names[k]! }] : []))
   for (const { neuron, name } of of(''))
     write([neuron], () => draft.line(at.robot.motor(motorOf(neuron), name)))
-  of('text').forEach(({ neuron, name }, row) =>
-    write([neuron], () => {
-      const text = `${at.quote(neuron.fields['OUTPUTNODE'] ?? '')} if ${name} > 0 else "-"`
-      draft.line(at.robot.show(text, '0', String(row)))
-    }),
-  )
+  const words = of('text').map((one) => ({ ...one, word: at.quote(one.neuron.fields['OUTPUTNODE'] ?? '') }))
+  if (draft.input.dialect === 'spike' && words.length > 1)
+    write(neuronsOf(words), () => showHighest(draft, at, words))
+  else
+    words.forEach(({ neuron, name, word }, row) =>
+      write([neuron], () => draft.line(at.robot.show(`${word} if ${name} > 0 else "-"`, '0', String(row)))),
+    )
   const lit = of('led')
   const pairs = lit.map(({ neuron, name }) => `(${name}, ${at.robot.lampColour(lampOf(neuron))})`)
   if (lit.length > 0)
-    write(
-      lit.map(({ neuron }) => neuron),
-      () => draft.line(at.call('lamp', at.call('highest', `[${pairs.join(', ')}]`))),
-    )
+    write(neuronsOf(lit), () => draft.line(at.call('lamp', at.call('highest', `[${pairs.join(', ')}]`))))
   const tones = of('sound')
   const levels = tones.map(({ name }) => name).join(', ')
   if (tones.length > 0)
-    write(
-      tones.map(({ neuron }) => neuron),
-      () => draft.line(at.call('hum', tones.length > 1 ? `max(${levels})` : levels)),
-    )
+    write(neuronsOf(tones), () => draft.line(at.call('hum', tones.length > 1 ? `max(${levels})` : levels)))
+}
+
+const neuronsOf = (outputs: readonly { readonly neuron: NeuronOutline }[]) =>
+  outputs.map(({ neuron }) => neuron)
+
+/** The hub of SPIKE Prime has room for one word. */
+function showHighest(
+  draft: Draft,
+  at: PythonAt,
+  words: readonly { readonly name: string; readonly word: string }[],
+): void {
+  const pairs = words.map(({ name, word }) => `(${name}, ${word})`)
+  draft.line(at.robot.show(`${at.call('highest', `[${pairs.join(', ')}]`)} or "-"`, '0', '0'))
 }

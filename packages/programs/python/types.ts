@@ -3,9 +3,9 @@ import type { Brain } from '@botgarten/learning/neural-network'
 import type { RobotConfig } from '@botgarten/simulation'
 import type { Program } from '../types.ts'
 
-/** Pybricks 4 on an EV3, or ev3dev with python-ev3dev2. */
-export type Dialect = 'pybricks' | 'ev3dev2'
-export const dialects: readonly Dialect[] = ['pybricks', 'ev3dev2']
+/** Pybricks 4 on an EV3, ev3dev with python-ev3dev2, or Pybricks 4 on a SPIKE Prime hub. */
+export type Dialect = 'pybricks' | 'ev3dev2' | 'spike'
+export const dialects: readonly Dialect[] = ['pybricks', 'ev3dev2', 'spike']
 
 /** Words for people, by message key. */
 export type Say = (key: string, facts?: Facts) => string

@@ -256,4 +256,4 @@ const bracketed = ({ code, binds: how }: Expression, least: number) => (how < le
 
 /** Pybricks calls its own modules by MicroPython's names. */
 const moduleOf = (dialect: string, module: 'math' | 'random') =>
-  dialect === 'pybricks' ? `u${module}` : module
+  dialect === 'ev3dev2' ? module : `u${module}`

@@ -13,7 +13,7 @@ const mostSorted = 1_000_000
 export const settings = {
   comfort: v.strictObject({ projector: option, quiet: option, letters: option, aloud: option }),
   /** For which robot a program is shown as Python. */
-  dialect: v.picklist(['pybricks', 'ev3dev2']),
+  dialect: v.picklist(['pybricks', 'ev3dev2', 'spike']),
   /** Does code that is shown raise errors where its program has gaps? */
   'code-gaps': v.boolean(),
   language: v.picklist(languages),

@@ -27,3 +27,6 @@ export const colourNames = (colour: string): Named =>
 export const shownAs: readonly (readonly [colour: string, shown: string])[] = colours.map(
   ({ value, name }) => [value, name],
 )
+
+/** What the sensor of SPIKE Prime is told to tell apart, in the words of Pybricks. */
+export const sensedColours: readonly string[] = Object.values(names).map(({ pybricks }) => pybricks)

@@ -18,13 +18,13 @@ export function motorName({ input }: Draft, port: MotorPort): string {
 }
 
 /** `color_sensor`; where there are two, one on each side, `left_eye` and `right_eye`; else by ports. */
-export function sensorName({ input }: Draft, kind: SensorKind, port: SensorPort): string {
+export function sensorName({ input }: Draft, kind: SensorKind, port: SensorPort, shown = port as string) {
   const name = sensorNames[kind] ?? 'sensor'
   const { sensors } = input.config
   const alike = (['1', '2', '3', '4'] as const).filter((one) => sensors[one]?.kind === kind)
   if (alike.length < 2) return name
   const sides = alike.map((one) => Math.sign(sensors[one]!.y))
-  if (kind !== 'ultrasonic' || alike.length !== 2 || sides[0] === sides[1]) return `${name}_${port}`
+  if (kind !== 'ultrasonic' || alike.length !== 2 || sides[0] === sides[1]) return `${name}_${shown}`
   return sensors[port]!.y > 0 ? 'left_eye' : 'right_eye'
 }
 
@@ -36,7 +36,7 @@ export function plugOfMotor({ input, say }: Draft, port: MotorPort): string {
   return say('python.plug', { port, what: say(`python.device.${side}`) })
 }
 
-export const plugOfSensor = ({ say }: Draft, port: SensorPort, kind: SensorKind): string =>
+export const plugOfSensor = ({ say }: Draft, port: string, kind: SensorKind | 'force'): string =>
   say('python.plug', { port, what: say(`python.device.${kind}`) })
 
 export const isReversed = ({ input }: Draft, port: MotorPort): boolean =>

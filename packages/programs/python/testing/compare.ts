@@ -8,6 +8,8 @@ import type { Traced } from './worker.ts'
 
 /** What no brick has; and Pybricks 4 has no voice. */
 const elsewhere: { readonly [dialect in Dialect]: RegExp } = {
+  // Its hub has three keys.
+  spike: /htcolour|HTCOLOUR|robCommunication_(receive|wait)|sayText|key_getSample.*(UP|DOWN|ESCAPE|ANY)/,
   pybricks: /htcolour|HTCOLOUR|robCommunication_(receive|wait)|sayText/,
   ev3dev2: /htcolour|HTCOLOUR|robCommunication_(receive|wait)/,
 }
@@ -40,7 +42,23 @@ function plain(log: readonly Command[], dialect: Dialect): readonly Command[] {
   const own = log.map(asLetters)
   const huge = own.findIndex(isHuge)
   const told = (huge < 0 ? own : own.slice(0, huge)).flatMap(asTurns)
+  if (dialect === 'spike') return withoutRepeats(told.map(asOnSpike))
   return dialect === 'ev3dev2' ? told.map(asOnEv3dev) : told
+}
+
+/** The hub of SPIKE Prime shows one text, wherever on the display it would stand. */
+const asOnSpike = (command: Command): Command =>
+  command[0] === 'display' ? ['display', 0, 0, command[3]] : command
+
+/** The same text does not go by again. */
+function withoutRepeats(log: readonly Command[]): readonly Command[] {
+  let shown: unknown = ''
+  return log.filter(([verb, , , text]) => {
+    if (verb !== 'display' && verb !== 'clear') return true
+    const before = shown
+    shown = verb === 'clear' ? '' : text
+    return verb === 'clear' || text !== before
+  })
 }
 
 /** python-ev3dev2 takes whole percents, and a tone of its has an end. */

@@ -2,8 +2,17 @@
 import { readdirSync, readFileSync } from 'node:fs'
 import { join, relative } from 'node:path'
 import type { Robot } from '@botgarten/blocks'
-import type { LedColour, MotorPort, ReadMode, RobotKey, SensorPort } from '@botgarten/simulation'
+import {
+  cardConfig,
+  type LedColour,
+  type MotorPort,
+  type ReadMode,
+  type RobotConfig,
+  type RobotKey,
+  type SensorPort,
+} from '@botgarten/simulation'
 import { loadMicroPython } from '@micropython/micropython-webassembly-pyscript/micropython.mjs'
+import { primePorts } from '../robots/hub.ts'
 
 const folder = join(import.meta.dirname, 'stand-ins')
 const sources = readdirSync(folder, { recursive: true, withFileTypes: true })
@@ -33,11 +42,18 @@ const ticksIn = (ms: number) => Math.max(0, Math.ceil((ms * 60) / 1000 - 1e-9))
 /** Python's None comes as null or undefined. */
 const none = <Value>(value: Value | null | undefined): Value | null => value ?? null
 
-const brickOf = (robot: Robot, { tick, random }: Clock) => ({
+/** Which sensor of the configuration a SPIKE Prime hub has at a port, or `gyro` built in. */
+function plugAt(config: RobotConfig, place: string): string | null {
+  const ports = Object.entries(place === 'gyro' ? config.sensors : primePorts(config))
+  return ports.find(([, it]) => (typeof it === 'object' ? it.kind : it) === place)?.[0] ?? null
+}
+
+const brickOf = (robot: Robot, { tick, random }: Clock, config: RobotConfig) => ({
   wait(ms: number) {
     for (let k = ticksIn(ms); k > 0; k--) tick()
   },
   random,
+  plug: (place: string) => plugAt(config, place),
   read: (port: SensorPort, mode: ReadMode) => robot.read(port, mode),
   motor: (port: MotorPort, percent: number) => robot.motor(port, percent),
   move: (left: number, right: number, degrees: number) => robot.move({ left, right, degrees }),
@@ -68,8 +84,13 @@ import math, random
 sys.modules["umath"] = math
 sys.modules["urandom"] = random`
 
-/** Runs a file to its end, or until the clock throws. */
-export async function runPython(text: string, robot: Robot, clock: Clock): Promise<Ran> {
+/** Runs a file to its end, or until the clock throws. @param config what is plugged in where */
+export async function runPython(
+  text: string,
+  robot: Robot,
+  clock: Clock,
+  config: RobotConfig = cardConfig,
+): Promise<Ran> {
   const printed: string[] = []
   const python = await loadMicroPython({ heapsize: 4_000_000, stdout: (line) => void printed.push(line) })
   makeFolder(python.FS, '/stand-ins')
@@ -78,7 +99,7 @@ export async function runPython(text: string, robot: Robot, clock: Clock): Promi
     parts.forEach((_, k) => makeFolder(python.FS, `/stand-ins/${parts.slice(0, k + 1).join('/')}`))
     python.FS.writeFile(`/stand-ins/${path}`, source)
   }
-  python.registerJsModule('brick', brickOf(robot, clock))
+  python.registerJsModule('brick', brickOf(robot, clock, config))
   python.runPython(bootstrap)
   try {
     python.runPython(text)

@@ -7,11 +7,17 @@ const patience = 2000
 
 type Report = { readonly begun: number } | Traced
 
-/** What files told the robot, each in MicroPython; null for a file that never waits: its worker is ended. */
-export async function tracesOf(texts: readonly string[]): Promise<readonly (Traced | null)[]> {
+/**
+ * What files told the robot, each in MicroPython; null for a file that never waits: its worker is ended.
+ * @param ticks simulated time of a run
+ */
+export async function tracesOf(texts: readonly string[], ticks = 400): Promise<readonly (Traced | null)[]> {
   const traces: (Traced | null)[] = []
   while (traces.length < texts.length) {
-    const stuck = await runFrom(texts, traces.length, (trace) => void (traces[trace.index] = trace))
+    const stuck = await runFrom(
+      { texts, from: traces.length, ticks },
+      (trace) => void (traces[trace.index] = trace),
+    )
     if (stuck !== null) traces[stuck] = null
   }
   return traces
@@ -19,12 +25,11 @@ export async function tracesOf(texts: readonly string[]): Promise<readonly (Trac
 
 /** Runs files from one on; gives the index of the one that never waits, null at the end. */
 function runFrom(
-  texts: readonly string[],
-  from: number,
+  task: { readonly texts: readonly string[]; readonly from: number; readonly ticks: number },
   take: (trace: Traced) => void,
 ): Promise<number | null> {
   const worker = fork(fileURLToPath(new URL('./worker.ts', import.meta.url)), { execArgv: [] })
-  worker.send({ texts, from })
+  worker.send(task)
   return new Promise((resolve, reject) => {
     let timer: ReturnType<typeof setTimeout> | undefined
     const end = (result: number | null) => {
@@ -36,7 +41,7 @@ function runFrom(
       clearTimeout(timer)
       if ('begun' in report) timer = setTimeout(() => end(report.begun), patience)
       else take(report)
-      if ('index' in report && report.index === texts.length - 1) end(null)
+      if ('index' in report && report.index === task.texts.length - 1) end(null)
     })
   })
 }

@@ -12,10 +12,7 @@ export interface Traced {
   readonly printed: readonly string[]
 }
 
-/** Simulated time of a run. */
-const ticks = 400
-
-async function traced(text: string, index: number): Promise<Traced> {
+async function traced(text: string, index: number, ticks: number): Promise<Traced> {
   const { robot, log } = tracingRobot()
   let tick = 0
   const clock = {
@@ -29,11 +26,11 @@ async function traced(text: string, index: number): Promise<Traced> {
   return { index, log, error: cut ? null : error, cut, printed }
 }
 
-const [{ texts, from }] = (await once(process, 'message')) as [
-  { readonly texts: readonly string[]; readonly from: number },
+const [{ texts, from, ticks }] = (await once(process, 'message')) as [
+  { readonly texts: readonly string[]; readonly from: number; readonly ticks: number },
 ]
 for (let index = from; index < texts.length; index++) {
   process.send!({ begun: index })
-  process.send!(await traced(texts[index]!, index))
+  process.send!(await traced(texts[index]!, index, ticks))
 }
 process.disconnect()

@@ -1,4 +1,4 @@
-# The EV3 brick of Pybricks 4, as far as generated files use it.
+# The bricks of Pybricks 4, as far as generated files use them.
 import brick
 from pybricks.parameters import Color
 from pybricks.tools import wait
@@ -58,3 +58,52 @@ class EV3Brick:
         self.screen = _Screen()
         self.speaker = _Speaker()
         self.buttons = _Keypad()
+
+
+class _LightMatrix:
+    def off(self):
+        brick.clear()
+
+    def char(self, char):
+        brick.display(0, 0, char)
+
+    def number(self, number):
+        brick.display(0, 0, str(number))
+
+    def text(self, text, on=500, off=50):
+        brick.display(0, 0, text)
+        wait(len(text) * (on + off))
+
+
+class _IMU:
+    def heading(self):
+        return brick.read(brick.plug("gyro"), "angle")
+
+    def angular_velocity(self, axis):
+        return -brick.read(brick.plug("gyro"), "rate")
+
+    def reset_heading(self, angle):
+        brick.reset_gyro(brick.plug("gyro"))
+
+
+class _PrimeKeypad:
+    def pressed(self):
+        from pybricks.parameters import Button
+
+        keys = {"enter": Button.CENTER, "left": Button.LEFT, "right": Button.RIGHT}
+        return {button for name, button in keys.items() if brick.key(name)}
+
+
+class _System:
+    def set_stop_button(self, button):
+        pass
+
+
+class PrimeHub:
+    def __init__(self):
+        self.light = _Light()
+        self.display = _LightMatrix()
+        self.speaker = _Speaker()
+        self.buttons = _PrimeKeypad()
+        self.imu = _IMU()
+        self.system = _System()

@@ -3,6 +3,8 @@ class Port:
     B = "B"
     C = "C"
     D = "D"
+    E = "E"
+    F = "F"
     S1 = "1"
     S2 = "2"
     S3 = "3"
@@ -18,12 +20,17 @@ class Direction:
     COUNTERCLOCKWISE = -1
 
 
+class Axis:
+    Z = 3
+
+
 class Button:
     LEFT = "left"
     RIGHT = "right"
     UP = "up"
     DOWN = "down"
     CENTER = "center"
+    BLUETOOTH = "bluetooth"
 
 
 class Color:
