@@ -114,3 +114,35 @@ export function wordNet(name: string, word: string): string {
     brains: { [block.id]: brain },
   })
 }
+
+/** Bo has a bumper, a turning sensor and a sound sensor, turns on the spot, and says what it hears. */
+export function sayingProject(name: string): string {
+  const text = freeProgram(name, (make) => {
+    const sense = (kind: string, MODE: string, SENSORPORT: string) =>
+      make.block(`robSensors_${kind}_getSample`, { fields: { MODE, SENSORPORT } })
+    const shows = (value: Block, row: number) =>
+      make.block('robActions_display_text', {
+        values: { OUT: value, COL: make.number(0), ROW: make.number(row) },
+      })
+    const says = (value: Block) => make.block('robActions_sayText', { values: { OUT: value } })
+    const hello = make.block('text', { fields: { TEXT: 'Hallo!' } })
+    return [
+      make.turnRight(30, 90),
+      make.forever(
+        ...[sense('gyro', 'ANGLE', '2'), sense('touch', 'PRESSED', '1'), sense('sound', 'SOUND', '3')].map(
+          shows,
+        ),
+        says(hello),
+      ),
+    ]
+  })
+  const { world, ...project } = JSON.parse(text) as Project
+  const [bo] = world.robots
+  const sensors = {
+    '1': { kind: 'touch', x: 10, y: 0, angle: 0 },
+    '2': { kind: 'gyro', x: 0, y: 0, angle: 0 },
+    '3': { kind: 'sound', x: 0, y: 5, angle: 0 },
+  } as const
+  const robots = [{ ...bo!, config: { ...bo!.config, sensors } }]
+  return JSON.stringify({ ...project, world: { ...world, robots } })
+}

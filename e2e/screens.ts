@@ -5,7 +5,7 @@ import { opensSettings } from './child-cards.ts'
 import { ProjectList } from './child-projects.ts'
 import { RobotHands } from './child-robot.ts'
 import { TimeHands } from './child-time.ts'
-import { projectFile } from './projects.ts'
+import { projectFile, sayingProject } from './projects.ts'
 import { lookingIn } from './screens-looking-in.ts'
 
 /** One picture: how a child gets there. `phone`: one part of the lab at a time. */
@@ -136,6 +136,21 @@ export const screens: readonly Screen[] = [
       await setsFriendlyWeights(child, phone)
       await new TimeHands(child).adds('shared')
       await drives(child, 2)
+    },
+  },
+  {
+    name: 'badges',
+    async show(child, phone) {
+      await child.opensLab('free')
+      await child.opensProject('Hallo', sayingProject('Hallo'))
+      if (phone) await child.turnsTo('world')
+      await child.pressesStart()
+      const hello = child.word('world.badge.word', { text: 'Hallo!' })
+      const place = 'bo badge speech'
+      await expect
+        .poll(async () => (await child.painted.places()).find(({ name }) => name === place)?.text)
+        .toContain(hello)
+      await child.presses('lab.pause')
     },
   },
   {

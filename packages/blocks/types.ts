@@ -485,7 +485,7 @@ export interface Definition {
   /** Does it sense, drive, show, sound or run a net? (running.md 3) */
   readonly acts: boolean
   /** What of the robot it shows or sounds with. */
-  readonly uses?: 'lamp' | 'display' | 'sound'
+  readonly uses?: 'lamp' | 'display' | 'sound' | 'speech'
   /** What it is in Python, for both robots' libraries. */
   readonly python: Python
   /** A whole small program around the block that runs, for help and for the contract tests. */

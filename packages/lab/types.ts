@@ -155,6 +155,8 @@ export interface RobotView {
   readonly led: LedColour | null
   readonly display: readonly string[]
   readonly frequency: number | null
+  /** What it is saying, for as long as that takes. */
+  readonly speech: string | null
   readonly touching: readonly string[]
   /** Of the distance sensors, ultrasonic and infrared; empty for others. */
   readonly rays: { readonly [port in SensorPort]?: readonly Ray[] }

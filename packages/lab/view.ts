@@ -1,6 +1,13 @@
 import { trace, type Brain, type NetTrace, type Weights } from '@botgarten/learning/neural-network'
+import { speechLength } from '@botgarten/blocks'
 import { evaluate } from '@botgarten/programs'
-import { degreesOf, type Pose, type SensorPort } from '@botgarten/simulation'
+import {
+  degreesOf,
+  TICKS_PER_SECOND,
+  type Pose,
+  type RobotState,
+  type SensorPort,
+} from '@botgarten/simulation'
 import { results } from './checks/checks.ts'
 import { isFull } from './recording/recorder.ts'
 import { weightsFor } from './robots/brains.ts'
@@ -51,6 +58,7 @@ function robotView(run: Run, robot: RobotRun, index: number, phase: Phase): Robo
     led: state.led,
     display: state.display,
     frequency: state.tone?.frequency ?? null,
+    speech: spokenAt(run.simulation.state.tick, state),
     touching: state.touching,
     rays: Object.fromEntries(ports.map((port) => [port, run.simulation.rays(index, port)])),
     trail: run.tracks[index]!.trail,
@@ -58,6 +66,13 @@ function robotView(run: Run, robot: RobotRun, index: number, phase: Phase): Robo
     lit: phase === 'running' || phase === 'paused' ? robot.thread.lit : null,
     problem: robot.thread.problem,
   }
+}
+
+/** What a robot is saying in this tick. */
+function spokenAt(tick: number, { speech }: RobotState): string | null {
+  if (!speech) return null
+  const seconds = speechLength(speech.text, speech.speed) / 1000
+  return tick - speech.tick < seconds * TICKS_PER_SECOND ? speech.text : null
 }
 
 /** One robot's networks. */

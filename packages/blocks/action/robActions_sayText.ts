@@ -22,7 +22,7 @@ export const robActions_sayText: Definition = {
   },
   words: words(type),
   acts: true,
-  uses: 'sound',
+  uses: 'speech',
   run: afterAsking([ask('OUT')], (frame, context) => speech(frame, context, 30, 50)),
   python: (py) => act(py, py.robot.say(py.text('OUT')), 'speech'),
   example: [start, { type, values: { OUT: text('Bo') } }],

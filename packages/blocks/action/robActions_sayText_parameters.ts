@@ -23,7 +23,7 @@ export const robActions_sayText_parameters: Definition = {
   },
   words: words(type),
   acts: true,
-  uses: 'sound',
+  uses: 'speech',
   run: afterAsking([ask('OUT'), ask('VOICESPEED'), ask('VOICEPITCH')], (frame, context) =>
     speech(frame, context, cut(numberAt(frame, 1), 0, 100), cut(numberAt(frame, 2), 0, 100)),
   ),

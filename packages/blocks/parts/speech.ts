@@ -6,10 +6,13 @@ import { textOf } from './texts.ts'
 const msPerLetter = 65
 const shortest = 500
 
+/** How long it takes to say a text, in milliseconds. `speed`: 0 to 100. */
+export const speechLength = (text: string, speed: number): number =>
+  Math.max(shortest, (text.length * msPerLetter * 80) / (50 + speed))
+
 /** Says the frame's first value and waits until it is said. `speed`, `pitch`: 0 to 100. */
 export function speech(frame: Frame, context: Context, speed: number, pitch: number): Next {
   const text = textOf(frame.got[0])
-  const milliseconds = Math.max(shortest, (text.length * msPerLetter * 80) / (50 + speed))
   if (frame.counter === undefined) context.robot.say(text, speed, pitch)
-  return waiting(frame, context, milliseconds)
+  return waiting(frame, context, speechLength(text, speed))
 }

@@ -1,5 +1,6 @@
 import { expect, it } from 'vitest'
-import type { Template } from '@botgarten/blocks'
+import { addBlocks, type Template } from '@botgarten/blocks'
+import { expert } from '@botgarten/blocks/packs/expert'
 import {
   block,
   compare,
@@ -14,8 +15,10 @@ import {
 } from '../testing/build.ts'
 import { usesOf } from './uses.ts'
 
+addBlocks(expert)
+
 const uses = (...rows: Template[]) => usesOf(programOf([start, ...rows]))
-const nothing = { ports: [], colour: [], light: [], lamp: false, display: false, sound: false }
+const nothing = { ports: [], colour: [], light: [], lamp: false, display: false, sound: false, speech: false }
 
 const eye = (port: string) => block('ai_nn_input_node_ultrasonic', { INPUTNODE: `ULTRASONIC_PORT_${port}` })
 const green = block('ai_nn_input_node_coloursensor_color', { COLOUR: '#00642E', SENSORPORT: '1' })
@@ -42,6 +45,11 @@ it('a sensor block uses its port, and each block what it shows', () => {
     lamp: true,
     display: true,
   })
+})
+
+it('a robot that says something has no tone', () => {
+  const said = { ...block('robActions_sayText'), values: { OUT: number(1) } }
+  expect(uses(said)).toEqual({ ...nothing, speech: true })
 })
 
 it('the number of a timer is no port', () => {

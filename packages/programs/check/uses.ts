@@ -16,6 +16,7 @@ export interface Uses {
   readonly lamp: boolean
   readonly display: boolean
   readonly sound: boolean
+  readonly speech: boolean
 }
 
 /** Timers are counted, not plugged in. */
@@ -47,5 +48,6 @@ export function usesOf(program: Program): Uses {
     lamp: parts.has('lamp'),
     display: parts.has('display'),
     sound: parts.has('sound'),
+    speech: parts.has('speech'),
   }
 }

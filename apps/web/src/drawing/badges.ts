@@ -1,13 +1,15 @@
 import type { Command } from './commands.ts'
 import { clamp, type Point, type Size } from './points.ts'
 
+type Picture = 'display' | 'sound' | 'light' | 'bumper' | 'turn' | 'ear' | 'compass' | 'speech'
+
 /** What Bo senses or does, written beside it. */
 export interface Badge {
   readonly id: string
   /** A part of what it senses with has a teal edge, one that it acts with an apricot one. */
   readonly side: 'sensor' | 'output'
   /** A spot in this colour, or a small picture. */
-  readonly icon: { readonly colour: string } | 'display' | 'sound' | 'light'
+  readonly icon: { readonly colour: string } | Picture
   readonly label: string
   /** Rows, the first beside the label. */
   readonly value: readonly string[]
@@ -128,7 +130,8 @@ const ink2 = '#6B5545'
 const edges = { sensor: '#2F9C95', output: '#F28C45', idle: '#DCC7A5' }
 
 /** In a square of 20. */
-const pictures: { readonly [icon in 'display' | 'sound' | 'light']: readonly Command[] } = {
+const white = (d: string, lineWidth = 1.6): Command => ({ kind: 'path', d, stroke: '#fff', lineWidth })
+const pictures: { readonly [icon in Picture]: readonly Command[] } = {
   display: [
     { kind: 'rect', x: 4, y: 5.5, width: 12, height: 9, round: 1.5, stroke: '#fff', lineWidth: 1.8 },
     { kind: 'path', d: 'M7 9h6M7 11.500h4', stroke: '#fff', lineWidth: 1.5 },
@@ -151,6 +154,17 @@ const pictures: { readonly [icon in 'display' | 'sound' | 'light']: readonly Com
       lineWidth: 1.6,
     },
   ],
+  bumper: [white('M4 9c3.500-4 8.500-4 12 0', 2.2), white('M10 9.500v5M7.500 12.500l2.500-3l2.500 3')],
+  turn: [white('M15 10a5 5 0 1 1-2-4'), white('M13.500 2.800l-.200 3.600l-3.500-.600')],
+  ear: [
+    white('M10 4v7M10 4a1.500 1.500 0 0 0-1.500 1.500v4a1.500 1.500 0 0 0 3 0v-4A1.500 1.500 0 0 0 10 4', 2),
+    white('M6 9.500a4 4 0 0 0 8 0M10 13.500v2.500'),
+  ],
+  compass: [
+    white('M10 4l2.500 6l-2.500 6l-2.500-6z'),
+    { kind: 'circle', x: 10, y: 10, r: 1.2, fill: '#fff' },
+  ],
+  speech: [white('M4 5.500h12v7h-6l-3 3v-3h-3z'), white('M7 9h6', 1.4)],
 }
 
 function iconOf({ icon, side, idle }: Badge, x: number, y: number): readonly Command[] {

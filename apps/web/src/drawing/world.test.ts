@@ -14,6 +14,7 @@ const bo: RobotView = {
   led: null,
   display: [],
   frequency: null,
+  speech: null,
   touching: [],
   rays: {},
   trail: [],

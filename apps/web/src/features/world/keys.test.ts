@@ -55,6 +55,7 @@ describe('what is said aloud', () => {
     led: null,
     display: [],
     frequency: null,
+    speech: null,
     touching: [],
     rays: {},
     tones: [],
