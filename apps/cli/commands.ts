@@ -28,6 +28,7 @@ export const commands: Commands = {
     'q-thesis': withLab(async () => (await import('./sweep/thesis.ts')).thesis),
     kmeans: withLab(async () => (await import('./kmeans.ts')).kMeans),
   },
+  record: withLab(async () => (await import('./net/record.ts')).record),
   examples: withLab(async () => (await import('./net/examples.ts')).examples),
   convert: withLab(async () => (await import('./convert.ts')).convert),
   print: withLab(async () => (await import('./print/print.ts')).print),

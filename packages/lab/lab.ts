@@ -374,7 +374,7 @@ class OneLab implements Lab {
   state = () => this.#run.moment()
   view = (robot?: string) =>
     viewOf(this.#run, this.#run.inPast ? 'paused' : this.#phase, this.#robotAt(robot), this.#other !== null)
-  missing = () => missing(this.#run.checks, this.#run.watches, this.#run.seconds, this.#run.simulation)
+  missing = () => missing(this.#run.checks, this.#run.watches, this.#run.seconds, this.#run.seen)
   document = () => this.#document
   floor = () => this.#floor
   hash = () => hex(this.#run.hash)

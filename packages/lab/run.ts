@@ -195,9 +195,20 @@ export class Run {
     this.tick++
     this.#part = this.#given = 0
     this.#addHash()
-    observe(this.checks, this.watches, this.seconds, this.simulation, this.#nextTurn)
+    observe(this.checks, this.watches, this.seconds, this.seen)
     if (!this.#now) this.#keep()
     else if (this.tick >= this.#now.tick) this.toNow()
+  }
+
+  /** What checks see of this moment. */
+  get seen() {
+    const { world, state, read } = this.simulation
+    return { world, state, read, nextTurn: this.#nextTurn, taught: this.brains[this.#taught] ?? null }
+  }
+
+  /** The first network of the first robot. */
+  get #taught(): string {
+    return this.robots[0]?.networks[0] ?? ''
   }
 
   #nextTurn = (mirrored: boolean) => {

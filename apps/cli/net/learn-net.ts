@@ -1,4 +1,4 @@
-import type { Exercise } from '@botgarten/learning/neural-network/examples'
+import { practiceChoice, type Exercise } from '@botgarten/learning/neural-network/examples'
 import { percentOff } from '@botgarten/learning/neural-network/train'
 import { refusalOf, writeProjectFile } from '@botgarten/programs'
 import { withHidden } from '@botgarten/programs/examples'
@@ -45,8 +45,10 @@ function exerciseOf(source: Source, values: Values & { readonly examples?: strin
     values.examples === undefined
       ? (brain.examples ?? emptyFor(network))
       : readExamples(values.examples, network)
+  // A solution has practised already: it does so again from where it began.
+  const weights = (values.solution && brain.practice?.start) || brain.weights
   return {
-    ...{ id: network.id, layers: brain.layers, weights: brain.weights, examples, seed },
+    ...{ id: network.id, layers: brain.layers, weights, examples, seed },
     ...beginningOf(values, source),
   }
 }
@@ -56,7 +58,8 @@ function one(
   values: Values & { readonly examples?: string; readonly seed?: string; readonly out?: string },
 ): string {
   const { project, card, network, brain } = source
-  const exercise = exerciseOf(source, values, seedOf(values))
+  const seed = values.seed === undefined ? practiceChoice(brain).seed : seedOf(values)
+  const exercise = exerciseOf(source, values, seed)
   const done = practised(exercise, settingsOf(values, brain), brain)
   const { practice, curve, weights, last, hash, prepared, sleeping, byHeart } = done
   notesOf(done)

@@ -1,7 +1,7 @@
 import type { Brain } from '@botgarten/learning/neural-network'
 import { mirrorIn, hiddenActivations, type Hidden } from '@botgarten/programs/examples'
-import type { Exercise } from '@botgarten/learning/neural-network/examples'
-import { starter, type Settings } from '@botgarten/learning/neural-network/train'
+import { practiceChoice, stepSettings, type Exercise } from '@botgarten/learning/neural-network/examples'
+import type { Settings } from '@botgarten/learning/neural-network/train'
 import { CallError } from '../errors.ts'
 import { numberIn, oneOf, wholeNumberIn } from '../options.ts'
 import type { Source } from './source.ts'
@@ -35,9 +35,9 @@ type Text = {
 }
 export type Values = Given & Text & { readonly hidden?: string }
 
-/** What was practised last is the preset, else the starter's. */
-export function settingsOf(values: Values, { practice }: Brain): Settings {
-  const preset = practice?.settings ?? starter
+/** What was chosen or practised last is the preset, else the starter's. */
+export function settingsOf(values: Values, brain: Brain): Settings {
+  const preset = stepSettings(practiceChoice(brain))
   const { momentum, decay, rate, batch, rounds } = preset
   return {
     ...{ range: preset.range, order: preset.order, patience: preset.patience },
@@ -60,15 +60,15 @@ function switched(values: Values, name: 'bias' | 'mirror', preset: boolean): boo
 type Beginning = Pick<Exercise, 'keepBack' | 'from' | 'mirror'>
 
 export function beginningOf(values: Values, { brain, network, config }: Source): Beginning {
-  const preset = brain.practice?.settings
+  const preset = practiceChoice(brain).settings
   const mirror = mirrorIn(network, config)
   if (values.mirror && !mirror) throw new CallError('call.noMirror')
   const from =
-    values.from === undefined && preset ? preset.from : oneOf('from', values.from, ['knobs', 'zero'] as const)
+    values.from === undefined ? preset.from : oneOf('from', values.from, ['knobs', 'zero'] as const)
   return {
-    keepBack: numberIn('keep-back', values['keep-back'], preset?.keepBack ?? 0, 0, 1),
+    keepBack: numberIn('keep-back', values['keep-back'], preset.keepBack, 0, 1),
     from,
-    mirror: switched(values, 'mirror', preset?.mirror ?? true) ? mirror : null,
+    mirror: switched(values, 'mirror', preset.mirror) ? mirror : null,
   }
 }
 

@@ -4,8 +4,8 @@ import type { LoadedCard } from '@botgarten/content/catalogue'
 import { content } from '@botgarten/content/files'
 import { brainsFor } from '@botgarten/lab'
 import type { Brain } from '@botgarten/learning/neural-network'
-import { networks, type Project } from '@botgarten/programs'
-import type { NetworkOutline } from '@botgarten/programs'
+import type { Block } from '@botgarten/blocks'
+import { networks, type NetworkOutline, type Program, type Project } from '@botgarten/programs'
 import type { RobotConfig } from '@botgarten/simulation'
 import { CallError, FileError } from '../errors.ts'
 import { readProjectFile } from '../project-file.ts'
@@ -59,4 +59,25 @@ export function networkIn(project: Project, id: string | undefined): Omit<Source
   const robot = robots.find(({ program }) => program === found.program) ?? robots[0]
   if (!robot) throw new FileError('file.noRobot')
   return { project, ...found, brain, config: robot.config }
+}
+
+/** A block of a program by its id, with all that is in it. */
+export function blockIn({ stacks }: Program, id: string): Block | undefined {
+  const found = (block: Block): Block | undefined => {
+    if (block.id === id) return block
+    const inside = [...Object.values(block.values ?? {}), ...Object.values(block.statements ?? {}).flat()]
+    return first(inside, found)
+  }
+  return first(
+    stacks.flatMap(({ blocks }) => blocks),
+    found,
+  )
+}
+
+function first<One>(all: readonly One[], found: (one: One) => One | undefined): One | undefined {
+  for (const one of all) {
+    const result = found(one)
+    if (result) return result
+  }
+  return undefined
 }

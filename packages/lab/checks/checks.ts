@@ -22,30 +22,23 @@ function kindOf(check: Check): AnyKind {
   return kind
 }
 
-type Seen = Pick<Simulation, 'world' | 'state' | 'read'>
+type Seen = Pick<Simulation, 'world' | 'state' | 'read'> & Partial<Pick<Moment, 'taught' | 'nextTurn'>>
+
+const noTurn: Moment['nextTurn'] = () => null
 
 const momentOf = (
   checks: readonly Check[],
   watches: readonly Watch[],
   seconds: number,
-  { world, state, read }: Seen,
-  nextTurn: Moment['nextTurn'],
+  { world, state, read, taught = null, nextTurn = noTurn }: Seen,
 ): Moment => {
   const passed = (id: string) => watches[checks.findIndex((check) => check.id === id)]?.passed ?? false
-  return { seconds, world, simulation: state, read, nextTurn, passed }
+  return { seconds, world, simulation: state, read, taught, nextTurn, passed }
 }
 
-const noTurn: Moment['nextTurn'] = () => null
-
 /** Every check looks at one tick. */
-export function observe(
-  checks: readonly Check[],
-  watches: Watch[],
-  seconds: number,
-  seen: Seen,
-  nextTurn: Moment['nextTurn'] = noTurn,
-): void {
-  const moment = momentOf(checks, watches, seconds, seen, nextTurn)
+export function observe(checks: readonly Check[], watches: Watch[], seconds: number, seen: Seen): void {
+  const moment = momentOf(checks, watches, seconds, seen)
   checks.forEach((check, index) => {
     const kept = watches[index]!
     const passes = kindOf(check).observe(check, moment, kept.memory as never)
@@ -65,7 +58,7 @@ export function missing(
   seconds: number,
   seen: Seen,
 ): readonly Missing[] {
-  const moment = momentOf(checks, watches, seconds, seen, noTurn)
+  const moment = momentOf(checks, watches, seconds, seen)
   const open = checks.flatMap((check, index): readonly Missing[] => {
     const { passed, memory } = watches[index]!
     if (passed) return []

@@ -1,13 +1,19 @@
 import { arrives } from './arrives.ts'
+import { clean } from './clean.ts'
+import { cruises } from './cruises.ts'
 import { eyesDecide } from './eyesDecide.ts'
+import { keptBack } from './keptBack.ts'
 import type { AnyKind } from './kind.ts'
 import { laps } from './laps.ts'
+import { learned } from './learned.ts'
 import { led } from './led.ts'
 import { near } from './near.ts'
 import { neverSees } from './neverSees.ts'
 import { neverTouches } from './neverTouches.ts'
 import { rests } from './rests.ts'
+import { rowsBy } from './rowsBy.ts'
 import { says } from './says.ts'
+import { settled } from './settled.ts'
 import { showsGroups } from './showsGroups.ts'
 import { sings } from './sings.ts'
 import { speedOn } from './speedOn.ts'
@@ -19,14 +25,20 @@ import { visits } from './visits.ts'
 /** Every kind of check by its name in `card.json`. */
 export const kinds: { readonly [kind: string]: AnyKind } = {
   arrives,
+  clean,
+  cruises,
   eyesDecide,
+  keptBack,
   laps,
+  learned,
   led,
   near,
   neverSees,
   neverTouches,
   rests,
+  rowsBy,
   says,
+  settled,
   showsGroups,
   sings,
   speedOn,

@@ -34,6 +34,17 @@ const world: World = {
 const numbers = {
   ...{ x: 200, y: 110, cm: 8, after: '', obstacle: 'square', until: '', percent: 3, near: 60, far: 80 },
   ...{ colour: '#00642E', lamp: 'green', others: '#FFFFFF', least: 50, most: 100, light: 15, hertz: 150 },
+  ...{
+    rows: 4,
+    rounds: 1,
+    bumps: 0,
+    by: 'coach',
+    drive: 'given',
+    wrong: '3',
+    found: 1,
+    goodLost: 0,
+    rate: 0.1,
+  },
   ...{ gates: '100 60, 300 60, 200 350', laps: 1, points: '200 60, 60 160', kinds: 3, letters: 0 },
 }
 const checkOf = (kind: string, other: object = {}): Check => ({

@@ -1,3 +1,4 @@
+import type { Brain } from '@botgarten/learning/neural-network'
 import { cos, sin } from '@botgarten/numbers'
 import {
   FRONT,
@@ -27,6 +28,8 @@ export interface Moment {
    * of its sensors seen what the one on the other side sees. null where it would set no wheel.
    */
   nextTurn(mirrored: boolean): Percent | null
+  /** The first network of the first robot, with what it was shown; null where it has none. */
+  readonly taught: Brain | null
   /** Has another check of the card passed? */
   passed(checkId: string): boolean
 }

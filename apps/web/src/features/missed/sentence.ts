@@ -30,7 +30,7 @@ const read: { readonly [name: string]: (fact: Fact) => string } = {
   away: cm,
 }
 /** Kinds whose limits are lengths. */
-const lengths: readonly string[] = ['sings', 'turnsAway']
+const lengths: readonly string[] = ['cruises', 'sings', 'turnsAway']
 
 /** What a run has missed, in one sentence. @param place what the card's goal stands at: a `flag`, else '' */
 export function sentenceOf({ kind, what, facts }: Missing, place: string): string {
