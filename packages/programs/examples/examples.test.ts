@@ -1,5 +1,5 @@
 import { blockFrom } from '@botgarten/blocks'
-import { noExamples, withDrive, type Examples } from '@botgarten/learning/neural-network/examples'
+import { mostOf, noExamples, withDrive, type Examples } from '@botgarten/learning/neural-network/examples'
 import { sample } from '@botgarten/numbers/testing'
 import { cardConfig } from '@botgarten/simulation'
 import fc from 'fast-check'
@@ -128,6 +128,15 @@ describe('examples as a file', () => {
     expect(() =>
       parseProject({ ...project, brains: { net: { ...brain, examples: { ...examples, rows } } } }),
     ).toThrow()
+    const many = {
+      ...brain,
+      examples: { ...examples, rows: Array(mostOf.rows).fill(examples.rows[0]) as Examples['rows'] },
+    }
+    const networks = (count: number) =>
+      Object.fromEntries(Array.from({ length: count }, (_, k) => [`net${k}`, many]))
+    const all = mostOf.projectRows / mostOf.rows
+    expect(() => parseProject({ ...project, brains: networks(all) })).not.toThrow()
+    expect(() => parseProject({ ...project, brains: { ...networks(all), more: brain } })).toThrow()
   })
 })
 

@@ -60,3 +60,19 @@ it('weights go back into the data, and nothing else of it changes', () => {
   expect(networkIn(after)).toEqual(changed)
   expect(after).toBe(data.replace('["1","-1","0"]', '["1","-1","0.25"]'))
 })
+
+it('how it practises is read with it: learning rate, batch, and L2 as weight decay', () => {
+  const data = JSON.parse(dataOf('upstream__xNN__nn_step')) as object
+  const settingsOf = (more: object) => networkIn(JSON.stringify({ ...data, ...more }))!.practice?.settings
+  expect(settingsOf({ learningRate: 0.3, batchSize: 16 })).toMatchObject({
+    rate: 0.3,
+    batch: 16,
+    decay: 0,
+    bias: 'on',
+  })
+  const regularized = { regularization: 'L2', regularizationRate: 0.001 }
+  expect(settingsOf(regularized)).toMatchObject({ decay: 0.001 })
+  expect(settingsOf({ ...regularized, regularization: 'L1' })).toMatchObject({ decay: 0 })
+  expect(settingsOf({ learningRate: 'fast', batchSize: -3 })).toBeUndefined()
+  expect(networkIn(JSON.stringify(data))!.practice).toMatchObject({ round: 0, curve: [] })
+})

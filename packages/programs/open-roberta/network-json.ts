@@ -1,5 +1,6 @@
 import type { Brain, Neuron } from '@botgarten/learning/neural-network'
 import * as v from 'valibot'
+import { settingsIn } from './network-settings.ts'
 import { idSchema } from '../project/schema-program.ts'
 
 // Today's Open Roberta keeps a network as JSON in the data of a block: names, and weights and biases as texts.
@@ -78,11 +79,13 @@ export function networkIn(data: string): Brain | null {
       )
     }),
   )
+  const practice = settingsIn(data)
   return {
     kind: 'network',
     layers: layers.map((ids, layer) => ids.map((id, k) => neuron(id, layer, k))),
     weights,
     sets: {},
+    ...(practice && { practice }),
   }
 }
 

@@ -1,5 +1,6 @@
 import * as v from 'valibot'
 import { activations, type Brain } from '@botgarten/learning/neural-network'
+import { mostOf } from '@botgarten/learning/neural-network/examples'
 import type { Learned, Project } from '../types.ts'
 import { finite, idSchema, programSchema, recordOf, textSchema } from './schema-program.ts'
 import { assetsSchema } from './schema-assets.ts'
@@ -51,6 +52,9 @@ const progress = v.object({ starts: v.array(whole), hints: whole })
 const programsExist = ({ programs, world }: Project) =>
   world.robots.every(({ program }) => Object.hasOwn(programs, program))
 
+const rowsIn = ({ brains }: Project) =>
+  Object.values(brains).reduce((sum, { examples }) => sum + (examples?.rows.length ?? 0), 0)
+
 /** What is not named here is left out. */
 export const projectSchema: v.GenericSchema<unknown, Project> = v.pipe(
   v.object({
@@ -67,4 +71,5 @@ export const projectSchema: v.GenericSchema<unknown, Project> = v.pipe(
     shelf: v.exactOptional(v.picklist(['plain', 'all'])),
   }),
   v.check((project) => programsExist(project), 'A robot has a program that is not there.'),
+  v.check((project) => rowsIn(project) <= mostOf.projectRows, 'There are too many examples.'),
 )
