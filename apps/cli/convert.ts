@@ -15,6 +15,7 @@ const known = {
   robot: { type: 'string' },
   dialect: { type: 'string' },
   'no-errors': { type: 'boolean' },
+  learner: { type: 'boolean' },
   json: { type: 'boolean' },
 } as const
 
@@ -26,7 +27,10 @@ function convertFile(args: string[]): string {
   const [from, to, ...more] = positionals
   if (!from || !to || more.length > 0) throw new CallError('call.convertWhat')
   refuseEndings(from, to)
-  const how = { dialect: oneOf('dialect', values.dialect, dialects), gaps: !values['no-errors'] }
+  const how = {
+    dialect: oneOf('dialect', values.dialect, dialects),
+    ...{ gaps: !values['no-errors'], learner: values.learner === true },
+  }
   const project = readProjectFile(from)
   const robot = robotOf(project, values.robot)
   write(to, isPython(to) ? pythonOf(project, robot, how) : textOf(to, project, robot.id))

@@ -28,6 +28,7 @@ const goldens: readonly (readonly [name: string, from: string, ...options: strin
   ['chameleon-ev3dev2-en', solution('chameleon'), '--dialect', 'ev3dev2'],
   ['tidy-up-pybricks-en', solution('tidy-up')],
   ['railway-pybricks-de', solution('railway'), '--lang', 'de'],
+  ['railway-learner-pybricks-en', solution('railway'), '--learner'],
   ['either-or-pybricks-en', solution('either-or')],
   ['functions-pybricks-en', join(given, 'programs/composed__common__functionsBasic.xml')],
   [

@@ -12,7 +12,7 @@ const mapNamed = (id: string) => (content.maps.includes(id) ? findMap(id) : null
 export function pythonOf(
   project: Project,
   robot: RobotPlacement,
-  how: { readonly dialect: Dialect; readonly gaps: boolean },
+  how: { readonly dialect: Dialect; readonly gaps: boolean; readonly learner: boolean },
 ): string {
   const program = project.programs[robot.program]!
   const learned = project.q?.[robot.program]

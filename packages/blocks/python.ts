@@ -76,6 +76,8 @@ export interface PythonAt {
   missing(key: string): Expression
   /** Here stands nothing that could run: key of a problem. */
   gap(problem: string, facts?: Facts): never
+  /** Is the robot to go on learning by trying? */
+  readonly learner: boolean
   /** Reads, runs and obeys the network of this block. */
   network(): void
   /** One run of the network that is known by its neurons' names. */

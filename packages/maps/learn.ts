@@ -9,6 +9,7 @@ import {
 import { inScene, learningIn, type LearningOutline, type Program, type Project } from '@botgarten/programs'
 import type { Learned as InPython } from '@botgarten/programs/python'
 import { drawWay } from './drawn.ts'
+import { lessonOf } from './lesson.ts'
 import type { MapFile } from './types.ts'
 import { legsOf } from './way.ts'
 
@@ -88,12 +89,15 @@ export function learnedFor(
 ): InPython {
   const outline = learningIn(program)
   const map = outline && mapNamed(outline.map)
-  if (!outline || !map || moves === 0) return {}
+  if (!outline || !map) return {}
   const course = courseOf(outline, map, seed)
+  const lesson = lessonOf(course, map)
+  const going = lesson ? { lesson } : {}
+  if (moves === 0) return going
   course.advance(Math.min(outline.moves, moves))
   const { states: stations } = course.way()
-  if (!stations || stations.length < 2) return {}
-  return { way: legsOf(map, stations), table: tableOf(course) }
+  if (!stations || stations.length < 2) return going
+  return { way: legsOf(map, stations), table: tableOf(course), ...going }
 }
 
 /** Q by station and by the next one. */

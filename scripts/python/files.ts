@@ -45,4 +45,6 @@ for (const [name, document] of [...cards, ...given])
       const learned = learnedFor(program, (id) => content.mapFile(id))
       const input = { name, program, config: robot!.config, brains: document.brains, dialect, learned }
       writeFileSync(join(folder, `${name}.${dialect}.${language}.py`), pythonFrom(input, say).text)
+      const learner = learned.lesson && pythonFrom({ ...input, learner: true }, say).text
+      if (learner) writeFileSync(join(folder, `${name}-learner.${dialect}.${language}.py`), learner)
     }

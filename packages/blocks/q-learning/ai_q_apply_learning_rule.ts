@@ -1,4 +1,3 @@
-import { part } from '../parts/python.ts'
 import { learningProgram } from '../parts/learning-examples.ts'
 import { rows, words } from '../parts/looks.ts'
 import { mostEpisodes, mostMoves } from '../parts/maps.ts'
@@ -25,6 +24,10 @@ export const ai_q_apply_learning_rule: Definition = {
   words: words(type),
   acts: false,
   run: () => done,
-  python: part,
+  // What was learned stands at the head of the file.
+  python(py) {
+    if (py.learner)
+      py.line(py.call('learn', py.field('EPISODES', '100'), py.field('Q_LEARNER_TIME', '10000')))
+  },
   example: learningProgram(),
 }

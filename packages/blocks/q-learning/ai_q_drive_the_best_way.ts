@@ -23,6 +23,7 @@ export const ai_q_drive_the_best_way: Definition = {
     frame.stage++
     return frame.stage === 1 ? body : done
   },
-  python: (py) => py.body('DO'),
+  // A robot that learns on a floor with stations drives from one to the next.
+  python: (py) => (py.learner ? py.line(py.call('drive_best_way')) : py.body('DO')),
   example: learningProgram(),
 }

@@ -1,6 +1,7 @@
 import type { PythonAt } from '@botgarten/blocks'
 import type { Draft } from './draft.ts'
 import { general } from './helpers/general.ts'
+import { learner } from './helpers/learner.ts'
 import { network } from './helpers/network.ts'
 import { sorting } from './helpers/sorting.ts'
 import { ev3dev2 } from './robots/ev3dev2-helpers.ts'
@@ -21,7 +22,7 @@ export interface HelperAt {
 type Helper = (h: HelperAt) => readonly string[]
 export type Helpers = { readonly [name: string]: Helper }
 
-const shared: Helpers = { ...general, ...network, ...sorting }
+const shared: Helpers = { ...general, ...learner, ...network, ...sorting }
 const own: { readonly [dialect in Dialect]: Helpers } = {
   ...{ pybricks, ev3dev2 },
   spike: { ...pybricks, ...spike },
@@ -47,6 +48,7 @@ export function helper(at: PythonAt, draft: Draft, wanted: string): string {
 /** Helpers whose names do not say what they are for: words in the section `python.helper`. */
 const explained = [
   ...['speed', 'straight', 'curve', 'distance', 'show', 'number_text', 'rgb', 'highest', 'find_groups'],
+  ...['best_of', 'put_down', 'drive_to', 'learn'],
 ]
 
 /** The same where the hub of SPIKE Prime is another. */

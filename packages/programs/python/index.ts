@@ -5,6 +5,7 @@ import { declaredIn } from '../run/index-program.ts'
 import { assembled } from './assemble.ts'
 import { Draft } from './draft.ts'
 import { learnedLines } from './learned.ts'
+import { lessonLines } from './lesson.ts'
 import { ev3dev2Robot } from './robots/ev3dev2.ts'
 import { pybricksRobot } from './robots/pybricks.ts'
 import type { Line, PythonFile, PythonInput, Say } from './types.ts'
@@ -12,7 +13,7 @@ import { assignedIn, Usage } from './usage.ts'
 import { Writer } from './writer.ts'
 
 export { dialects } from './types.ts'
-export type { Dialect, Learned, PythonFile, PythonInput, PythonNote, Say } from './types.ts'
+export type { Dialect, Learned, Lesson, PythonFile, PythonInput, PythonNote, Say } from './types.ts'
 export { fileName } from './file-name.ts'
 
 const robots = { pybricks: pybricksRobot, ev3dev2: ev3dev2Robot, spike: pybricksRobot }
@@ -27,6 +28,7 @@ export function pythonFrom(input: PythonInput, say: Say): PythonFile {
   nameEverything(draft, usage)
   const writer = new Writer(draft, usage, robots[input.dialect](draft))
   learnedLines(draft, usage)
+  lessonLines(draft, usage)
   const functions = usage.functions.map((block) => functionOf(writer, block))
   usage.inMain()
   const made = section(draft, () => {

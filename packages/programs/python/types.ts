@@ -1,5 +1,6 @@
 import type { Facts } from '@botgarten/blocks'
 import type { Brain } from '@botgarten/learning/neural-network'
+import type { Settings } from '@botgarten/learning/q-learning'
 import type { RobotConfig } from '@botgarten/simulation'
 import type { Program } from '../types.ts'
 
@@ -22,6 +23,8 @@ export interface PythonInput {
   /** `raise` where something is missing (the preset), or only a comment. */
   readonly gaps?: boolean
   readonly learned?: Learned
+  /** Does the robot go on learning by itself? */
+  readonly learner?: boolean
 }
 
 /** What learning has left behind. */
@@ -32,6 +35,29 @@ export interface Learned {
   readonly table?: { readonly [state: number]: { readonly [action: number]: number } }
   /** Middles of groups: red, green, blue, 0..255. */
   readonly centres?: readonly (readonly number[])[]
+  /** What a robot needs to go on learning on a floor. */
+  readonly lesson?: Lesson
+}
+
+/** A task of Q-learning on a floor with stations. */
+export interface Lesson {
+  readonly states: number
+  readonly start: number
+  /** Stations where an episode ends. */
+  readonly ends: readonly number[]
+  /** Stations at which a robot may be put down to begin elsewhere. */
+  readonly open: readonly number[]
+  /** By station, then by the next one: degrees clockwise from the right, cm, and what arriving pays. */
+  readonly roads: {
+    readonly [from: number]: {
+      readonly [to: number]: {
+        readonly direction: number
+        readonly length: number
+        readonly reward: number
+      }
+    }
+  }
+  readonly settings: Settings
 }
 
 /** Something that a block means and the brick cannot do, or that is not finished. */

@@ -17,6 +17,7 @@ import { rules } from '../check/rules.ts'
 import { shapeOf } from '../run/shape-of.ts'
 import type { Draft } from './draft.ts'
 import { helper, isHelper } from './helpers.ts'
+import { lessonIn } from './lesson.ts'
 import { callNetwork } from './network.ts'
 import { quote } from './quote.ts'
 import { neuronPlace, runStep } from './steps.ts'
@@ -242,6 +243,7 @@ export class Writer {
       gap: (problem, facts) => {
         throw new Gap(block.id, problem, facts)
       },
+      learner: lessonIn(draft) !== undefined,
       network: () => callNetwork(this, at),
       step: () => runStep(this, at),
       neuron: (what, ...names) => neuronPlace(this, at, what, names),

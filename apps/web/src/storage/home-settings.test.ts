@@ -20,6 +20,7 @@ const all: HomeSettings = {
   comfort: { projector: false, quiet: true, letters: true, aloud: false },
   dialect: 'ev3dev2',
   'code-gaps': false,
+  'code-learner': true,
   language: 'de',
   'network-level': 'explorer',
   'network-tens': true,

@@ -17,6 +17,7 @@ afterEach(() => void vi.unstubAllGlobals())
 const good: { readonly [name in keyof typeof settings]: unknown } = {
   comfort: { projector: false, quiet: true },
   'code-gaps': false,
+  'code-learner': true,
   dialect: 'ev3dev2',
   language: 'de',
   'network-level': 'explorer',

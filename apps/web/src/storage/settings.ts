@@ -16,6 +16,8 @@ export const settings = {
   dialect: v.picklist(['pybricks', 'ev3dev2', 'spike']),
   /** Does code that is shown raise errors where its program has gaps? */
   'code-gaps': v.boolean(),
+  /** Does the robot of such code go on learning by trying? */
+  'code-learner': v.boolean(),
   language: v.picklist(languages),
   'network-level': level,
   'network-tens': v.boolean(),

@@ -14,6 +14,8 @@ import {
 import { loadMicroPython } from '@micropython/micropython-webassembly-pyscript/micropython.mjs'
 import { primePorts } from '../robots/hub.ts'
 
+export { tracingRobot } from './tracing-robot.ts'
+
 const folder = join(import.meta.dirname, 'stand-ins')
 const sources = readdirSync(folder, { recursive: true, withFileTypes: true })
   .filter((entry) => entry.name.endsWith('.py'))

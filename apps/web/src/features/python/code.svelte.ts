@@ -12,6 +12,7 @@ export class Code {
   readonly #title: () => string
   #dialect = $state(readSetting<Dialect>('dialect', 'pybricks'))
   #gaps = $state(readSetting('code-gaps', true))
+  #learner = $state(readSetting('code-learner', false))
   #learned = $state.raw<Learned>({})
 
   /** @param title name of the project */
@@ -37,6 +38,20 @@ export class Code {
     writeSetting('code-gaps', gaps)
   }
 
+  /** Does the robot go on learning by trying, on a floor with stations? */
+  get learner(): boolean {
+    return this.#learner
+  }
+  set learner(learner: boolean) {
+    this.#learner = learner
+    writeSetting('code-learner', learner)
+  }
+
+  /** Could it? */
+  get canLearn(): boolean {
+    return this.#session.learns && this.#learned.lesson !== undefined
+  }
+
   get #program() {
     return this.#session.lab.document.programs[this.#session.robot.program] ?? empty
   }
@@ -47,7 +62,8 @@ export class Code {
     return pythonFrom(
       {
         ...{ name: this.#title(), program: this.#program, config, brains, set: brain },
-        ...{ dialect: this.dialect, gaps: this.gaps, learned: this.#learned },
+        ...{ dialect: this.dialect, gaps: this.gaps },
+        ...{ learned: this.#learned, learner: this.learner },
       },
       message,
     )
