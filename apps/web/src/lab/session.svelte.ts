@@ -36,6 +36,8 @@ export class LabSession {
   learnFirst: () => boolean = () => this.learns
   /** What is looked at inside the network; there from the first question on. */
   inside = $state.raw<Slots['inside'] | null>(null)
+  /** How its networks learn from examples; there once a child has asked. */
+  training = $state.raw<Slots['training'] | null>(null)
   /** Address of a picture that lies under a floor which has none: the map from which the way was drawn. */
   below = $state.raw<string | null>(null)
   readonly #extras: Extras

@@ -14,7 +14,8 @@ export interface CurvePoint {
 /** A curve has at most so many points: of long practice not every round is measured. */
 const mostPoints = 1000
 
-const pointOf = (practice: Practice): CurvePoint => ({
+/** The errors with the weights of now. */
+export const pointOf = (practice: Practice): CurvePoint => ({
   round: practice.round,
   practised: meanLoss(practice, practice.practised)!,
   kept: meanLoss(practice, practice.kept),

@@ -8,6 +8,7 @@ import { inside } from '#features/inside/feature.ts'
 import type { Code } from '#features/python/feature.ts'
 import type { Learner } from '#features/q-learning/feature.ts'
 import { addNeuron, applyFix } from '#features/robot/feature.ts'
+import { training } from '#features/training/feature.ts'
 import { Guide, sightOf } from '#features/tour/feature.ts'
 import { BuildMode, world } from '#features/world/feature.ts'
 import { Highlight } from '#figures/highlight.svelte.ts'
@@ -227,6 +228,16 @@ export class LabScreenState {
 
   /** What is seen inside the network comes with the first question. */
   inside = () => loadPart(inside)
+
+  /** How the weights of the network come about: by turning its knobs, else from examples. */
+  get way(): 'hand' | 'show' | 'practise' {
+    return this.#way
+  }
+  #way = $state<'hand' | 'show' | 'practise'>('hand')
+  setWay = async (way: 'hand' | 'show' | 'practise'): Promise<void> => {
+    if (way !== 'hand') (await loadPart(training)).training(this.session, way)
+    this.#way = way
+  }
 
   openFile = (file: File): Promise<void> => navigation.openFile(file, this.ui)
   saveFile = (): void => saveProjectFile(this.named)

@@ -1,0 +1,69 @@
+import type { Order, Report } from './messages.ts'
+import { Practiser } from './practiser.ts'
+
+/** Milliseconds between two reports: nobody sees more than 20 a second. */
+const between = 50
+
+export interface Surroundings {
+  /** Milliseconds. */
+  now(): number
+  /** Does something after so many ms; what has arrived meanwhile is taken first. */
+  later(act: () => void, ms: number): void
+  post(report: Report): void
+  /** Milliseconds that a slice may take. */
+  readonly slice: number
+}
+
+/** Carries orders out, a slice at a time: in a worker, or where the page runs. */
+export class Host {
+  readonly #around: Surroundings
+  #practiser: Practiser | null = null
+  #isDue = false
+  #posted = -Infinity
+
+  constructor(around: Surroundings) {
+    this.#around = around
+  }
+
+  take(order: Order): void {
+    if (order.kind === 'begin') {
+      this.#practiser = new Practiser(order.job, order.exercise, order.settings)
+      this.#posted = -Infinity
+      return
+    }
+    const practiser = this.#practiser
+    if (!practiser) return
+    if (order.kind === 'peek' || order.kind === 'step') {
+      const example = practiser.example(order.kind === 'peek')
+      if (example) this.#around.post(example)
+      if (!example || practiser.hasNews) this.#post(practiser)
+      return
+    }
+    if (order.kind === 'go') practiser.go(order.until, order.pace, this.#around.now())
+    else practiser.stop()
+    if (practiser.isDone) this.#post(practiser)
+    else this.#workLater(0)
+  }
+
+  #workLater(ms: number): void {
+    if (this.#isDue) return
+    this.#isDue = true
+    this.#around.later(this.#work, ms)
+  }
+
+  #work = (): void => {
+    this.#isDue = false
+    const practiser = this.#practiser
+    if (!practiser || practiser.isDone) return
+    const { now, slice } = this.#around
+    practiser.work(now, now() + slice)
+    const isRipe = practiser.hasNews && now() - this.#posted >= between
+    if (isRipe || practiser.isDone) this.#post(practiser)
+    if (!practiser.isDone) this.#workLater(Math.min(between, practiser.wait(now())))
+  }
+
+  #post(practiser: Practiser): void {
+    this.#posted = this.#around.now()
+    this.#around.post(practiser.report())
+  }
+}

@@ -1,0 +1,303 @@
+import { prepare } from '@botgarten/learning/neural-network/examples'
+import { byHeartSince, type CurvePoint, type Ending } from '@botgarten/learning/neural-network/train'
+import type { LabEvent } from '#lab/change.ts'
+import type { LabSession } from '#lab/session.svelte.ts'
+import { Assignment } from './assignment.svelte.ts'
+import { Beats } from './beats.svelte.ts'
+import { Engine } from './engine.ts'
+import type { Order, Progress, Report } from './messages.ts'
+import { isSamePractice, noteOf, parametersIn, Rehearsal, weightsAt } from './rehearsal.ts'
+
+/** `going`: rounds pass · `again`: rounds that were practised before are practised again, to get back to one. */
+type Phase = 'rest' | 'going' | 'again'
+
+/** What is to happen when the rounds of before are there again. */
+type Then =
+  { readonly kind: 'show'; readonly round: number } | { readonly kind: 'go' } | { readonly kind: 'open' }
+
+/** How the network on the screen practises its examples: what a child does with rounds, and what has come of it. */
+export class Practice extends Assignment {
+  readonly beats: Beats
+  readonly #engine = new Engine((report) => this.#hear(report))
+  #phase = $state<Phase>('rest')
+  #curve = $state.raw<readonly CurvePoint[]>([])
+  #marks = $state.raw<readonly number[]>([])
+  /** Whose weights are on the knobs. */
+  #round = $state(0)
+  #ending = $state.raw<Ending | null>(null)
+  #sleeping = $state.raw<readonly string[]>([])
+  #shaken = $state(false)
+  /** Rounds a second; Infinity: as fast as it can. */
+  pace = $state(Infinity)
+  /** What the rounds follow from; null: nothing was practised yet, or a hand has turned knobs since. */
+  #rehearsal: Rehearsal | null = null
+  #job = 0
+  /** The round up to which the engine has practised; −1: it has not begun with this. */
+  #reached = -1
+  #then: Then | null = null
+
+  constructor(session: LabSession) {
+    super(session)
+    this.beats = new Beats(this)
+    this.#adopt()
+    session.listen((event) => this.#heed(event))
+  }
+
+  get phase() {
+    return this.#phase
+  }
+  get isGoing() {
+    return this.#phase === 'going'
+  }
+  get curve() {
+    return this.#curve
+  }
+  get marks() {
+    return this.#marks
+  }
+  get round() {
+    return this.#round
+  }
+  get ending() {
+    return this.#ending
+  }
+  get sleeping() {
+    return this.#sleeping
+  }
+  get shaken() {
+    return this.#shaken
+  }
+  readonly last = $derived.by(() => this.#curve.at(-1)?.round ?? 0)
+  /** The errors of the round whose weights are on the knobs. */
+  readonly point = $derived.by(() => this.#curve.findLast(({ round }) => round <= this.#round) ?? null)
+  readonly byHeart = $derived.by(() => byHeartSince(this.#curve))
+
+  /** Practises as many rounds as are chosen, from the round that is shown on. */
+  practise(): void {
+    if (this.obstacle || this.#phase !== 'rest') return
+    this.beats.close()
+    this.#begin({ kind: 'go' })
+  }
+
+  /** Does what comes next with a practice that stands at the round that is shown. */
+  #begin(then: Then): void {
+    this.knobs.hold()
+    if (!this.#rehearsal || !this.#goesOn(this.#rehearsal)) this.#anew()
+    if (this.#reached === this.#round) return this.#now(then)
+    this.#again(then, this.#round)
+  }
+
+  /** Is what practises next the same practice, with the weights that it has left? */
+  #goesOn({ exercise, settings }: Rehearsal): boolean {
+    const next = this.exercise(exercise.weights)
+    return next !== null && this.knobs.stands && isSamePractice({ exercise, settings }, next, this.choice)
+  }
+
+  /** A practice of its own begins with the knobs as they are, or from zero. */
+  #anew(): void {
+    const exercise = this.exercise(this.knobs.weights)!
+    const { shaken, data } = prepare(exercise)
+    this.#shaken = shaken
+    this.#rehearsal = new Rehearsal({ ...exercise, weights: data.weights, from: 'knobs' }, this.choice)
+    this.#rehearsal.from = exercise.from
+    ;[this.#curve, this.#marks, this.#round] = [[], [], 0]
+    this.#sendBegin()
+    this.#reached = 0
+  }
+
+  #sendBegin(): void {
+    const { exercise, settings } = this.#rehearsal!
+    this.#job++
+    this.#send({ kind: 'begin', job: this.#job, exercise, settings: { ...settings, rounds: mostRounds } })
+  }
+
+  #send(order: Order): void {
+    this.#engine.send(order)
+  }
+
+  /** Practises again what was practised: the same every time. */
+  #again(then: Then, until: number): void {
+    this.#sendBegin()
+    this.#reached = -1
+    this.#then = then
+    this.#phase = 'again'
+    this.#send({ kind: 'go', until, pace: Infinity })
+  }
+
+  #now(then: Then): void {
+    this.#then = null
+    if (then.kind === 'open') return this.#send({ kind: 'peek' })
+    if (then.kind === 'show') return this.#show(then.round)
+    this.#ending = null
+    this.#cut(this.#round)
+    this.#phase = 'going'
+    const until = Math.min(mostRounds, this.#round + this.choice.settings.rounds)
+    this.#send({ kind: 'go', until, pace: this.pace })
+  }
+
+  /** What comes after a round becomes another future. */
+  #cut(round: number): void {
+    this.#curve = this.#curve.filter((point) => point.round <= round)
+    this.#marks = this.#marks.filter((mark) => mark <= round)
+  }
+
+  pause(): void {
+    if (this.#phase === 'again') this.#then = null
+    if (this.#phase !== 'rest') this.#send({ kind: 'stop' })
+  }
+
+  #hear(report: Report): void {
+    if (report.job !== this.#job || !this.#rehearsal) return
+    if (report.kind === 'example') return this.beats.take(report)
+    this.#rehearsal.keep(report)
+    this.#reached = report.round
+    if (this.#phase === 'again') return this.#hearAgain(report)
+    if (this.beats.trace) this.#round = report.round
+    this.#curve = [
+      ...this.#curve,
+      ...report.points.filter(({ round }) => round > (this.#curve.at(-1)?.round ?? -1)),
+    ]
+    if (this.#phase === 'going') this.#hearRounds(report)
+  }
+
+  #hearAgain({ isGoing }: Progress): void {
+    if (isGoing) return
+    this.#phase = 'rest'
+    const then = this.#then
+    if (then) this.#now(then)
+  }
+
+  #hearRounds({ now, round, isGoing, ended, sleeping }: Progress): void {
+    this.#round = ended?.kind === 'noBetter' ? ended.best : round
+    this.write(now)
+    if (isGoing) return
+    this.#phase = 'rest'
+    this.#ending = ended ?? (round > 0 ? { kind: 'rounds' } : null)
+    this.#sleeping = sleeping
+    if (ended) this.#reached = -1
+    this.commit()
+  }
+
+  /** Puts parameters on the knobs; `commit` makes one step of it. */
+  write(parameters: Float64Array): void {
+    if (this.#rehearsal) this.knobs.write(weightsAt(this.#rehearsal, parameters, this.knobs.weights))
+  }
+
+  /** One undo brings the weights of before back. */
+  commit(): void {
+    const rehearsal = this.#rehearsal
+    if (!rehearsal) return
+    this.knobs.commit(() => noteOf(rehearsal, { round: this.round, curve: this.curve, marks: this.marks }))
+  }
+
+  /** Shows the network as it was after a round. `done`: the hand lets go of the curve. */
+  goTo(round: number, done: boolean): void {
+    if (this.#phase === 'going' || !this.#rehearsal || !this.net) return
+    this.beats.close()
+    const nearest = this.#nearest(round)
+    if (this.#rehearsal.at(nearest)) this.#show(nearest)
+    else if (this.#phase === 'rest') this.#again({ kind: 'show', round: nearest }, this.last)
+    else this.#then = { kind: 'show', round: nearest }
+    if (done && this.#phase === 'rest') this.commit()
+  }
+
+  #nearest(round: number): number {
+    const off = (point: CurvePoint) => Math.abs(point.round - round)
+    return this.#curve.reduce((a, b) => (off(b) < off(a) ? b : a), this.#curve[0]!).round
+  }
+
+  #show(round: number): void {
+    const parameters = this.#rehearsal?.at(round)
+    if (!parameters) return
+    this.#round = round
+    this.write(parameters)
+  }
+
+  /** Opens one example. */
+  open(): void {
+    if (this.obstacle || this.#phase !== 'rest') return
+    this.#begin({ kind: 'open' })
+  }
+
+  peek = () => this.#send({ kind: 'peek' })
+  take = () => this.#send({ kind: 'step' })
+
+  /** Practice begins anew from zero, or from a draw where there are hidden neurons. */
+  fromZero(): void {
+    const exercise = this.exercise(this.knobs.weights)
+    if (!exercise || this.obstacle || this.#phase !== 'rest') return
+    this.beats.close()
+    this.knobs.hold()
+    const { data } = prepare({ ...exercise, from: 'zero' })
+    this.#rehearsal = new Rehearsal({ ...exercise, weights: data.weights, from: 'knobs' }, this.choice)
+    ;[this.#curve, this.#marks, this.#round, this.#ending, this.#shaken] = [[], [], 0, null, false]
+    this.#sendBegin()
+    this.#reached = 0
+    this.write(parametersIn(this.#rehearsal))
+    this.commit()
+  }
+
+  #heed(event: LabEvent): void {
+    if (event.kind === 'begun') return this.#markDrive()
+    if (event.kind !== 'changed' || this.knobs.isOwn) return
+    const { change } = event
+    if (change.kind === 'brain' || change.kind === 'future') this.#byHand()
+    else if (change.kind === 'program' || change.kind === 'examples' || change.kind === 'robots')
+      this.interrupt()
+  }
+
+  /** Something else has changed the weights: a knob, or undo. */
+  #byHand(): void {
+    this.interrupt()
+    if (!this.knobs.isOther) return
+    this.#adopt()
+  }
+
+  /** Comes to rest at once: something else has the knobs, or is about to. */
+  interrupt(): void {
+    this.beats.close()
+    if (this.#phase === 'rest') return
+    this.#send({ kind: 'stop' })
+    this.#job++
+    this.#reached = -1
+    this.#phase = 'rest'
+    this.commit()
+  }
+
+  /** Takes up what the project says of practice before. */
+  #adopt(): void {
+    const { note, examples } = this
+    this.knobs.forget()
+    this.#reached = -1
+    ;[this.#curve, this.#marks, this.#round] = [note?.curve ?? [], note?.marks ?? [], note?.round ?? 0]
+    ;[this.#ending, this.#sleeping, this.#shaken] = [null, [], false]
+    this.#rehearsal = null
+    if (!note || note.round === 0 || !examples || !this.net) return
+    this.#rehearsal = Rehearsal.of(note, {
+      ...{ id: this.net.id, layers: this.layers, weights: note.start, examples, seed: note.seed },
+      ...{
+        keepBack: note.settings.keepBack,
+        from: 'knobs',
+        mirror: note.settings.mirror ? this.mirror : null,
+      },
+    })
+    this.knobs.take()
+  }
+
+  /** Bo drives with this round. */
+  #markDrive(): void {
+    const { net } = this
+    const note = this.note
+    if (!net || !note || this.#curve.length === 0 || this.#marks.includes(this.#round)) return
+    this.#marks = [...this.#marks, this.#round].sort((a, b) => a - b)
+    const after = { ...note, marks: this.#marks }
+    this.knobs.as(() => this.session.apply({ kind: 'practice', network: net.id, after }, 'silent'))
+  }
+
+  close(): void {
+    this.#engine.close()
+  }
+}
+
+/** A practice may go on so far. */
+const mostRounds = 100_000

@@ -1,0 +1,68 @@
+import { biasRow, trace as traceOf, weightsOf } from '@botgarten/learning/neural-network'
+import type { NetView } from '@botgarten/lab'
+import type { LabSession } from '#lab/session.svelte.ts'
+import { drawn, type Neuron } from '#figures/network/neurons.ts'
+import { Practice } from './model/practice.svelte.ts'
+import Pane from './view/Pane.svelte'
+
+declare module '#lab/slots.ts' {
+  interface Slots {
+    /** How a network learns from examples. */
+    training: Training
+  }
+}
+
+/** Ways to get weights beside turning knobs by hand. */
+export type Way = 'show' | 'practise'
+
+const nothing: ReadonlySet<string> = new Set()
+
+/** Showing examples and practising them: what belongs to it in the pane of the network and in the world. */
+export class Training {
+  readonly Pane = Pane
+  readonly session: LabSession
+  readonly practice: Practice
+  way = $state<Way>('practise')
+
+  constructor(session: LabSession) {
+    this.session = session
+    this.practice = new Practice(session)
+  }
+
+  readonly inputs: readonly Neuron[] = $derived.by(() => this.#drawn('inputs'))
+  readonly outputs: readonly Neuron[] = $derived.by(() => this.#drawn('outputs'))
+
+  #drawn(layer: 'inputs' | 'outputs'): readonly Neuron[] {
+    const { net } = this.practice
+    return net?.[layer].map((neuron) => drawn(neuron, this.session.config, nothing)) ?? []
+  }
+
+  /** What the neurons say of the example that is open, as far as it has come; null: none is open. */
+  readonly example: NetView | null = $derived.by(() => {
+    const { beats, brain } = this.practice
+    if (!beats.trace || !brain) return null
+    const inputs = beats.trace.neurons.slice(0, this.inputs.length).map(({ value }) => 100 * value)
+    const opened = traceOf(brain, beats.shows('inputs') ? inputs : [], this.#weightsBefore)
+    const isOutput = (id: string) => this.outputs.some((one) => one.id === id)
+    const shown = Object.entries(opened.outputs).filter(([id]) => {
+      if (isOutput(id)) return beats.shows('says')
+      return this.inputs.some((one) => one.id === id) ? beats.shows('inputs') : beats.shows('sums')
+    })
+    return { ...opened, outputs: Object.fromEntries(shown), brain, ran: true }
+  })
+
+  /** Those that Bo has answered with: the knobs move only in the last beat. */
+  get #weightsBefore() {
+    const { beats, brain } = this.practice
+    const weights: { [from: string]: { [to: string]: number } } = {}
+    for (const [from, row] of Object.entries(brain ? weightsOf(brain, this.session.robot.brain) : {}))
+      weights[from] = { ...row }
+    for (const { from, to, before } of beats.trace?.links ?? [])
+      (weights[from] ??= {})[to] = from === biasRow ? 100 * before : before
+    return weights
+  }
+
+  close(): void {
+    this.practice.close()
+  }
+}

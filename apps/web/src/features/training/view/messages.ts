@@ -1,0 +1,39 @@
+import { percentOff, type CurvePoint } from '@botgarten/learning/neural-network/train'
+import { formatNumber } from '#drawing/numbers.ts'
+import { level } from '#figures/network/level.svelte.ts'
+import type { Neuron } from '#figures/network/neurons.ts'
+import { language } from '#words/language.svelte.ts'
+import { m } from '#words/message.ts'
+
+export const number = (value: number, digits = 2): string => formatNumber(value, language.locale, digits)
+
+/** With its sign before it. */
+export const signed = (value: number, digits: number): string =>
+  `${value < 0 ? '' : '+'}${number(value, digits)}`
+
+/** A neuron's short name: where it sits, if that tells it from its neighbours. */
+export function shortName({ place, label }: Neuron, layer: readonly Neuron[]): string {
+  const alone = place !== null && layer.filter((one) => one.place === place).length === 1
+  return alone ? place : label
+}
+
+/** How far off, by level: "15 percent off"; with the squared error for experts. */
+export function errorWords(loss: number, shares: boolean): string {
+  if (shares) return m['training.entropy']({ value: number(loss, 3) })
+  const off = m['training.percentOff']({ percent: number(percentOff(loss), 0) })
+  return level.name === 'expert' ? `${off} (${m['training.squared']({ value: number(loss, 4) })})` : off
+}
+
+/** What a curve says to the ear. */
+export function curveWords(curve: readonly CurvePoint[], shares: boolean): string {
+  const [first, last] = [curve[0], curve.at(-1)]
+  if (!first || !last) return m['training.noCurve']()
+  const facts = {
+    rounds: last.round,
+    first: errorWords(first.practised, shares),
+    last: errorWords(last.practised, shares),
+  }
+  return last.kept === null
+    ? m['training.curve'](facts)
+    : m['training.curveKept']({ ...facts, kept: errorWords(last.kept, shares) })
+}
