@@ -36,35 +36,68 @@ function drawing(
 }
 
 const cellColours: { readonly [letter: string]: string } = {
-  ...{ S: '#DFF0E4', G: '#FFF0C2', F: '#E3F1F4', H: '#7FA9B8', C: '#B98B6A', W: '#8C7152' },
+  ...{ S: '#EDF0DC', G: '#FFF0C2', F: '#EDF0DC', H: '#DCC7A5', C: '#6B5545', W: '#B98B6A', P: '#FBE3CF' },
 }
 
-function grid(id: string, rows: readonly string[], more: string): string {
-  const cell = 1600 / rows[0]!.length
-  const at = (index: number): Point => ({
-    x: ((index % rows[0]!.length) + 0.5) * cell,
-    y: (Math.floor(index / rows[0]!.length) + 0.5) * cell,
-  })
+/** What stands in a room, around its middle, in a room of 100 units. */
+const furniture: { readonly [letter: string]: string } = {
+  H: '<ellipse cy="4" rx="34" ry="24" fill="#3A2A20"/><path d="M-34 4a34 24 0 0 1 68 0" fill="none" stroke="#8C7152" stroke-width="5"/>',
+  C: '<path d="M-44 -30l12 14 12 -14 12 14 12 -14 12 14 12 -14 12 14 4 -6" fill="none" stroke="#C98F62" stroke-width="5" stroke-linejoin="round"/>',
+  W: '<path d="M-44 -16h88M-44 16h88M0 -44v28M-24 -16v32M24 -16v32M0 16v28" stroke="#8C5F44" stroke-width="4"/>',
+  P: '<g stroke="#4A3428" stroke-width="4" stroke-linejoin="round"><path d="M-26 -20h52v42h-52z" fill="#E3B36F"/><path d="M-6 -20h12v42h-12z" fill="#FFF6DD"/></g>',
+  G: '<g stroke="#4A3428" stroke-width="4" stroke-linejoin="round"><path d="M-27 -4v26h54v-26z" fill="#C98042"/><path d="M-27 -4c0 -24 54 -24 54 0z" fill="#E0A066"/><path d="M-6 -8h12v12h-12z" fill="#FFC83D"/></g>',
+}
+const arrow = (x: number) =>
+  `<path d="M${x} 22v-44m-9 11l9 -11 9 11" fill="none" stroke="#7FA9B8" stroke-width="5" stroke-linecap="round" stroke-linejoin="round"/>`
+
+interface Look {
+  /** Letters whose floor has another colour: ice. */
+  readonly colours?: typeof cellColours
+  readonly wind?: readonly number[]
+  readonly cmPerUnit?: number
+  /** Drawn twice: who enters the room with the parcel goes on in the second one. */
+  readonly floors?: 2
+}
+
+function grid(id: string, rows: readonly string[], more: string, look: Look = {}): string {
+  const { colours = {}, wind = [], cmPerUnit = 0.3, floors = 1 } = look
+  const columns = rows[0]!.length
+  const cell = rows.length * 1.2 > columns ? 1000 / rows.length : 1600 / (columns * floors + (floors - 1))
+  const hall = columns * cell
   const letters = [...rows.join('')]
-  const tile = (letter: string, index: number) => {
+  const gap = floors > 1 ? cell : 0
+  const at = (index: number): Point => ({
+    x: (index >= letters.length ? hall + gap : 0) + ((index % columns) + 0.5) * cell,
+    y: (Math.floor((index % letters.length) / columns) + 0.5) * cell,
+  })
+  const all = Array.from({ length: letters.length * floors }, (_, index) => index)
+  const tile = (index: number) => {
+    const letter = letters[index % letters.length]!
+    const carries = index >= letters.length
     const { x, y } = at(index)
     const side = cell - 8
-    return `<rect x="${x - side / 2}" y="${y - side / 2}" width="${side}" height="${side}" rx="${cell / 9}" fill="${cellColours[letter]}" stroke="${ink}" stroke-opacity=".25" stroke-width="3"/>`
+    const shown = floors > 1 && ((letter === 'P' && carries) || (letter === 'G' && !carries)) ? 'F' : letter
+    const fill = colours[shown] ?? cellColours[shown]
+    const blows = 'SF'.includes(letter) ? (wind[index % columns] ?? 0) : 0
+    const arrows = blows === 2 ? arrow(-14) + arrow(14) : blows === 1 ? arrow(0) : ''
+    return `<g transform="translate(${x} ${y})"><rect x="${-side / 2}" y="${-side / 2}" width="${side}" height="${side}" rx="${cell / 9}" fill="${fill}" stroke="${ink}" stroke-opacity=".5" stroke-width="4"/><g transform="scale(${cell / 100})">${furniture[shown] ?? ''}${arrows}</g></g>`
   }
-  const floor = `<rect width="1600" height="${rows.length * cell}" fill="#FBF5EA"/>`
-  const root = `data-map="${id}" data-cm-per-unit="0.3" data-grid="${rows.join('/')}" ${more}`
+  const width = floors * hall + (floors - 1) * gap
+  const height = rows.length * cell
+  const floor = `<rect width="${width}" height="${height}" fill="#FBF5EA"/>`
+  const root = `data-map="${id}" data-cm-per-unit="${cmPerUnit}" data-grid="${rows.join('/')}" ${more}`
   const radius = cell / 5
   return drawing(
     root,
     [
-      layer('scenery', [floor, ...letters.map(tile)]),
+      layer('scenery', [floor, ...all.map(tile)]),
       ...['roads', 'covers', 'paths', 'obstacles'].map((name) => `<g id="${name}"/>`),
       layer(
         'stations',
-        letters.map((_, index) => station(index, at(index), radius)),
+        all.map((index) => station(index, at(index), radius)),
       ),
     ],
-    [1600, rows.length * cell],
+    [width, height],
     radius,
   )
 }
@@ -136,11 +169,26 @@ function roundabout(): string {
   )
 }
 
+const ice = { S: '#DCEBEE', F: '#DCEBEE', H: '#BFD9DF' }
 const lake = (id: string, rows: readonly string[]) =>
-  grid(id, rows, 'data-surefooted="0.3333333333333333" data-goal-reward="1"')
+  grid(id, rows, 'data-surefooted="0.3333333333333333" data-goal-reward="1"', { colours: ice })
+/** Sutton & Barto, 2nd edition, example 6.5. */
+const wind = [0, 0, 0, 1, 1, 1, 2, 2, 1, 0]
 
 const maps: { readonly [id: string]: string } = {
   lake: lake('lake', ['SFFF', 'FHFH', 'FFFH', 'HFFG']),
+  'lake-8': lake('lake-8', [
+    ...['SFFFFFFF', 'FFFFFFFF', 'FFFHFFFF', 'FFFFFHFF'],
+    ...['FFFHFFFF', 'FHHFFFHF', 'FHFFHFHF', 'FFFHFFFG'],
+  ]),
+  windy: grid(
+    'windy',
+    ['FFFFFFFFFF', 'FFFFFFFFFF', 'FFFFFFFFFF', 'SFFFFFFGFF', 'FFFFFFFFFF', 'FFFFFFFFFF', 'FFFFFFFFFF'],
+    `data-wind="${wind.join(' ')}" data-goal-reward="0" data-step-cost="1"`,
+    { wind, cmPerUnit: 0.5 },
+  ),
+  errand: grid('errand', ['FPFG', 'FWWF', 'SFFF'], '', { floors: 2, cmPerUnit: 0.35 }),
+  bandit: grid('bandit', ['GSG'], 'data-chances="0.3 0.6"', { cmPerUnit: 0.15 }),
   cliff: grid(
     'cliff',
     ['FFFFFFFFFFFF', 'FFFFFFFFFFFF', 'FFFFFFFFFFFF', 'SCCCCCCCCCCG'],

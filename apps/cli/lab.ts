@@ -7,4 +7,4 @@ import { content } from '@botgarten/content/files'
 // No screen waits for a smaller first part here.
 addBlocks(expert)
 addBlocks(learning)
-knowMaps((id) => content.stations[id] ?? 0)
+knowMaps(content)

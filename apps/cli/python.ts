@@ -1,5 +1,5 @@
 import { content } from '@botgarten/content/files'
-import { learnedFor } from '@botgarten/maps'
+import { learnedFor, mapLookup } from '@botgarten/maps'
 import type { Project } from '@botgarten/programs'
 import { pythonFrom, type Dialect } from '@botgarten/programs/python'
 import type { RobotPlacement } from '@botgarten/simulation'
@@ -25,7 +25,7 @@ export function pythonOf(
       set: robot.brain,
     },
     ...how,
-    learned: learnedFor(program, mapNamed, learned),
+    learned: learnedFor(program, mapLookup(project, mapNamed), learned),
   }
   return pythonFrom(input, labMessage).text
 }

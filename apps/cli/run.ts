@@ -3,8 +3,8 @@ import { createLab, type Check, type Document, type Lab } from '@botgarten/lab'
 import { cardDocument } from '@botgarten/content'
 import type { LoadedCard } from '@botgarten/content/catalogue'
 import { content } from '@botgarten/content/files'
-import { withLearnedWay } from '@botgarten/maps'
-import { check } from '@botgarten/programs'
+import { mapLookup, stationsOf, withLearnedWay } from '@botgarten/maps'
+import { check, type Project } from '@botgarten/programs'
 import { TICKS_PER_SECOND } from '@botgarten/simulation'
 import type { Command } from './commands.ts'
 import { CallError, FileError } from './errors.ts'
@@ -27,7 +27,7 @@ const known = {
 type Values = ReturnType<typeof options<typeof known>>['values']
 
 interface Runnable {
-  readonly document: Document
+  readonly document: Document & Pick<Project, 'maps'>
   readonly floor: ReturnType<typeof content.floorOf>
   readonly checks: readonly Check[]
   /** Does it drive a way that it learned? */
@@ -60,7 +60,7 @@ const presetSeconds = ({ checks, drives }: Runnable) =>
 
 /** What a program learns by trying it has learned before it drives (seed 1). */
 function learned(runnable: Runnable): Runnable {
-  const document = withLearnedWay(runnable.document, mapNamed)
+  const document = withLearnedWay(runnable.document, mapLookup(runnable.document, mapNamed))
   if (document === runnable.document) return runnable
   return { ...runnable, document, floor: content.floorOf(document.world), drives: true }
 }
@@ -116,10 +116,11 @@ function withGivenWeights(runnable: Runnable, { weights }: Values): Runnable {
   return { ...runnable, document: withWeights(runnable.document, weights) }
 }
 
-function refuseWhatCannotRun({ programs, world }: Document): void {
+function refuseWhatCannotRun({ programs, world, maps }: Runnable['document']): void {
+  const own = stationsOf({ ...(maps && { maps }) })
   for (const robot of world.robots) {
     const program = programs[robot.program]
-    const finding = program && check(program, robot.config).find(({ stops }) => stops)
+    const finding = program && check(program, { ...robot.config, maps: own }).find(({ stops }) => stops)
     if (finding)
       throw new FileError('file.cannotRun', {
         why: problemMessage(finding.problem.replace('problem.', ''), finding.facts),

@@ -2,7 +2,7 @@ import { readdirSync } from 'node:fs'
 import { describe, expect, it } from 'vitest'
 import { formsOf, type Table } from '../messages/index.ts'
 import { filesIn, languagesIn, ownTableOf } from '../messages/folder.ts'
-import { addBlocks, definitions, isBlockType, toolbox as plainToolbox } from './index.ts'
+import { addBlocks, definitions, isBlockType, knowMaps, toolbox as plainToolbox } from './index.ts'
 import { blocks as core } from './packs/core/blocks.ts'
 import { blocks as ofExpert } from './packs/expert/blocks.ts'
 import { expert, expertToolbox as toolbox } from './packs/expert/index.ts'
@@ -12,6 +12,8 @@ import { withRest } from './toolbox.ts'
 import type { BlockType, Definition, Look, Pack, Template } from './index.ts'
 
 addBlocks(expert)
+// Every map that there is may be chosen, so that each has its name.
+knowMaps({ maps: readdirSync(new URL('../../content/maps', import.meta.url)), stations: {} })
 
 /** What a language says itself, of the cards' blocks and of the expert pack. */
 const ownWordsOf = (language: string): Table =>

@@ -12,7 +12,17 @@ export {
   type HiddenLayer,
 } from './parts/layers.ts'
 export { nearestOption, optionFor } from './parts/options.ts'
-export { knowMaps, mostEpisodes, mostMoves } from './parts/maps.ts'
+export {
+  knowMaps,
+  knowOwnMaps,
+  knownMaps,
+  mapField,
+  mapIn,
+  mostEpisodes,
+  mostMoves,
+  ownMapIn,
+  type KnownMaps,
+} from './parts/maps.ts'
 export { executeOrders, hertzPerLevel } from './parts/orders.ts'
 export { filledRows, plugged, rowCount, rowName } from './parts/rows.ts'
 export { speechLength } from './parts/speech.ts'

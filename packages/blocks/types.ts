@@ -295,9 +295,13 @@ export type FieldLook =
         readonly value: string
         readonly words: string | null
         readonly dot?: Colour
+        /** Shown instead of the value where there are no words: a name that a child has given. */
+        readonly label?: string
       }[]
       /** Any number in this range may stand there too; it is shown as it is. */
       readonly numbers?: { readonly min: number; readonly max: number }
+      /** A map of the project may stand there too, as `own:<id>`. */
+      readonly own?: 'map'
     }
   /** In the file, never on the block. */
   | { readonly name: string; readonly kind: 'hidden'; readonly preset: string }
@@ -449,6 +453,8 @@ export interface Finding {
 
 /** What a check may look at: the block itself and the robot's sockets. */
 export interface CheckContext {
+  /** Stations of the project's own maps, by their ids. */
+  readonly maps?: { readonly [id: string]: number }
   readonly sensors: { readonly [port in SensorPort]?: { readonly kind: SensorKind } }
 }
 

@@ -1,6 +1,8 @@
-import { gridMap, type Action } from '@botgarten/learning/q-learning'
+import { type Action } from '@botgarten/learning/q-learning'
 import { elementsOf, type Element } from './elements.ts'
+import { gridIn } from './grid.ts'
 import { numbersIn } from './path.ts'
+import { keep, numberIn, problem } from './read-number.ts'
 import { distance, type Point } from './point.ts'
 import { dataOf, roadIn, type ReadRoad } from './road.ts'
 import { placeOf, type Place } from './station.ts'
@@ -53,9 +55,10 @@ export function readMap(text: string): ReadMap {
           map: {
             actions: actionsIn(roads, stations, problems),
             ...rewardsIn(ids, stations.length, problems),
+            ...goalsIn(root, stations.length, problems),
           },
         }
-      : gridIn(root, stations.length, problems)
+      : gridIn(root.attributes, stations, problems)
   if (problems.length > 0 || laid === null) return broken(problems, warnings)
   const lines = roads.flatMap(({ from, to, read }) =>
     'line' in read ? [[`${from}-${to}`, read.line] as const] : [],
@@ -69,7 +72,6 @@ export function readMap(text: string): ReadMap {
   }
 }
 
-const problem = (kind: MapProblem['kind'], facts: MapProblem['facts']): MapProblem => ({ kind, facts })
 const broken = (problems: readonly MapProblem[], warnings: readonly MapProblem[] = []): ReadMap => ({
   ...{ map: null, problems, warnings },
 })
@@ -124,15 +126,16 @@ function roadsIn(ids: ReadonlyMap<string, Element>, problems: MapProblem[]): rea
   }))
 }
 
-const keep = <Name extends string>(name: Name, value: number | undefined) =>
-  (value === undefined ? {} : { [name]: value }) as { [key in Name]?: number }
-
-function numberIn(text: string | undefined, name: string, problems: MapProblem[]): number | undefined {
-  if (text === undefined) return undefined
-  const value = Number(text)
-  if (text.trim() !== '' && Number.isFinite(value)) return value
-  problems.push(problem('number', { name, value: text }))
-  return undefined
+/** Goals beside the first, and whether goals end an attempt. */
+function goalsIn({ attributes }: Element, count: number, problems: MapProblem[]) {
+  const text = attributes['data-goals']
+  const goals = text === undefined ? [] : numbersIn(text)
+  if (goals === null || !goals.every((goal) => Number.isInteger(goal) && goal >= 0 && goal < count))
+    problems.push(problem('number', { name: 'data-goals', value: text ?? '' }))
+  return {
+    ...(goals && goals.length > 1 && { goals: goals.slice(1) }),
+    ...(attributes['data-endless'] !== undefined && { endless: true }),
+  }
 }
 
 interface Drawing {
@@ -207,7 +210,12 @@ function actionsIn(
       })
       if (late !== undefined) problems.push(problem('pathEnd', { name, station: late }))
       const reward = numberIn(attributes['data-reward'], `${name} data-reward`, problems)
-      actions[from]!.push({ to, length: read.length, ...keep('reward', reward) })
+      const slip = numberIn(attributes['data-slip'], `${name} data-slip`, problems)
+      if (slip !== undefined && !(slip >= 0 && slip <= 1))
+        problems.push(problem('number', { name: `${name} data-slip`, value: slip }))
+      // A sign stands on it: the road is there, and nobody may take it.
+      if (attributes['data-closed'] !== undefined) continue
+      actions[from]!.push({ to, length: read.length, ...keep('reward', reward), ...keep('slip', slip) })
     }
   }
   return actions.map((list) => list.toSorted((a, b) => a.to - b.to))
@@ -222,18 +230,4 @@ function rewardsIn(ids: ReadonlyMap<string, Element>, count: number, problems: M
     ] as const
   }).filter(([, reward]) => reward !== undefined)
   return found.length === 0 ? {} : { rewards: Object.fromEntries(found) as { [station: number]: number } }
-}
-
-function gridIn({ attributes }: Element, stations: number, problems: MapProblem[]) {
-  const rows = attributes['data-grid']!.split('/')
-  const surefooted = numberIn(attributes['data-surefooted'], 'data-surefooted', problems)
-  const cliffReward = numberIn(attributes['data-cliff-reward'], 'data-cliff-reward', problems)
-  try {
-    const grid = gridMap(rows, { ...keep('surefooted', surefooted), ...keep('cliffReward', cliffReward) })
-    if (grid.map.actions.length === stations) return grid
-    problems.push(problem('stationMissing', { name: `node-${stations}`, count: grid.map.actions.length }))
-  } catch (error) {
-    problems.push(problem('grid', { why: (error as RangeError).message }))
-  }
-  return null
 }

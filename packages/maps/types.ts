@@ -9,15 +9,29 @@ export interface MapFile {
   readonly cmPerUnit: number
   /** Of the drawing: its view box. */
   readonly size: { readonly width: number; readonly height: number }
-  /** Centre line of every road by its name, `3-5`: path data of `M`, `L`, `A` and `C`. Grids have none. */
+  /** Centre line of every road by its name, `3-5`: path data of `M`, `L`, `A` and `C`. */
   readonly roads: { readonly [name: string]: string }
   /** A way through a station leaves the road so many cm before its middle, at least. */
   readonly plazaCm: number
+  /** Rooms instead of roads; the lines between neighbours are in `roads`. */
+  readonly grid?: MapGrid
   /** What the map itself sets; a child may choose others. */
   readonly start?: number
   readonly goal?: number
   readonly goalReward?: number
   readonly stepCost?: number
+}
+
+/** The rooms of a grid world, by its letters (see `gridMap`). */
+export interface MapGrid {
+  readonly columns: number
+  readonly rows: number
+  /** One letter a room, row by row. */
+  readonly letters: string
+  /** 2: a second floor of rooms is drawn beside the first, for who carries something. Both are one place for the robot. */
+  readonly floors: number
+  /** By column how far the wind pushes upwards; empty: there is none. */
+  readonly wind: readonly number[]
 }
 
 /** A broken rule, as a word for `map.problem.<kind>`, and the facts of its sentence. */
@@ -47,6 +61,8 @@ export interface MapProblem {
     | 'tooFar'
     | 'strangeId'
     | 'number'
+    | 'tooManyRoads'
+    | 'gridToDraw'
     | 'grid'
   readonly facts: { readonly [name: string]: string | number }
 }

@@ -17,9 +17,9 @@ export interface Way {
   readonly length: number
 }
 
-/** Size in cm of the world that a map becomes. */
-export const worldSizeOf = ({ size, cmPerUnit }: MapFile) => ({
-  width: size.width * cmPerUnit,
+/** Size in cm of the world that a map becomes. Floors of rooms that are drawn beside each other are one place. */
+export const worldSizeOf = ({ size, cmPerUnit, grid }: MapFile) => ({
+  width: (size.width / (grid?.floors ?? 1)) * cmPerUnit,
   height: size.height * cmPerUnit,
 })
 
@@ -36,7 +36,7 @@ export const placeOf = (map: MapFile, station: number): Point =>
 
 const inWorld = (map: MapFile, { x, y }: Point): Point => ({
   y: (map.size.height - y) * map.cmPerUnit,
-  x: x * map.cmPerUnit,
+  x: (x % (map.size.width / (map.grid?.floors ?? 1))) * map.cmPerUnit,
 })
 
 /**
@@ -49,6 +49,17 @@ export function wayThrough(map: MapFile, stations: readonly number[]): Way {
   if (roads.length === 0) throw new RangeError('A way has two stations at least.')
   const points = roads.reduce((way, road) => join(way, road, map.plazaCm))
   return { points, heading: headingFrom(points[0]!, points[1]!), length: lengthOf(points) }
+}
+
+/** The first station of a way at which the robot would have to turn more sharply than its roads leave room for; null: none. */
+export function tightTurn(map: MapFile, stations: readonly number[]): number | null {
+  const roads = stations.slice(1).map((to, index) => roadPoints(map, stations[index]!, to))
+  const cuts = roads.slice(1).map((road, index) => cutAt(turnBetween(roads[index]!, road), map.plazaCm))
+  const tight = cuts.findIndex((cut, index) => {
+    const [before, after] = [cuts[index - 1] ?? 0, cuts[index + 1] ?? 0]
+    return cut + before > lengthOf(roads[index]!) || cut + after > lengthOf(roads[index + 1]!)
+  })
+  return tight < 0 ? null : stations[tight + 1]!
 }
 
 /** A way leg by leg: how far to turn at a station (degrees, to the right above 0; 0 at the start) and how many cm to the next. */
@@ -64,16 +75,27 @@ export function legsOf(map: MapFile, stations: readonly number[]) {
 /** The centre line of a road in cm, about 1 cm from point to point. */
 function roadPoints(map: MapFile, from: number, to: number): readonly Point[] {
   const segments = segmentsOf(map.roads[`${from}-${to}`] ?? '')
+  if (segments !== null && map.grid) return doorway(placeOf(map, from), placeOf(map, to))
   if (segments === null) throw new RangeError(`No road leads from ${from} to ${to}.`)
   const { cmPerUnit } = map
   const drawn = [segments[0]!.from, ...segments.flatMap((one) => pointsAlong(one, STEP / cmPerUnit))]
   return drawn.map((point) => inWorld(map, point))
 }
 
+/** Straight from the middle of a room to that of the next. */
+const doorway = (from: Point, to: Point): readonly Point[] => [
+  from,
+  ...pointsAlong({ from, to, arc: null }, STEP),
+]
+
+/** How many cm before and behind the middle of a station a way leaves its roads. */
+const cutAt = (turn: number, plaza: number) => Math.max(plaza, TIGHTEST * tangentOf(turn))
+const tangentOf = (turn: number) => Math.abs(sin(turn / 2) / cos(turn / 2))
+
 function join(way: readonly Point[], road: readonly Point[], plaza: number): readonly Point[] {
   const turn = turnBetween(way, road)
-  const tangent = Math.abs(sin(turn / 2) / cos(turn / 2))
-  const cut = Math.max(plaza, TIGHTEST * tangent)
+  const tangent = tangentOf(turn)
+  const cut = cutAt(turn, plaza)
   const before = firstPart(way, lengthOf(way) - cut)
   const after = firstPart(road.toReversed(), lengthOf(road) - cut).toReversed()
   return [

@@ -1,4 +1,4 @@
-import { filledRows, mostEpisodes, mostMoves, plugged, type Block } from '@botgarten/blocks'
+import { filledRows, mapIn, mostEpisodes, mostMoves, plugged, type Block } from '@botgarten/blocks'
 import type { Decay, Settings } from '@botgarten/learning/q-learning'
 import type { LearningOutline, Pay, Program } from './types.ts'
 
@@ -31,7 +31,7 @@ export function learningIn({ stacks }: Program): LearningOutline | null {
   ) as LearningOutline['blocks']
   return {
     blocks,
-    map: (map.fields?.['MAP'] ?? '').replace(/^MAP_/, '').toLowerCase(),
+    map: mapIn(map.fields?.['MAP'] ?? ''),
     start: wholeIn(map, 'START', 0, 0),
     goal: wholeIn(map, 'FINISH', 1, 0),
     closed: closedIn(map),

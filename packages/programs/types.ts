@@ -13,6 +13,7 @@ import type { Activation, Brain } from '@botgarten/learning/neural-network'
 import type { Settings } from '@botgarten/learning/q-learning'
 import type { StreamState } from '@botgarten/numbers'
 import type { World } from '@botgarten/simulation'
+import type { MapDocument } from './map-document.ts'
 
 export interface Stack {
   readonly x: number
@@ -119,7 +120,7 @@ export interface LearningOutline {
     readonly draw?: string
     readonly drive?: string
   }
-  /** Folder under `content/maps`. */
+  /** Folder under `content/maps`, or `own:<id>` for a map of the project. */
   readonly map: string
   readonly start: number
   readonly goal: number
@@ -191,13 +192,15 @@ export interface Progress {
 
 /** What a child keeps: one file, at most 5 MB. */
 export interface Project {
-  readonly botgarten: 1
+  readonly botgarten: 1 | 2
   readonly name: string
   readonly card?: string
   readonly programs: { readonly [id: string]: Program }
   readonly world: World
   /** By the id of the network block. */
   readonly brains: { readonly [networkId: string]: Brain }
+  /** Maps of its own. Blocks call one `own:<id>`. */
+  readonly maps?: { readonly [id: string]: MapDocument }
   /** By program: what its robot has learned by trying. */
   readonly q?: { readonly [program: string]: Learned }
   /** The sorting playground as it was left. It is not checked here: the playground that opens it validates it. */

@@ -16,7 +16,7 @@ import { givenNames, readGiven } from './given.ts'
 
 addBlocks(expert)
 addBlocks(learning)
-knowMaps((id) => content.stations[id] ?? 0)
+knowMaps(content)
 
 type Document = Pick<Project, 'programs' | 'world' | 'brains'>
 

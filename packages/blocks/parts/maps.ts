@@ -1,15 +1,68 @@
-/** The maps that a block offers, as Open Roberta names them: `MAP_CITY` is the map `city`. */
-export const mapNames = ['MAP_MARS', 'MAP_RAILWAY', 'MAP_FOREST', 'MAP_CITY'] as const
+import type { FieldLook } from '../types.ts'
 
-let stationsOn: (map: string) => number = () => Infinity
-
-/** How many stations a map has, 0 where it is not there: maps are content, which blocks do not know. Until then any station may be there. */
-export function knowMaps(stations: (map: string) => number): void {
-  stationsOn = stations
+/** What blocks have to know of maps: those are content, and a project may hold its own. */
+export interface KnownMaps {
+  /** Folders of `content/maps`. */
+  readonly maps: readonly string[]
+  /** How many stations each has. */
+  readonly stations: { readonly [map: string]: number }
 }
 
-/** Stations of a map by the name in a block's field. */
-export const stationsOf = (name: string): number => stationsOn(name.replace(/^MAP_/, '').toLowerCase())
+let known: KnownMaps | null = null
+let ownNames: OwnNames = {}
+
+/** Names of a project's own maps, by their ids. */
+interface OwnNames {
+  readonly [id: string]: string
+}
+
+/** Says which maps the project has that is open: the blocks offer them too. */
+export function knowOwnMaps(names: OwnNames): void {
+  ownNames = names
+}
+
+/** Says which maps there are. Until then any station may be there. */
+export function knowMaps(maps: KnownMaps): void {
+  known = maps
+}
+
+const countOf = (map: string) => (known === null ? Infinity : (known.stations[map] ?? 0))
+
+/** A map of the project itself stands in a block's field as `own:<id>`. */
+const own = /^own:(.+)$/
+
+/** The id of a map of the project by the name in a block's field; null: it is one that everybody has. */
+export const ownMapIn = (name: string): string | null => own.exec(name)?.[1] ?? null
+
+/** The map that a block's field names: `own:<id>`, or the folder that Open Roberta calls `MAP_CITY`. */
+export const mapIn = (name: string): string =>
+  own.test(name) ? name : name.replace(/^MAP_/, '').replaceAll('_', '-').toLowerCase()
+
+/** How a map stands in a block's field. */
+export const mapField = (map: string): string =>
+  own.test(map) ? map : `MAP_${map.replaceAll('-', '_').toUpperCase()}`
+
+/** Stations of a map by the name in a block's field. `mine`: those of the project's own maps, by their ids. */
+export function stationsOf(name: string, mine: { readonly [id: string]: number } = {}): number {
+  const id = ownMapIn(name)
+  return id === null ? countOf(mapIn(name)) : Object.hasOwn(mine, id) ? mine[id]! : 0
+}
+
+/** The maps that everybody has, small ones first. */
+export const knownMaps = (): readonly string[] =>
+  (known?.maps ?? []).toSorted((a, b) => countOf(a) - countOf(b))
+
+/** The field of a block that says on which map: all that are known then, and those of the project. */
+export const mapChoice = (preset: string): FieldLook => ({
+  name: 'MAP',
+  kind: 'choice',
+  preset,
+  own: 'map',
+  get options() {
+    const own = Object.entries(ownNames).map(([id, label]) => ({ value: `own:${id}`, words: null, label }))
+    return [...knownMaps().map((map) => ({ value: mapField(map), words: `choice.${mapField(map)}` })), ...own]
+  },
+})
 
 /** What the fields of a learner take at most. */
 export const mostEpisodes = 100_000

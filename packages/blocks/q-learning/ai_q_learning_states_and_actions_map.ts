@@ -1,8 +1,8 @@
 import { part } from '../parts/python.ts'
 import { learningProgram, obstacles } from '../parts/learning-examples.ts'
 import { field } from '../parts/fields.ts'
-import { choice, hidden, rows, words, worded } from '../parts/looks.ts'
-import { mapNames, stationsOf } from '../parts/maps.ts'
+import { hidden, rows, words } from '../parts/looks.ts'
+import { mapChoice, stationsOf } from '../parts/maps.ts'
 import { done } from '../parts/next.ts'
 import type { Block, Definition, FieldLook } from '../types.ts'
 
@@ -13,8 +13,7 @@ const station = (name: string, preset: number): FieldLook => ({
 })
 
 /** Which of its stations a map does not have. */
-function missing(block: Block): readonly string[] {
-  const count = stationsOf(field(block, 'MAP'))
+function missing(block: Block, count: number): readonly string[] {
   return ['START', 'FINISH'].filter((name) => !(Number(field(block, name, '0')) < count))
 }
 
@@ -30,11 +29,7 @@ export const ai_q_learning_states_and_actions_map: Definition = {
     shape: 'statement',
     icon: 'map',
     fields: [
-      choice(
-        'MAP',
-        mapNames.map((name) => worded(name, name)),
-        'MAP_RAILWAY',
-      ),
+      mapChoice('MAP_RAILWAY'),
       station('START', 0),
       station('FINISH', 1),
       hidden('LENGTH'),
@@ -46,9 +41,11 @@ export const ai_q_learning_states_and_actions_map: Definition = {
   },
   words: words(type),
   acts: false,
-  check(block) {
-    const [name] = missing(block)
-    const last = stationsOf(field(block, 'MAP')) - 1
+  check(block, { maps }) {
+    const count = stationsOf(field(block, 'MAP'), maps)
+    const last = count - 1
+    if (count === 0) return [{ problem: 'problem.noSuchMap', stops: true }]
+    const [name] = missing(block, count)
     if (name) return [{ problem: 'problem.noSuchStation', facts: { last }, stops: true }]
     const same = Number(field(block, 'START', '0')) === Number(field(block, 'FINISH', '1'))
     return same ? [{ problem: 'problem.startIsGoal', stops: true }] : []

@@ -1,16 +1,13 @@
 import { expect, test } from 'vitest'
-import { knowMaps } from '@botgarten/blocks'
-import { mapNames, stationsOf } from '../../blocks/parts/maps.ts'
+import { knowMaps, knownMaps } from '@botgarten/blocks'
 import { content } from '../files.ts'
 
-knowMaps((id) => content.stations[id] ?? 0)
+knowMaps(content)
 
-test.each(mapNames)('the map that a block offers as %s is there', (name) => {
-  expect(stationsOf(name)).toBeGreaterThan(1)
-})
-
-test('a map that is not there has no stations', () => {
-  expect(stationsOf('MAP_MOON')).toBe(0)
+test('blocks offer every map that is there, small ones first', () => {
+  expect(knownMaps().toSorted()).toEqual(content.maps.toSorted())
+  const sizes = knownMaps().map((id) => content.stations[id])
+  expect(sizes).toEqual(sizes.toSorted((a, b) => a! - b!))
 })
 
 test.each(content.languages)('every card is called something in "%s", and no two the same', (language) => {

@@ -14,7 +14,7 @@ import { cardDocument } from '../index.ts'
 
 addBlocks(expert)
 addBlocks(learning)
-knowMaps((id) => content.stations[id] ?? 0)
+knowMaps(content)
 
 const cards = content.cards.map(({ id }) => id)
 const startsOf = (id: string) => content.card(id)!.card.starts.map((_, start) => start)

@@ -10,7 +10,7 @@ export const isPlain = ({ world, settings }: QLearner): boolean =>
  */
 export function fast(learner: QLearner, lastStep: number, lastEpisode: number): void {
   const { world, settings, q, tries, stream, alphaFactor, epsilonFactor } = learner
-  const { first, to: targets, reward, terminal, open, start, goal } = world
+  const { first, to: targets, reward, terminal, isGoal, open, start } = world
   const { gamma, nu } = settings
   const isStudy = settings.rules === 'study'
   const starts = isStudy ? world.states : open.length
@@ -59,7 +59,7 @@ export function fast(learner: QLearner, lastStep: number, lastEpisode: number): 
       }
       tries[taken] = tries[taken]! + 1
       q[taken] = (1 - alpha) * q[taken]! + alpha * (reward[taken]! + gamma * bestNext)
-      if (state === goal) goals++
+      if (isGoal[state] === 1) goals++
     }
     if (ends || episodeSteps >= longest) state = -1
     else if (!isStudy) continue

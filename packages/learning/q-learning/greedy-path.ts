@@ -27,7 +27,7 @@ export const policy = (learner: QLearner): number[] =>
 export function greedyPath(learner: QLearner): GreedyPath {
   const { world, tries, goals } = learner
   const walked = [world.start]
-  if (world.start === world.goal) return { states: walked, reason: 'startIsGoal' }
+  if (world.isGoal[world.start] === 1) return { states: walked, reason: 'startIsGoal' }
   const none = (reason: 'circle' | 'deadEnd' | 'unknown') =>
     ({ states: null, reason: goals === 0 ? 'neverReached' : reason, walked }) as const
   const seen = new Set(walked)
@@ -37,7 +37,7 @@ export function greedyPath(learner: QLearner): GreedyPath {
     if (tries[action] === 0) return none('unknown')
     state = world.meant[action]!
     walked.push(state)
-    if (state === world.goal) return { states: walked, reason: 'found' }
+    if (world.isGoal[state] === 1) return { states: walked, reason: 'found' }
     if (seen.has(state)) return none('circle')
     seen.add(state)
   }

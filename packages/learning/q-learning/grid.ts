@@ -6,12 +6,21 @@ export interface GridOptions {
   readonly surefooted?: number
   /** Paid for falling off the cliff, which leads back to the start. */
   readonly cliffReward?: number
+  /** By column, how many rooms the wind pushes upwards whoever leaves a room of it. */
+  readonly wind?: readonly number[]
+  /** By goal, in the order of the rooms, with which probability it pays. Without: each time. */
+  readonly chances?: readonly number[]
+  /** What the task pays at a goal, where chances are given. Without: 50. */
+  readonly goalReward?: number
 }
 
 export interface Grid {
   readonly map: QMap
   readonly start: number
   readonly goal: number
+  /** Columns and rows of rooms. Where something is carried, a second floor of rooms follows the first. */
+  readonly columns: number
+  readonly rows: number
 }
 
 const directions = [
@@ -22,59 +31,89 @@ const directions = [
 ] as const
 
 /**
- * A grid world, read by rows from the upper left: S start, G goal, F floor, H hole (an attempt ends), C cliff (back to
- * the start), W wall. Who walks against a wall or the border stays. The worlds of Gymnasium's toy_text: frozen_lake.py,
- * cliffwalking.py; its order of actions: left, down, right, up.
- * @throws RangeError for rows of unequal length, unknown letters, no start or goal
+ * A grid world, read by rows from the upper left: S start, G goal (each of several), F floor, H hole (an attempt ends),
+ * C cliff (back to the start), W wall, P a parcel: whoever enters carries it from then on, in states of their own behind
+ * the others, and the goal is one for carriers alone. Who walks against a wall or the border stays. The worlds of
+ * Gymnasium's toy_text: frozen_lake.py, cliffwalking.py; its order of actions: left, down, right, up. Wind: Sutton &
+ * Barto, 2nd edition, example 6.5. A single row has no up and down.
+ * @throws RangeError for rows of unequal length, unknown letters, no start or goal, a wind that is no whole number
  */
-export function gridMap(
-  rows: readonly string[],
-  { surefooted = 1, cliffReward = 0 }: GridOptions = {},
-): Grid {
-  const cells = refuseNonsense(rows)
+export function gridMap(rows: readonly string[], options: GridOptions = {}): Grid {
+  const cells = refuseNonsense(rows, options)
+  const { surefooted = 1, cliffReward = 0, wind = [], chances = [], goalReward = 50 } = options
   const width = rows[0]!.length
+  const count = cells.length
   const start = cells.indexOf('S')
+  const floors = cells.includes('P') ? [0, count] : [0]
+  const goals = cells.flatMap((letter, room) => (letter === 'G' ? [room + floors.at(-1)!] : []))
+  const turns = rows.length === 1 ? [0, 2] : [0, 1, 2, 3]
 
-  const target = (from: number, turn: number) => {
-    const { x, y } = directions[(turn + 4) % 4]!
+  const next = (from: number, { x, y }: { readonly x: number; readonly y: number }) => {
     const [column, row] = [(from % width) + x, Math.floor(from / width) + y]
     const inside = column >= 0 && column < width && row >= 0 && row < rows.length
     const to = inside ? row * width + column : from
     return cells[to] === 'W' ? from : to
   }
-  const arrive = (to: number, probability: number): Outcome =>
-    cells[to] === 'C' ? { probability, to: start, reward: cliffReward } : { probability, to }
-  const action = (from: number, turn: number): Action => {
+  const target = (from: number, turn: number) => {
+    let to = next(from, directions[(turn + 4) % 4]!)
+    for (let push = wind[from % width] ?? 0; push > 0; push--) to = next(to, directions[3])
+    return to
+  }
+  const arrive = (room: number, probability: number, floor: number): readonly Outcome[] => {
+    if (cells[room] === 'C') return [{ probability, to: start + floor, reward: cliffReward }]
+    const to = room + (cells[room] === 'P' ? floors.at(-1)! : floor)
+    const chance = chances[goals.indexOf(to)] ?? 1
+    return [
+      { probability: probability * chance, to },
+      { probability: probability * (1 - chance), to, reward: -goalReward },
+    ]
+  }
+  const action = (from: number, turn: number, floor: number): Action => {
     const sides = (1 - surefooted) / 2
     const odds = [
-      arrive(target(from, turn - 1), sides),
-      arrive(target(from, turn), surefooted),
-      arrive(target(from, turn + 1), sides),
+      ...arrive(target(from, turn - 1), sides, floor),
+      ...arrive(target(from, turn), surefooted, floor),
+      ...arrive(target(from, turn + 1), sides, floor),
     ]
     const outcomes = odds.filter(({ probability }) => probability > 0)
-    return { to: target(from, turn), name: directions[turn]!.name, outcomes }
+    const meant = target(from, turn)
+    const lifts = cells[meant] === 'P' ? floors.at(-1)! : floor
+    return { to: meant + lifts, name: directions[turn]!.name, outcomes }
   }
-  const isBody = (letter: string) => letter === 'W' || letter === 'H' || letter === 'G'
+  const isBody = (letter: string, floor: number) =>
+    letter === 'W' || letter === 'H' || (letter === 'G' && floor === floors.at(-1))
   return {
     map: {
-      actions: cells.map((letter, from) =>
-        isBody(letter) ? [] : directions.map((_, turn) => action(from, turn)),
+      actions: floors.flatMap((floor) =>
+        cells.map((letter, from) =>
+          isBody(letter, floor) ? [] : turns.map((turn) => action(from, turn, floor)),
+        ),
       ),
-      terminals: cells.flatMap((letter, index) => (letter === 'H' ? [index] : [])),
+      terminals: floors.flatMap((floor) =>
+        cells.flatMap((letter, room) => (letter === 'H' ? [room + floor] : [])),
+      ),
+      ...(goals.length > 1 && { goals: goals.slice(1) }),
     },
-    start,
-    goal: cells.indexOf('G'),
+    ...{ start, goal: goals[0]!, columns: width, rows: rows.length },
   }
 }
 
-function refuseNonsense(rows: readonly string[]): readonly string[] {
+function refuseNonsense(
+  rows: readonly string[],
+  { wind = [], chances = [] }: GridOptions,
+): readonly string[] {
   const cells = [...rows.join('')]
-  const odd = cells.find((letter) => !'SGFHCW'.includes(letter))
-  if (odd !== undefined) throw new RangeError(`A grid has no cell ${odd}: S G F H C W.`)
+  const odd = cells.find((letter) => !'SGFHCWP'.includes(letter))
+  if (odd !== undefined) throw new RangeError(`A grid has no cell ${odd}: S G F H C W P.`)
   if (rows.some(({ length }) => length !== rows[0]!.length))
     throw new RangeError('The rows of a grid are equally long.')
-  for (const letter of 'SG')
-    if (cells.filter((cell) => cell === letter).length !== 1)
-      throw new RangeError(`A grid has one start S and one goal G.`)
+  const count = (letter: string) => cells.filter((cell) => cell === letter).length
+  if (count('S') !== 1 || count('G') === 0)
+    throw new RangeError('A grid has one start S and one goal G or more.')
+  if (count('P') > 1) throw new RangeError('A grid has one parcel P at most.')
+  if (wind.some((push) => !Number.isInteger(push) || push < 0))
+    throw new RangeError('The wind of a column is a whole number.')
+  if (chances.some((chance) => !(chance >= 0 && chance <= 1)))
+    throw new RangeError('A chance is a number from 0 to 1.')
   return cells
 }

@@ -45,7 +45,7 @@ export function learnedPath(learner: QLearner): LearnedPath {
   if (way.reason === 'neverReached' || way.reason === 'startIsGoal') return way
   const walked = way.states ?? way.walked
   for (const [index, state] of walked.entries()) {
-    if (state === learner.world.goal) break
+    if (learner.world.isGoal[state] === 1) break
     const reason = doubtAt(learner, state) ?? (isByChance(learner, state) ? 'chance' : null)
     if (reason) return { states: null, reason, walked: walked.slice(0, index + 1) }
   }

@@ -17,14 +17,14 @@ export function lengthOf(world: QWorld, states: readonly number[]): number {
 
 /** Length of the shortest way from start to goal, slippery moves as they are meant; null: there is none. Dijkstra 1959. */
 export function shortestLength(world: QWorld): number | null {
-  const { start, goal, first, meant, states } = world
+  const { start, isGoal, first, meant, states } = world
   const lengths = new Float64Array(states).fill(Infinity)
   lengths[start] = 0
   const open = new Set(Array.from({ length: states }, (_, state) => state))
   while (open.size > 0) {
     const next = [...open].reduce((best, state) => (lengths[state]! < lengths[best]! ? state : best))
     if (lengths[next] === Infinity) return null
-    if (next === goal) return lengths[goal]!
+    if (isGoal[next] === 1) return lengths[next]!
     open.delete(next)
     for (let action = first[next]!; action < first[next + 1]!; action++) {
       const length = lengths[next]! + lengthOfAction(world, action)

@@ -55,8 +55,9 @@ export const bestReturn = (world: QWorld, gamma: number): number | null =>
   })
 
 function reachesGoal(world: QWorld, actions: readonly number[]): number {
-  const arrival = (end: number) => (world.to[end] === world.goal ? 1 : 0)
-  const share = sweep(world, (worth, state) => {
+  const arrival = (end: number) => (world.isGoal[world.to[end]!]! === 1 ? 1 : 0)
+  const terminal = world.terminal.map((ends, state) => (ends === 1 ? 1 : world.isGoal[state]!))
+  const share = sweep({ ...world, terminal }, (worth, state) => {
     const action = actions[state]!
     return action < 0 ? 0 : valueOf(world, action, worth, 1, arrival)
   })

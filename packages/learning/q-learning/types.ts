@@ -17,6 +17,8 @@ export interface Action {
   readonly reward?: number
   /** Where it really leads. Without: to `to`, for sure. */
   readonly outcomes?: readonly Outcome[]
+  /** Probability 0..1 to slide onto one of the other open actions of the state, all alike. Without: 0. */
+  readonly slip?: number
 }
 
 /** States 0..n−1 (stations of a map) and the actions of each: a Markov decision process, deterministic or slippery. */
@@ -26,6 +28,10 @@ export interface QMap {
   readonly rewards?: { readonly [state: number]: number }
   /** States where an attempt ends beside the goal: holes. */
   readonly terminals?: readonly number[]
+  /** States that count as the goal beside the goal of the task: each pays what the goal pays, and ends an attempt. */
+  readonly goals?: readonly number[]
+  /** Goals pay but end nothing: an attempt goes on until its limit. */
+  readonly endless?: boolean
 }
 
 /** What is to be learned on a map. */

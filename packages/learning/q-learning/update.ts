@@ -38,7 +38,7 @@ export function update(learner: QLearner): void {
   q[taken] = last.after
 
   learner.state = to
-  if (to === world.goal) learner.goals++
+  if (world.isGoal[to] === 1) learner.goals++
   if (last.ends !== null) endEpisode(learner, -1)
   else if (isStudy) endEpisode(learner, to)
 }
@@ -101,7 +101,7 @@ function valueOfNext(learner: QLearner, state: number): number {
 /** An episode that ends by its length alone goes on in value: only here does it stop (Pardo et al. 2018). */
 function endingAt(learner: QLearner, to: number, isStudy: boolean): Ending | null {
   const { world } = learner
-  if (!isStudy && world.terminal[to] === 1) return to === world.goal ? 'goal' : 'terminal'
+  if (!isStudy && world.terminal[to] === 1) return world.isGoal[to] === 1 ? 'goal' : 'terminal'
   if (world.first[to] === world.first[to + 1]) return 'deadEnd'
   return !isStudy && learner.episodeSteps >= longestEpisode(world) ? 'limit' : null
 }

@@ -26,7 +26,9 @@ export interface QWorld {
   readonly isSlippery: boolean
   /** 1 where an episode of the standard rules ends. */
   readonly terminal: Uint8Array
-  /** States that are not the goal and have a way out. */
+  /** 1 where the goal is, and at every state that counts as one. */
+  readonly isGoal: Uint8Array
+  /** States that are no goal and have a way out. */
   readonly open: Int32Array
 }
 
@@ -37,23 +39,28 @@ export function layOutWorld(task: Task): QWorld {
   const states = map.actions.length
   const open = map.actions.map((actions, from) => openActions(task, actions, from))
   const all = open.flatMap((actions, from) =>
-    actions.map((action) => ({ from, action, outcomes: outcomesOf(action) })),
+    actions.map((action) => ({ from, action, outcomes: outcomesOf(action, actions) })),
   )
-  const outcomes = all.flatMap(({ action, outcomes: list }) => list.map((one) => ({ ...one, action })))
-  const terminal = new Uint8Array(states)
-  for (const state of [goal, ...(map.terminals ?? [])]) terminal[state] = 1
+  const outcomes = all.flatMap(({ outcomes: list }) => list)
+  const isGoal = marksOf(states, [goal, ...(map.goals ?? [])])
+  const ends = [...(map.endless ? [] : [goal, ...(map.goals ?? [])]), ...(map.terminals ?? [])]
   return {
-    ...{ task, states, start, goal, terminal },
+    ...{ task, states, start, goal, isGoal, terminal: marksOf(states, ends) },
     first: sumsOf(open.map(({ length }) => length)),
     names: all.map(({ from, action }) => `${from}-${action.name ?? action.to}`),
     from: Int32Array.from(all, ({ from }) => from),
     meant: Int32Array.from(all, ({ action }) => action.to),
     outcome: sumsOf(all.map(({ outcomes: { length } }) => length)),
     to: Int32Array.from(outcomes, ({ to }) => to),
-    reward: Float64Array.from(outcomes, ({ action, to, reward = 0 }) => reward + payFor(task, action, to)),
+    reward: Float64Array.from(
+      outcomes,
+      ({ action, to, reward }) => reward + payFor(task, action, to, isGoal),
+    ),
     upTo: Float64Array.from(all.flatMap(({ outcomes: list }) => upTo(list))),
     isSlippery: all.some(({ outcomes: { length } }) => length > 1),
-    open: Int32Array.from(open.flatMap(({ length }, state) => (length > 0 && state !== goal ? [state] : []))),
+    open: Int32Array.from(
+      open.flatMap(({ length }, state) => (length > 0 && isGoal[state] === 0 ? [state] : [])),
+    ),
   }
 }
 
@@ -63,11 +70,35 @@ function openActions({ closed = [] }: Task, actions: readonly Action[], from: nu
     .toSorted((a, b) => (a.name || b.name ? 0 : a.to - b.to))
 }
 
-const outcomesOf = (action: Action) => action.outcomes ?? [{ probability: 1, to: action.to, reward: 0 }]
+/** An outcome, and the action whose road is really taken. */
+interface Taken {
+  readonly probability: number
+  readonly to: number
+  readonly reward: number
+  readonly action: Action
+}
 
-function payFor(task: Task, action: Action, to: number): number {
-  const { map, goal, goalReward = 50, stepCost = 0, lengthCost = 0 } = task
-  const arriving = (to === goal ? goalReward : 0) + (map.rewards?.[to] ?? 0)
+function outcomesOf(action: Action, open: readonly Action[]): readonly Taken[] {
+  if (action.outcomes) return action.outcomes.map((one) => ({ reward: 0, ...one, action }))
+  const meant = { probability: 1, to: action.to, reward: 0, action }
+  const others = open.filter((other) => other !== action)
+  const { slip = 0 } = action
+  if (slip === 0 || others.length === 0) return [meant]
+  const aside = others.map((other) => ({
+    ...{ probability: slip / others.length, to: other.to, reward: 0, action: other },
+  }))
+  return [{ ...meant, probability: 1 - slip }, ...aside]
+}
+
+function marksOf(states: number, marked: readonly number[]): Uint8Array {
+  const marks = new Uint8Array(states)
+  for (const state of marked) marks[state] = 1
+  return marks
+}
+
+function payFor(task: Task, action: Action, to: number, isGoal: Uint8Array): number {
+  const { map, goalReward = 50, stepCost = 0, lengthCost = 0 } = task
+  const arriving = (isGoal[to] === 1 ? goalReward : 0) + (map.rewards?.[to] ?? 0)
   return arriving + (action.reward ?? 0) - stepCost - lengthCost * (action.length ?? 0)
 }
 
@@ -97,6 +128,7 @@ function refuseNonsense(task: Task): void {
   station(start, 'The start')
   station(goal, 'The goal')
   for (const number of map.terminals ?? []) station(number, 'A terminal')
+  for (const number of map.goals ?? []) station(number, 'A goal')
   for (const [number, reward] of Object.entries(map.rewards ?? {})) {
     station(Number(number), 'A reward')
     finite(reward, `The reward of station ${number}`)
@@ -111,6 +143,8 @@ function refuseNonsense(task: Task): void {
       }
       if (!((action.length ?? 0) >= 0)) throw new RangeError(`${name} has the length ${action.length}.`)
       finite(action.length ?? 0, `The length of ${name}`)
+      const { slip = 0 } = action
+      if (!(slip >= 0 && slip <= 1)) throw new RangeError(`${name} slips with probability ${slip}.`)
       if (action.outcomes) refuseOdds(action.outcomes, name)
     }
   })

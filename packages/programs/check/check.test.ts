@@ -307,7 +307,7 @@ describe('a map to learn on', () => {
   it('has the stations that its drawing has', () => {
     addBlocks(learning)
     expect(problems(map('0', '499'))).toEqual([])
-    knowMaps((id) => (id === 'city' ? 20 : 0))
+    knowMaps({ maps: ['city'], stations: { city: 20 } })
     expect(problems(map('0', '19'))).toEqual([])
     const nowhere = { problem: 'problem.noSuchStation', facts: { last: 19 }, stops: true }
     for (const row of [map('0', '20'), map('20', '0')]) expect(findings(row)).toMatchObject([nowhere])

@@ -30,7 +30,7 @@ function fieldProblem(look: FieldLook, value: string | undefined): readonly Said
     case 'number':
       return isNumber(value) ? [] : [stop('notANumber')]
     case 'choice':
-      return optionFor(look.options, value) || isWithin(look.numbers, value) ? [] : [stop('unknownChoice')]
+      return isChoice(look, value) ? [] : [stop('unknownChoice')]
     case 'hidden':
       return look.name === 'MODE' && value !== look.preset ? [stop('unknownPart')] : []
     case 'name':
@@ -38,6 +38,12 @@ function fieldProblem(look: FieldLook, value: string | undefined): readonly Said
       return []
   }
 }
+
+const isChoice = ({ options, numbers, own }: Extract<FieldLook, { kind: 'choice' }>, value: string) =>
+  optionFor(options, value) !== undefined ||
+  isWithin(numbers, value) ||
+  // Which maps there are the block says itself.
+  own === 'map'
 
 const isWithin = (range: { readonly min: number; readonly max: number } | undefined, text: string) =>
   range !== undefined && isNumber(text) && Number(text) >= range.min && Number(text) <= range.max

@@ -5,8 +5,7 @@ import { issueError } from './issue.ts'
 import { refuseBigText, refuseOversize } from './limits.ts'
 import { knowParts } from './refusal.ts'
 import { projectSchema } from './schema.ts'
-
-const newest = 1
+import { newest } from './versions.ts'
 
 /**
  * A project from a file's text or from foreign data. Nothing of it is trusted; what comes out is fresh plain data of

@@ -4,6 +4,7 @@ import { mostOf } from '@botgarten/learning/neural-network/examples'
 import type { Learned, Project } from '../types.ts'
 import { finite, idSchema, programSchema, recordOf, textSchema } from './schema-program.ts'
 import { assetsSchema } from './schema-assets.ts'
+import { mapsSchema } from './schema-maps.ts'
 import { examplesSchema, practiceSchema } from './schema-examples.ts'
 import { worldSchema } from './schema-world.ts'
 
@@ -58,12 +59,13 @@ const rowsIn = ({ brains }: Project) =>
 /** What is not named here is left out. */
 export const projectSchema: v.GenericSchema<unknown, Project> = v.pipe(
   v.object({
-    botgarten: v.literal(1),
+    botgarten: v.picklist([1, 2]),
     name: textSchema,
     card: v.exactOptional(idSchema),
     programs: recordOf(programSchema),
     world: worldSchema,
     brains: recordOf(brainSchema),
+    maps: v.exactOptional(mapsSchema),
     q: v.exactOptional(recordOf(learned)),
     sorting: v.exactOptional(recordOf(v.unknown())),
     assets: assetsSchema,

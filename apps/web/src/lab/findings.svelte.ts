@@ -1,6 +1,7 @@
 import type { Finding } from '@botgarten/blocks'
 import type { Document } from '@botgarten/lab'
-import { check, type Program } from '@botgarten/programs'
+import { stationsOf } from '@botgarten/maps'
+import { check, type Program, type Project } from '@botgarten/programs'
 import type { Change, LabEvent } from './change.ts'
 
 export const noProgram: Program = { stacks: [], config: { stacks: [] } }
@@ -13,9 +14,11 @@ export class Findings {
   /** By the id of the robot. */
   #all = $state.raw<{ readonly [robot: string]: readonly Finding[] }>({})
   readonly #document: () => Document
+  readonly #maps: { readonly [id: string]: number }
 
-  constructor(document: () => Document) {
+  constructor(document: () => Document, project: Pick<Project, 'maps'>) {
     this.#document = document
+    this.#maps = stationsOf(project)
     this.#look()
   }
 
@@ -26,7 +29,10 @@ export class Findings {
   #look(): void {
     const { programs, world } = this.#document()
     this.#all = Object.fromEntries(
-      world.robots.map(({ id, program, config }) => [id, check(programs[program] ?? noProgram, config)]),
+      world.robots.map(({ id, program, config }) => [
+        id,
+        check(programs[program] ?? noProgram, { ...config, maps: this.#maps }),
+      ]),
     )
   }
 

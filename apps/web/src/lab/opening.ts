@@ -2,6 +2,7 @@ import type { LoadedCard } from '#content/cards.ts'
 import { floorAddress, loadCard, loadFreeLab } from '#content/cards.ts'
 import { keepsAnything } from '#storage/database.ts'
 import { freshId, load } from '#storage/projects.ts'
+import { knowOwnMaps } from '@botgarten/blocks'
 import { cardProject } from '@botgarten/content/document'
 import { parseProject, salvageProject, type Project } from '@botgarten/programs'
 import { pictureIn } from './floor/pictures.ts'
@@ -43,6 +44,7 @@ export async function openLab(name: string, projectId: string | null, packs: Pac
   const fresh = card ? cardProject(card.world, card.card, card.start, card.card.id) : await loadFreeLab()
   const kept = readKept(projectId ?? name, name, fresh, await stored)
   const project = kept.project ?? fresh
+  knowOwnMaps(namesOf(project))
   const [floor, expert] = await Promise.all([
     floorOf(project),
     packs.loadFor(project),
@@ -61,6 +63,9 @@ export async function openLab(name: string, projectId: string | null, packs: Pac
     keeps: kept.revision > 0 || (await keepsAnything()),
   }
 }
+
+const namesOf = ({ maps = {} }: Project) =>
+  Object.fromEntries(Object.entries(maps).map(([id, { name }]) => [id, name]))
 
 /**
  * A kept project is read as carefully as a stranger's file. One that is damaged or too much stays where it is, and what of

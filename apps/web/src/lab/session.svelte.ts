@@ -55,7 +55,7 @@ export class LabSession {
     this.lab = new RunningLab(project, opened.floor, card?.card.checks ?? [])
     this.weights = new HandOnWeights(this)
     this.examples = new HandOnExamples(this)
-    this.#findings = new Findings(() => this.lab.document)
+    this.#findings = new Findings(() => this.lab.document, project)
     this.undo = new UndoStack({
       apply: (change, part) => this.apply(change, part),
       hasFuture: () => this.lab.facts.other,
@@ -99,6 +99,10 @@ export class LabSession {
   }
   get pictures() {
     return this.#extras.pictures
+  }
+  /** Maps of its own. */
+  get maps(): NonNullable<Project['maps']> {
+    return this.opened.project.maps ?? {}
   }
   /** Address of the floor's picture, null where it has none. */
   floorUrl = $derived.by(() => floorPictureOf(this.lab.document.world, this.pictures))

@@ -89,7 +89,7 @@ export class Code {
     const [program, course] = [this.#program, this.#session.project.q?.[this.#session.robot.program]]
     if (!this.#session.learns) return
     const { learnedIn } = await import('./learned.ts')
-    this.#learned = await learnedIn(program, course)
+    this.#learned = await learnedIn(program, course, this.#session.maps)
   }
 
   get name(): string {

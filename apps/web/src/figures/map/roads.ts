@@ -15,15 +15,22 @@ export interface Road {
 const STEP = 8
 
 export function roadsOf({ map, roads }: MapFile): readonly Road[] {
-  return map.actions.flatMap((moves, a) =>
-    moves.flatMap(({ to: b }) => {
-      const segments = a < b ? segmentsOf(roads[`${a}-${b}`] ?? '') : null
-      if (!segments) return []
-      const points = [segments[0]!.from, ...segments.flatMap((one) => pointsAlong(one, STEP))]
-      const lines = { there: lineOf(points), back: lineOf(points.toReversed()) }
-      return [{ a, b, points, middle: alongRoad(points, 0.5), ...lines }]
-    }),
+  const pairs = map.actions.flatMap((moves, from) =>
+    moves
+      .flatMap(({ to, outcomes = [] }) => [to, ...outcomes.map((outcome) => outcome.to)])
+      .filter((to) => to !== from)
+      .map((to) => (from < to ? `${from}-${to}` : `${to}-${from}`)),
   )
+  return [...new Set(pairs)].flatMap((pair) => {
+    const [a, b] = pair.split('-').map(Number) as [number, number]
+    const there = segmentsOf(roads[`${a}-${b}`] ?? '')
+    const segments = there ?? segmentsOf(roads[`${b}-${a}`] ?? '')
+    if (!segments) return []
+    const drawn = [segments[0]!.from, ...segments.flatMap((one) => pointsAlong(one, STEP))]
+    const points = there ? drawn : drawn.toReversed()
+    const lines = { there: lineOf(points), back: lineOf(points.toReversed()) }
+    return [{ a, b, points, middle: alongRoad(points, 0.5), ...lines }]
+  })
 }
 
 const between = (roads: readonly Road[], from: number, to: number) =>

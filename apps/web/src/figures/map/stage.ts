@@ -1,9 +1,13 @@
 import maps from 'content:maps'
 import type { Course } from '@botgarten/learning/q-learning'
+import { ownMapIn } from '@botgarten/blocks'
 import { courseOf, readMap, type MapFile } from '@botgarten/maps'
-import type { LearningOutline } from '@botgarten/programs'
+import { writeMap } from '@botgarten/maps/own'
+import type { LearningOutline, Project } from '@botgarten/programs'
 import { takeApart, type Picture } from './picture.ts'
 import { roadsOf, type Road } from './roads.ts'
+
+type Maps = NonNullable<Project['maps']>
 
 /** A map that has been brought. */
 export interface Stage {
@@ -13,9 +17,16 @@ export interface Stage {
   readonly roads: readonly Road[]
 }
 
-/** Null where there is no such map, or its file breaks a rule. */
-export async function loadStage(id: string): Promise<Stage | null> {
-  const text = await maps.map(id)
+/** What a map looks like that a project has drawn itself, or that everybody has; null: it is not there. */
+async function textOf(id: string, own: Maps): Promise<string | null> {
+  const mine = ownMapIn(id)
+  if (mine === null) return maps.map(id)
+  return Object.hasOwn(own, mine) ? writeMap(own[mine]!, mine) : null
+}
+
+/** Null where there is no such map, or its file breaks a rule. `own`: the maps of the project. */
+export async function loadStage(id: string, own: Maps = {}): Promise<Stage | null> {
+  const text = await textOf(id, own)
   if (text === null) return null
   const { map } = readMap(text)
   return map && { id, map, picture: takeApart(text, map), roads: roadsOf(map) }

@@ -20,7 +20,7 @@ type Expert = Pick<typeof import('../view/expert/expert.ts'), 'toolboxOf' | 'eve
 const ofPacks = ['blocks-network', 'blocks-q-learning', 'blocks-sorting'] as const
 
 // Maps are content, which the language does not know.
-knowMaps((id) => maps.stations[id] ?? 0)
+knowMaps(maps)
 
 let expert: Expert | null = null
 /** As it is before more is brought. */

@@ -178,9 +178,9 @@ function makeField(look: FieldLook, block: BotBlock, language: Language): Blockl
     case 'hidden':
       return new HiddenField(look.preset)
     case 'choice': {
-      const options = look.options.map(({ value, words: key, dot }) => ({
+      const options = look.options.map(({ value, words: key, dot, label }) => ({
         value,
-        label: key === null ? value : words(key),
+        label: key === null ? (label ?? value) : words(key),
         ...(dot === undefined ? {} : { dot }),
       }))
       const almost = (name: string) => words('choice.almost', { name })

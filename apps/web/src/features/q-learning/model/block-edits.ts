@@ -1,3 +1,4 @@
+import { mapField } from '@botgarten/blocks'
 import { ownText, type LearningOutline } from '@botgarten/programs'
 
 /** Fields and closed roads are blocks: who holds the blocks changes them. Each call is one step to undo. */
@@ -14,6 +15,15 @@ export class BlockEdits {
   constructor(outline: () => LearningOutline | null, blocks: Blocks) {
     this.#outline = outline
     this.#blocks = blocks
+  }
+
+  /** Another map, with where it begins and ends; signs and rewards of the map before are gone. */
+  setMap(map: string, start: number, goal: number): void {
+    const outline = this.#outline()
+    if (!outline) return
+    if (outline.closed.length > 0) this.#blocks.setClosed(outline.blocks.map, [])
+    const fields = { MAP: mapField(map), START: String(start), FINISH: String(goal), REWARDS: '' }
+    this.#blocks.setFields(outline.blocks.map, fields)
   }
 
   /** Start and goal change places rather than become one. */

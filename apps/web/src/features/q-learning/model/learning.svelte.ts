@@ -123,7 +123,8 @@ export class Learning {
     this.#halt('ready')
     const { outline } = this
     if (!outline) return
-    const stage = this.#stage?.id === outline.map ? this.#stage : await loadStage(outline.map)
+    const stage =
+      this.#stage?.id === outline.map ? this.#stage : await loadStage(outline.map, this.session.maps)
     if (key !== this.#key) return
     this.#stage = stage
     if (!stage || !this.#create()) return
@@ -155,6 +156,14 @@ export class Learning {
 
   #show(progress: number): void {
     if (this.#course) this.player.show(progress)
+  }
+
+  /** Another map, from where it begins to where it ends. */
+  async chooseMap(id: string): Promise<void> {
+    const stage = await loadStage(id, this.session.maps)
+    if (!stage || this.outline?.map === id) return
+    const { start = 0, goal = stage.map.stations.length - 1 } = stage.map
+    this.edits.setMap(id, start, goal)
   }
 
   // ---- the guess ----

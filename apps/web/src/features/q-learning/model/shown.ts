@@ -64,6 +64,10 @@ export function shownOf(course: Course): Shown {
   }
 }
 
+/** All actions of a station. */
+export const actionsFrom = ({ first }: QWorld, station: number): readonly number[] =>
+  Array.from({ length: first[station + 1]! - first[station]! }, (_, k) => first[station]! + k)
+
 /** The moves of a station by where they lead. */
 export function movesFrom({ first, meant }: QWorld, station: number): ReadonlyMap<number, number> {
   const [begin, end] = [first[station]!, first[station + 1]!]

@@ -10,9 +10,9 @@ export interface TableFit {
   readonly cell?: number | undefined
 }
 
-/** @param roads of each station how many, the closed ones too · @param width px */
-export function tableFit(roads: readonly number[], width: number): TableFit {
-  if (roads.length <= 10 && HEADING + roads.length * CELL <= width) return { isMatrix: true }
+/** @param roads of each station how many, the closed ones too · @param width px · @param grid rooms have ways and no roads */
+export function tableFit(roads: readonly number[], width: number, grid = false): TableFit {
+  if (!grid && roads.length <= 10 && HEADING + roads.length * CELL <= width) return { isMatrix: true }
   return { isMatrix: false, cell: CELLS.find((cell) => widthOfTwo(roads, cell) <= width) }
 }
 

@@ -1,7 +1,9 @@
+import { tightTurn } from '@botgarten/maps'
 import type { Plan } from '@botgarten/learning/q-learning'
-import type { LearnedRun } from '@botgarten/programs'
+import type { LearnedRun, Project } from '@botgarten/programs'
 import { language } from '#words/language.svelte.ts'
-import { hasMessage, m, message } from '#words/message.ts'
+import { mapName } from '#figures/map/names.ts'
+import { m, message } from '#words/message.ts'
 import type { Level } from '../model/choices.svelte.ts'
 import type { Comparison } from '../model/guess.ts'
 import type { Learning } from '../model/learning.svelte.ts'
@@ -76,6 +78,8 @@ export function endOf(learning: Learning): string {
   const { states: stations } = shown.way
   if (!stations && shown.plan?.doubt === null) return by
   if (!stations) return `${by} ${m['q.notYet']()}`
+  const tight = learning.stage && tightTurn(learning.stage.map, stations)
+  if (tight !== null) return `${by} ${m['q.tightTurn']({ station: tight })}`
   return learning.isShortest(stations) ? `${by} ${m['q.isShortest']()}` : `${by} ${m['q.isLonger']()}`
 }
 
@@ -151,8 +155,5 @@ export const guessOf = ({ guess, way }: LearnedRun) =>
   way !== '' && guess.match(/\d+/g)?.join('-') === way ? `${guess} ✓` : guess
 
 /** Start and goal, on which map where it has a name. */
-export function taskOf(run: LearnedRun): string {
-  const name = `choice.MAP_${run.map.toUpperCase()}`
-  const task = m['q.task'](run)
-  return hasMessage(name) ? `${message(name)}: ${task}` : task
-}
+export const taskOf = (run: LearnedRun, own: Project['maps'] = {}): string =>
+  `${mapName(run.map, own)}: ${m['q.task'](run)}`

@@ -1,0 +1,106 @@
+import type { MapDocument, MapRoad } from '@botgarten/programs'
+import { paper } from '@botgarten/programs'
+import { readPath } from '../path.ts'
+import { distance, type Point } from '../point.ts'
+
+/** cm. A road runs straight so far from the middle of its stations, and the robot bends no tighter. */
+export const STRAIGHT = 15
+export const TIGHTEST = 12
+export const SHORTEST = 40
+
+/** Tighter than this no corner is drawn: units. */
+const SHARP = 1
+
+/** A road as it is drawn: its corners are as round as its straight parts allow. */
+export interface RoadLine {
+  /** Path data of `M`, `L` and `A` from its first station to its second, and back. */
+  readonly there: string
+  readonly back: string
+  /** cm. */
+  readonly length: number
+  /** Radius of each bend, in cm; Infinity where the road goes straight on. */
+  readonly radii: readonly number[]
+}
+
+/** Where a road runs. The stations of a document that is being edited are there: the schema sees to it. */
+export function lineOf({ stations }: Pick<MapDocument, 'stations'>, road: MapRoad): RoadLine {
+  const points = [stations[road.from]!, ...road.bends, stations[road.to]!]
+  const arcs = points.slice(1, -1).map((_, index) => arcAt(points, index + 1))
+  const there = pathOf(points, arcs)
+  const turned = arcs.map(({ sweep, ...arc }) => ({ ...arc, sweep: !sweep })).toReversed()
+  return {
+    there,
+    back: pathOf(points.toReversed(), turned),
+    length: (readPath(there)?.length ?? 0) * paper.cmPerUnit,
+    radii: arcs.map(({ radius }) => radius * paper.cmPerUnit),
+  }
+}
+
+interface Arc {
+  /** Units; Infinity: straight on. */
+  readonly radius: number
+  /** From the corner to where the arc begins. */
+  readonly cut: number
+  readonly sweep: boolean
+}
+
+function arcAt(points: readonly Point[], index: number): Arc {
+  const [before, corner, after] = points.slice(index - 1, index + 2) as [Point, Point, Point]
+  const [a, b] = [distance(before, corner), distance(corner, after)]
+  if (a === 0 || b === 0) return { radius: 0, cut: 0, sweep: false }
+  const cross =
+    ((corner.x - before.x) * (after.y - corner.y) - (corner.y - before.y) * (after.x - corner.x)) / (a * b)
+  const dot =
+    ((corner.x - before.x) * (after.x - corner.x) + (corner.y - before.y) * (after.y - corner.y)) / (a * b)
+  // tan(turn / 2)
+  const half = 1 + dot > 1e-9 ? Math.abs(cross) / (1 + dot) : Infinity
+  const cut = Math.min(roomOf(points, index - 1, a), roomOf(points, index, b))
+  if (half < 1e-4) return { radius: Infinity, cut: 0, sweep: false }
+  return { radius: half === Infinity ? 0 : cut / half, cut, sweep: cross > 0 }
+}
+
+/** How much of a straight part one of its corners may take: half of it, or all but what a station needs. */
+function roomOf(points: readonly Point[], index: number, length: number): number {
+  const ends = (index === 0 ? 1 : 0) + (index === points.length - 2 ? 1 : 0)
+  if (ends === 0) return length / 2
+  return Math.max(0, length - STRAIGHT / paper.cmPerUnit)
+}
+
+function pathOf(points: readonly Point[], arcs: readonly Arc[]): string {
+  const corners = arcs.map(({ radius, cut, sweep }, index) => {
+    const [before, corner, after] = points.slice(index, index + 3) as [Point, Point, Point]
+    if (radius === Infinity || radius < SHARP) return `L${at(corner)}`
+    const [a, b] = [distance(before, corner), distance(corner, after)]
+    const [from, to] = [along(corner, before, cut / a), along(corner, after, cut / b)]
+    return `L${at(from)}A${short(radius)} ${short(radius)} 0 0 ${sweep ? 1 : 0} ${at(to)}`
+  })
+  return `M${at(points[0]!)}${corners.join('')}L${at(points.at(-1)!)}`
+}
+
+const along = (from: Point, to: Point, share: number): Point => ({
+  x: from.x + (to.x - from.x) * share,
+  y: from.y + (to.y - from.y) * share,
+})
+
+const short = (value: number) => Number(value.toFixed(3))
+const at = ({ x, y }: Point) => `${short(x)} ${short(y)}`
+
+/** What keeps the robot from driving a road; it can still be learned on. */
+export interface RoadFault {
+  readonly road: number
+  /** `tight`: at bend `bend` · `short`: from station to station. */
+  readonly kind: 'tight' | 'short'
+  readonly bend?: number
+  /** Radius, or length. */
+  readonly cm: number
+}
+
+/** All roads that the robot could not drive, and why: of each the first reason. */
+export function faultsOf(map: Pick<MapDocument, 'stations' | 'roads'>): readonly RoadFault[] {
+  return map.roads.flatMap((one, road): RoadFault[] => {
+    const { length, radii } = lineOf(map, one)
+    const bend = radii.findIndex((radius) => radius < TIGHTEST)
+    if (bend >= 0) return [{ road, kind: 'tight', bend, cm: radii[bend]! }]
+    return length < SHORTEST ? [{ road, kind: 'short', cm: length }] : []
+  })
+}

@@ -1,0 +1,207 @@
+import { paper, type MapDocument, type MapRoad } from '@botgarten/programs'
+import { pointsAlong, segmentsOf } from '../path.ts'
+import { distance, type Point } from '../point.ts'
+import { coverStrokes, sceneryOf, strokesOf, type Stroke } from './dress.ts'
+import { lineOf, STRAIGHT } from './line.ts'
+
+const ink = '#4A3428'
+
+/** The name under which a map of a project is learned on. */
+export const ownId = (id: string) => `own:${id}`
+
+/**
+ * A map as the SVG of the maps that everybody has: layers, stations `node-i`, a path `path-i-j` for every move. What only
+ * the document knows stands in attributes `data-…`; `openMap` makes the same document of it.
+ */
+export function writeMap(map: MapDocument, id: string): string {
+  const lines = map.roads.map((road) => lineOf(map, road))
+  const drawn = map.roads.map((road, index) => roadDrawn(map, road, lines[index]!.there))
+  const font = `font-family="'Baloo 2', Nunito, sans-serif" font-weight="800" font-size="44" text-anchor="middle"`
+  return [
+    `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${paper.width} ${paper.height}"${attributes({
+      ...{ map: ownId(id), name: map.name, dress: map.dress, cover: map.cover },
+      ...{ 'cm-per-unit': paper.cmPerUnit, 'plaza-cm': STRAIGHT, start: map.start, goal: map.goals[0] },
+      ...{ goals: map.goals.join(' '), endless: map.endless && '', 'step-cost': map.stepCost },
+    })}>`,
+    layer('scenery', [
+      sceneryOf(
+        map,
+        lines.map(({ there }) => there),
+      ),
+    ]),
+    layer('roads', [...drawn, ...bridges(map, lines.map(({ there }) => there)), ...map.roads.map((road, index) => marksOn(road, lines[index]!.there))], 'fill="none" stroke-linecap="round" stroke-linejoin="round"'), // prettier-ignore
+    layer(
+      'covers',
+      coversOf(
+        map,
+        lines.map(({ there }) => there),
+      ),
+    ),
+    layer(
+      'paths',
+      map.roads.flatMap((road, index) => pathsOf(road, index, lines[index]!)),
+      'fill="none"',
+    ),
+    layer('stations', map.stations.map(stationDrawn), font),
+    map.cover === 'fog' ? layer('fog', map.stations.map(fogOn)) : '',
+    '</svg>',
+    '',
+  ].join('\n')
+}
+
+const layer = (id: string, content: readonly string[], more = '') =>
+  `<g id="${id}"${more && ` ${more}`}>\n${content.filter(Boolean).join('\n')}\n</g>`
+
+const escapes: { readonly [sign: string]: string } = { '&': '&amp;', '<': '&lt;', '>': '&gt;', '"': '&quot;' }
+const escaped = (text: string) =>
+  text.replace(/[&<>"]/g, (sign) => escapes[sign]!).replace(/[\n\r\t]/g, (sign) => `&#${sign.charCodeAt(0)};`)
+
+/** `data-…` of what is there. */
+function attributes(of: { readonly [name: string]: string | number | undefined }): string {
+  const said = Object.entries(of).filter(([, value]) => value !== undefined)
+  return said.map(([name, value]) => ` data-${name}="${escaped(String(value))}"`).join('')
+}
+
+// ---- what is drawn ----
+
+const stroke = (line: string, { colour, width, dash }: Stroke) =>
+  `<path d="${line}" stroke="${colour}" stroke-width="${width}"${dash ? ` stroke-dasharray="${dash}" stroke-linecap="butt"` : ''}/>`
+
+const roadDrawn = ({ dress }: MapDocument, road: MapRoad, line: string) =>
+  strokesOf(dress)
+    .map((one) => stroke(line, road.slip ? { ...one, colour: icy(one.colour) } : one))
+    .join('')
+
+/** A slippery road is of ice. */
+export const icy = (colour: string) => (colour === ink ? '#3E7D8E' : '#DDF1F6')
+
+/** Where a road crosses one that was drawn before it leads over it: with rails on both sides. */
+function bridges({ dress }: MapDocument, lines: readonly string[]): string[] {
+  const points = lines.map((line) => sampled(line))
+  return crossingsOf(points).map(({ upper, at }) => {
+    const near = points[upper]!.filter((point) => distance(point, at) < 46)
+    const line = near.map(({ x, y }, index) => `${index === 0 ? 'M' : 'L'}${round(x)} ${round(y)}`).join('')
+    const [outer] = strokesOf(dress)
+    const rails = [
+      { colour: ink, width: outer!.width + 18 },
+      { colour: '#E3B36F', width: outer!.width + 8 },
+    ]
+    return `<g stroke-linecap="butt">${[...rails, ...strokesOf(dress)].map((one) => stroke(line, one)).join('')}</g>`
+  })
+}
+
+const round = (value: number) => Number(value.toFixed(1))
+
+/** A road in points about 8 units apart. */
+export function sampled(line: string): Point[] {
+  const segments = segmentsOf(line) ?? []
+  return segments[0] ? [segments[0].from, ...segments.flatMap((one) => pointsAlong(one, 8))] : []
+}
+
+/** Where roads cross, and which of them leads over the other: the later one. Ends that meet at a station do not cross. */
+export function crossingsOf(
+  roads: readonly (readonly Point[])[],
+): { readonly upper: number; readonly at: Point }[] {
+  const found: { upper: number; at: Point }[] = []
+  for (let upper = 1; upper < roads.length; upper++)
+    for (let lower = 0; lower < upper; lower++) {
+      const [a, b] = [roads[upper]!, roads[lower]!]
+      const ends = [a[0]!, a.at(-1)!, b[0]!, b.at(-1)!]
+      for (let i = 1; i < a.length; i++)
+        for (let k = 1; k < b.length; k++) {
+          const at = crossing(a[i - 1]!, a[i]!, b[k - 1]!, b[k]!)
+          if (at && ends.every((end) => distance(end, at) > 60)) found.push({ upper, at })
+        }
+    }
+  return found
+}
+
+function crossing(a: Point, b: Point, c: Point, d: Point): Point | null {
+  const [ux, uy, vx, vy] = [b.x - a.x, b.y - a.y, d.x - c.x, d.y - c.y]
+  const area = ux * vy - uy * vx
+  if (area === 0) return null
+  const s = ((c.x - a.x) * vy - (c.y - a.y) * vx) / area
+  const t = ((c.x - a.x) * uy - (c.y - a.y) * ux) / area
+  return s >= 0 && s < 1 && t >= 0 && t < 1 ? { x: a.x + s * ux, y: a.y + s * uy } : null
+}
+
+/** Arrows of a one-way road, the sign of a closed one, and what it pays. */
+function marksOn({ oneWay, closed, reward }: MapRoad, line: string): string {
+  const points = sampled(line)
+  const arrows = oneWay ? [0.35, 0.65].map((share) => arrowAt(points, share)) : []
+  const middle = points[Math.floor(points.length / 2)]!
+  const sign = closed ? [signAt(middle, closed === 'both' || oneWay ? null : turned(points, closed))] : []
+  return [
+    ...arrows,
+    ...sign,
+    ...(reward ? [coinAt({ x: middle.x + 52, y: middle.y + 40 }, reward)] : []),
+  ].join('')
+}
+
+function turned(points: readonly Point[], closed: 'there' | 'back') {
+  return closed === 'there' ? points : points.toReversed()
+}
+
+/** A quarter turn has no angle here: the arrow is drawn along its road. */
+function arrowAt(points: readonly Point[], share: number): string {
+  const index = Math.min(points.length - 2, Math.max(1, Math.floor(points.length * share)))
+  const [from, tip] = [points[index - 1]!, points[index + 1]!]
+  const length = distance(from, tip) || 1
+  const [x, y] = [(tip.x - from.x) / length, (tip.y - from.y) / length]
+  const to = (along: number, aside: number) =>
+    `${round(points[index]!.x + along * x - aside * y)} ${round(points[index]!.y + along * y + aside * x)}`
+  const d = `M${to(-26, 0)}L${to(20, 0)}M${to(2, -15)}L${to(22, 0)}L${to(2, 15)}`
+  return `<path d="${d}" stroke="#FFFFFF" stroke-width="16"/><path d="${d}" stroke="#1F67B3" stroke-width="9"/>`
+}
+
+/** `points`: where it closes one direction alone, the road in that direction. */
+function signAt({ x, y }: Point, points: readonly Point[] | null): string {
+  const plate = `<g transform="translate(${round(x)} ${round(y)})"><path d="M-15 -36h30l21 21v30l-21 21h-30l-21 -21v-30z" fill="#C9281F" stroke="#FFFFFF" stroke-width="5"/><rect x="-20" y="-7" width="40" height="14" rx="4" fill="#FFFFFF" stroke="none"/></g>`
+  return points === null ? plate : arrowAt(points, 0.64) + plate
+}
+
+const coinAt = ({ x, y }: Point, reward: number) =>
+  `<g transform="translate(${round(x)} ${round(y)})"><circle r="30" fill="${reward > 0 ? '#FFC83D' : '#FBE1DA'}" stroke="${ink}" stroke-width="5"/><text y="9" text-anchor="middle" font-family="'Baloo 2', Nunito, sans-serif" font-weight="800" font-size="26" fill="#3A2A20" stroke="none">${reward > 0 ? '+' : '−'}${Math.abs(reward)}</text></g>`
+
+function coversOf({ cover, roads }: MapDocument, lines: readonly string[]): string[] {
+  if (cover === undefined) return []
+  const { colour, width } = coverStrokes[cover]
+  const names = roads.map(({ from, to }) => `${Math.min(from, to)}-${Math.max(from, to)}`)
+  return names.flatMap((name, index) =>
+    names.indexOf(name) === index
+      ? [`<path id="cover-${name}" d="${lines[index]}" fill="none" stroke="${colour}" stroke-width="${width}" stroke-linecap="round"/>`] // prettier-ignore
+      : [],
+  )
+}
+
+const fogOn = ({ x, y }: Point, station: number) =>
+  `<circle id="fog-${station}" cx="${x}" cy="${y}" r="120" fill="#E6E3DA" fill-opacity=".92"/>`
+
+// ---- what is read ----
+
+function pathsOf(road: MapRoad, index: number, { there, back }: { there: string; back: string }): string[] {
+  const { from, to, bends, oneWay, closed, reward, slip } = road
+  const both = attributes({ reward, slip })
+  const own = attributes({
+    road: index,
+    bends: bends.length > 0 ? bends.map(({ x, y }) => `${x} ${y}`).join(' ') : undefined,
+    sign: closed,
+  })
+  const shut = (way: 'there' | 'back') =>
+    closed === 'both' || closed === way ? attributes({ closed: '' }) : ''
+  return [
+    `<path id="path-${from}-${to}" d="${there}"${own}${both}${shut('there')}/>`,
+    oneWay ? '' : `<path id="path-${to}-${from}" d="${back}"${both}${shut('back')}/>`,
+  ]
+}
+
+function stationDrawn({ x, y, name, reward }: MapDocument['stations'][number], number: number): string {
+  const coin = reward ? coinAt({ x: -46, y: 46 }, reward) : ''
+  return [
+    `<g id="node-${number}" class="station" transform="translate(${x} ${y})"${attributes({ name, reward })}>`,
+    `<circle class="shade" cy="5" r="44" fill="#3A2A20" fill-opacity=".25"/>`,
+    `<circle class="disc" r="44" fill="#C23A30" stroke="${ink}" stroke-width="6"/>`,
+    `<circle class="ring" r="35" fill="none" stroke="#FFFFFF" stroke-width="4" stroke-dasharray="10 8"/>`,
+    `<text class="number" y="15" fill="#FFFFFF">${number}</text>${coin}</g>`,
+  ].join('')
+}

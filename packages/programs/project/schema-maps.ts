@@ -1,0 +1,59 @@
+import * as v from 'valibot'
+import { covers, dresses, mostOfMap as most, paper, type MapDocument } from '../map-document.ts'
+import { finite } from './schema-program.ts'
+
+/** Also a part of an address and of a block's field. */
+const mapId = v.pipe(v.string(), v.regex(/^[a-z0-9]+(-[a-z0-9]+)*$/), v.maxLength(most.name))
+const name = v.pipe(v.string(), v.maxLength(most.name))
+const x = v.pipe(finite, v.minValue(0), v.maxValue(paper.width))
+const y = v.pipe(finite, v.minValue(0), v.maxValue(paper.height))
+const reward = v.exactOptional(v.pipe(finite, v.minValue(-100), v.maxValue(100)))
+const index = v.pipe(v.number(), v.integer(), v.minValue(0), v.maxValue(most.stations - 1))
+
+const station = v.object({ x, y, name: v.exactOptional(name), reward })
+const road = v.object({
+  ...{ from: index, to: index },
+  bends: v.pipe(v.array(v.object({ x, y })), v.maxLength(most.bends)),
+  oneWay: v.exactOptional(v.literal(true)),
+  closed: v.exactOptional(v.picklist(['both', 'there', 'back'])),
+  reward,
+  slip: v.exactOptional(v.pipe(finite, v.minValue(0), v.maxValue(1))),
+})
+
+const parts = v.object({
+  ...{ kind: v.literal('roads'), name, dress: v.picklist(dresses) },
+  cover: v.exactOptional(v.picklist(covers)),
+  stations: v.pipe(v.array(station), v.maxLength(most.stations)),
+  roads: v.pipe(v.array(road), v.maxLength(most.roads)),
+  start: index,
+  goals: v.pipe(v.array(index), v.minLength(1), v.maxLength(most.stations)),
+  endless: v.exactOptional(v.literal(true)),
+  stepCost: v.exactOptional(v.pipe(finite, v.minValue(-100), v.maxValue(100))),
+})
+
+/** Two roads may join the same stations only where each leads one way. */
+const isSound = ({ stations, roads, start, goals }: v.InferOutput<typeof parts>) => {
+  const inside = (station: number) => station < Math.max(1, stations.length)
+  const ways = roads.flatMap(({ from, to, oneWay }) => [
+    `${from}-${to}`,
+    ...(oneWay ? [] : [`${to}-${from}`]),
+  ])
+  return (
+    [start, ...goals, ...roads.flatMap(({ from, to }) => [from, to])].every(inside) &&
+    roads.every(({ from, to }) => from !== to) &&
+    new Set(ways).size === ways.length
+  )
+}
+
+export const mapSchema: v.GenericSchema<unknown, MapDocument> = v.pipe(
+  parts,
+  v.check(isSound, 'A road, the start or a goal of the map leads to a station that is not there.'),
+)
+
+export const mapsSchema = v.pipe(
+  v.record(mapId, mapSchema),
+  v.check((maps) => Object.keys(maps).length <= most.maps, `A project has at most ${most.maps} maps.`),
+)
+
+/** Does it break no rule of maps? */
+export const isMap = (map: unknown): map is MapDocument => v.is(mapSchema, map)
