@@ -84,13 +84,17 @@ function grid(id: string, rows: readonly string[], more: string, look: Look = {}
   }
   const width = floors * hall + (floors - 1) * gap
   const height = rows.length * cell
+  const lift =
+    floors > 1
+      ? `<g transform="translate(${hall + cell / 2} ${cell / 2}) scale(${cell / 130})">${furniture['P']}<path d="M-22 44h44m-12 -11l12 11 -12 11" fill="none" stroke="${ink}" stroke-width="5" stroke-linecap="round" stroke-linejoin="round"/></g>`
+      : ''
   const floor = `<rect width="${width}" height="${height}" fill="#FBF5EA"/>`
   const root = `data-map="${id}" data-cm-per-unit="${cmPerUnit}" data-grid="${rows.join('/')}" ${more}`
   const radius = cell / 5
   return drawing(
     root,
     [
-      layer('scenery', [floor, ...all.map(tile)]),
+      layer('scenery', [floor, lift, ...all.map(tile)].filter(Boolean)),
       ...['roads', 'covers', 'paths', 'obstacles'].map((name) => `<g id="${name}"/>`),
       layer(
         'stations',

@@ -2,7 +2,7 @@ import { readdirSync } from 'node:fs'
 import { describe, expect, it } from 'vitest'
 import { formsOf, type Table } from '../messages/index.ts'
 import { filesIn, languagesIn, ownTableOf } from '../messages/folder.ts'
-import { addBlocks, definitions, isBlockType, knowMaps, toolbox as plainToolbox } from './index.ts'
+import { addBlocks, definitions, isBlockType, knowMaps, mapIn, toolbox as plainToolbox } from './index.ts'
 import { blocks as core } from './packs/core/blocks.ts'
 import { blocks as ofExpert } from './packs/expert/blocks.ts'
 import { expert, expertToolbox as toolbox } from './packs/expert/index.ts'
@@ -12,12 +12,14 @@ import { withRest } from './toolbox.ts'
 import type { BlockType, Definition, Look, Pack, Template } from './index.ts'
 
 addBlocks(expert)
-// Every map that there is may be chosen, so that each has its name.
-knowMaps({ maps: readdirSync(new URL('../../content/maps', import.meta.url)), stations: {} })
 
 /** What a language says itself, of the cards' blocks and of the expert pack. */
 const ownWordsOf = (language: string): Table =>
   Object.assign({}, ...filesIn().map((file) => ownTableOf(file, language))) as Table
+
+// Every map that has a name may be chosen. That each map has one, and each name a map, content's contract tests say.
+const names = Object.keys(ownWordsOf('en')).filter((key) => key.startsWith('choice.MAP_'))
+knowMaps({ maps: names.map((key) => mapIn(key.slice('choice.'.length))), stations: {} })
 
 const languages = languagesIn().map((language) => [language, ownWordsOf(language)] as const)
 

@@ -1,8 +1,19 @@
 import { expect, test } from 'vitest'
-import { knowMaps, knownMaps } from '@botgarten/blocks'
+import { knowMaps, knownMaps, mapField } from '@botgarten/blocks'
+import { tableOf } from '@botgarten/messages/folder'
 import { content } from '../files.ts'
 
 knowMaps(content)
+
+test.each(content.languages)(
+  'every map is called something in "%s", and no name is left over',
+  (language) => {
+    const names = Object.keys(tableOf('blocks-q-learning', language)).filter((key) =>
+      key.startsWith('choice.MAP_'),
+    )
+    expect(names.toSorted()).toEqual(content.maps.map((id) => `choice.${mapField(id)}`).toSorted())
+  },
+)
 
 test('blocks offer every map that is there, small ones first', () => {
   expect(knownMaps().toSorted()).toEqual(content.maps.toSorted())

@@ -42,6 +42,10 @@ export function sideOf({ names }: QWorld, action: number): Side | null {
   return side in arrows ? (side as Side) : null
 }
 
+/** Off the cliff nobody stays. */
+export const isShown = ({ grid }: MapFile, state: number): boolean =>
+  grid?.letters[state % grid.letters.length] !== 'C'
+
 /** Rooms that can be left, with a triangle for each of their actions. Once a world. */
 export function roomsOf(world: QWorld, map: MapFile): readonly Room[] {
   const half = roomSize(map) / 2
@@ -56,20 +60,27 @@ export function roomsOf(world: QWorld, map: MapFile): readonly Room[] {
       const at = { x: x + dx * 0.66 * inner, y: y + dy * 0.7 * inner }
       return [{ action, side, path: `M${a}L${x} ${y}L${b}z`, ...at }]
     })
-    return triangles.length > 0 ? [{ state, x, y, triangles }] : []
+    return triangles.length > 0 && isShown(map, state) ? [{ state, x, y, triangles }] : []
   })
 }
 
+/** The way that a room's arrow shows: one that is worth more than another of the room; null where all are alike. */
+export function wayOut({ triangles }: Room, q: ArrayLike<number>, best: number): Triangle | null {
+  const found = triangles.find(({ action }) => action === best)
+  return found && triangles.some(({ action }) => q[action]! < q[best]!) ? found : null
+}
+
 /**
- * How good an action is beside the others, 0..100, and null where it was never tried. What costs as much as the dearest
- * tenth is 0: one fall would make all other ways alike. Where nothing costs, 0 is what is worth nothing.
+ * How good an action is beside the others, 0..100; null where it was never tried. Where moves cost it is its place among
+ * all that were tried: one fall would make all other ways alike.
  */
 export function warmth(q: ArrayLike<number>, tries: ArrayLike<number>): readonly (number | null)[] {
   const known = Array.from(tries, (count, action) => (count > 0 ? q[action]! : null))
-  const values = known.filter((value) => value !== null).toSorted((a, b) => a - b)
-  const lowest = Math.min(0, values[Math.floor(values.length / 10)] ?? 0)
-  const highest = Math.max(values.at(-1) ?? 0, lowest + 1e-9)
-  return known.map((value) =>
-    value === null ? null : Math.max(0, Math.min(100, (100 * (value - lowest)) / (highest - lowest))),
-  )
+  const values = known.filter((value) => value !== null)
+  const highest = Math.max(1e-9, ...values)
+  if (values.every((value) => value >= 0))
+    return known.map((value) => (value === null ? null : (100 * value) / highest))
+  const order = [...new Set(values)].toSorted((a, b) => a - b)
+  const places = new Map(order.map((value, index) => [value, (100 * index) / Math.max(1, order.length - 1)]))
+  return known.map((value) => (value === null ? null : places.get(value)!))
 }
