@@ -60,7 +60,8 @@ export const mapChoice = (preset: string): FieldLook => ({
   own: 'map',
   get options() {
     const own = Object.entries(ownNames).map(([id, label]) => ({ value: `own:${id}`, words: null, label }))
-    return [...knownMaps().map((map) => ({ value: mapField(map), words: `choice.${mapField(map)}` })), ...own]
+    const fields = known === null ? [preset] : knownMaps().map(mapField)
+    return [...fields.map((value) => ({ value, words: `choice.${value}` })), ...own]
   },
 })
 

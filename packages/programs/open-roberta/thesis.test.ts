@@ -1,5 +1,5 @@
 import { readFileSync, readdirSync } from 'node:fs'
-import { addBlocks, definitions, isBlockType, type Block } from '@botgarten/blocks'
+import { addBlocks, definitions, isBlockType, knowMaps, type Block } from '@botgarten/blocks'
 import { learning } from '@botgarten/blocks/packs/learning'
 import { describe, expect, it } from 'vitest'
 import { check, indexProgram, networks, runThread, startThread } from '../index.ts'
@@ -9,6 +9,8 @@ import { robotIn } from './brick.ts'
 import { readOpenRoberta, writeOpenRoberta } from './index.ts'
 
 addBlocks(learning)
+// The three maps of the thesis; content holds them.
+knowMaps({ maps: ['railway', 'forest', 'city'], stations: { railway: 6, forest: 10, city: 20 } })
 
 const folder = new URL('../testing/open-roberta/thesis/', import.meta.url)
 const textOf = (name: string) => readFileSync(new URL(`${name}.xml`, folder), 'utf8')
