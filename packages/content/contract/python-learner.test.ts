@@ -13,7 +13,7 @@ import { content } from '../files.ts'
 
 addBlocks(expert)
 addBlocks(learning)
-knowMaps((id) => content.stations[id] ?? 0)
+knowMaps(content)
 
 const mapNamed = (id: string) => content.mapFile(id)
 const programs = ['railway', 'forest', 'city'].map((id): readonly [string, Program] => {
