@@ -3,14 +3,14 @@ import type { Server } from './world.ts'
 /** Reads server-sent events of an answer as a browser's EventSource does, in this process. */
 export class StreamSource {
   readyState = 0
-  readonly #hear = new Map<string, (event: MessageEvent<string>) => void>()
+  readonly #hear = new Map<string, (event: { readonly data: string }) => void>()
   #reader: ReadableStreamDefaultReader<Uint8Array> | undefined
 
   constructor(answer: Promise<Response>) {
     void this.#read(answer)
   }
 
-  addEventListener(name: string, hear: (event: MessageEvent<string>) => void): void {
+  addEventListener(name: string, hear: (event: { readonly data: string }) => void): void {
     this.#hear.set(name, hear)
   }
 
@@ -27,7 +27,7 @@ export class StreamSource {
   }
 
   #fail() {
-    this.#hear.get('error')?.(new MessageEvent('error'))
+    this.#hear.get('error')?.({ data: '' })
   }
 
   async #read(coming: Promise<Response>) {
@@ -52,7 +52,7 @@ export class StreamSource {
 
   #emit(event: string) {
     const [, name, data] = /^event: (\w+)\ndata: (.*)$/s.exec(event) ?? []
-    if (name) this.#hear.get(name)?.(new MessageEvent(name, { data: data! }))
+    if (name) this.#hear.get(name)?.({ data: data! })
   }
 }
 

@@ -2,6 +2,6 @@
 export interface Source {
   /** 2: closed. It is not opened again by itself then. */
   readonly readyState: number
-  addEventListener(name: string, hear: (event: MessageEvent<string>) => void): void
+  addEventListener(name: string, hear: (event: { readonly data: string }) => void): void
   close(): void
 }

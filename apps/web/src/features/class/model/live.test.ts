@@ -3,7 +3,6 @@ import { quickAccounts, Server } from '@botgarten/classroom/testing'
 import { settle, StreamSource } from '@botgarten/classroom/testing/event-source'
 import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest'
 import { allowed } from '#lab/allowed.svelte.ts'
-import type { Source } from '#parts/page/source.ts'
 import { askAs } from './ask.ts'
 import { PupilLive, type Work } from './live.svelte.ts'
 import type { Me } from './pupil.ts'
@@ -57,7 +56,7 @@ beforeEach(async () => {
   live = new PupilLive(
     askAs(fox.id, ask),
     { me: (me) => (known = me), over: () => (over += 1) },
-    (hear) => new SharedStream(hear, () => new StreamSource(ask('/api/class/me/stream')) as Source, silent),
+    (hear) => new SharedStream(hear, () => new StreamSource(ask('/api/class/me/stream')), silent),
   )
   live.start()
   await settle(server)

@@ -11,15 +11,15 @@ const me = (nickname: string): Me => ({
 /** A stream whose events a test sends. */
 class HandSource implements Source {
   readyState = 1
-  readonly #hear = new Map<string, (event: MessageEvent<string>) => void>()
-  addEventListener(name: string, hear: (event: MessageEvent<string>) => void) {
+  readonly #hear = new Map<string, (event: { readonly data: string }) => void>()
+  addEventListener(name: string, hear: (event: { readonly data: string }) => void) {
     this.#hear.set(name, hear)
   }
   close() {
     this.readyState = 2
   }
   send(name: string, data: unknown) {
-    this.#hear.get(name)?.(new MessageEvent(name, { data: JSON.stringify(data) }))
+    this.#hear.get(name)?.({ data: JSON.stringify(data) })
   }
 }
 

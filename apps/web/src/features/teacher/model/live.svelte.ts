@@ -22,7 +22,7 @@ const patience = 3000
 const silence = 12_000
 const checkEvery = 5000
 
-const read = <Schema extends v.GenericSchema>(schema: Schema, { data }: MessageEvent<string>) =>
+const read = <Schema extends v.GenericSchema>(schema: Schema, { data }: { readonly data: string }) =>
   v.parse(schema, JSON.parse(data))
 
 /** A class as it is now: a stream of the server keeps it so. */
