@@ -2,8 +2,13 @@ import { Migrator } from 'kysely'
 import type { Database } from './database.ts'
 import { first } from './first.ts'
 import { live } from './live.ts'
+import { thrown } from './thrown.ts'
 
-const migrations = ({ kind }: Database) => ({ '2026-11-first': first(kind), '2026-11-live': live })
+const migrations = ({ kind }: Database) => ({
+  '2026-11-first': first(kind),
+  '2026-11-live': live,
+  '2026-11-thrown': thrown,
+})
 
 const migrator = (database: Database) =>
   new Migrator({

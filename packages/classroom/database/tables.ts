@@ -97,6 +97,14 @@ interface ProjectTable {
   savedAt: number
 }
 
+/** A project that its pupil has thrown away, and has not brought back. */
+interface ThrownTable {
+  pupil: string
+  project: string
+  /** Its last one: brought back, it goes on from there, so that a late request never takes it for the former. */
+  revision: number
+}
+
 interface VersionTable {
   pupil: string
   project: string
@@ -197,6 +205,7 @@ export interface Tables {
   pupil: PupilTable
   pupilSession: PupilSessionTable
   project: ProjectTable
+  thrown: ThrownTable
   version: VersionTable
   answered: AnsweredTable
   asset: AssetTable

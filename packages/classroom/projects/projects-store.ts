@@ -10,6 +10,17 @@ export const projectsOf = (db: Db, pupil: string) =>
     .orderBy('id')
     .execute()
 
+/** Ids of what this pupil has thrown away. */
+export async function thrownOf(db: Db, pupil: string): Promise<string[]> {
+  const rows = await db
+    .selectFrom('thrown')
+    .select('project')
+    .where('pupil', '=', pupil)
+    .orderBy('project')
+    .execute()
+  return rows.map(({ project }) => project)
+}
+
 /** What can be taken back, the newest first. */
 export const versionsOf = (db: Db, pupil: string, project: string) =>
   db
@@ -38,14 +49,43 @@ export async function versionOf(db: Db, pupil: string, project: string, revision
   return { revision: row.revision, savedAt: row.savedAt, project: { ...document, assets } }
 }
 
-/** @returns false where there is no such project */
-export async function deleteProject(db: Db, pupil: string, classId: string, id: string): Promise<boolean> {
-  const gone = await db
-    .deleteFrom('project')
+/**
+ * Throws a project away, unless another device has saved it since.
+ * @param base the revision that the sender stands on
+ * @returns its revision where that is another; null where there is no such project
+ */
+export async function deleteProject(
+  db: Db,
+  pupil: string,
+  classId: string,
+  id: string,
+  base: number,
+): Promise<'deleted' | number | null> {
+  return db.transaction().execute(async (inside) => {
+    const gone = await inside
+      .deleteFrom('project')
+      .where('pupil', '=', pupil)
+      .where('id', '=', id)
+      .where('revision', '=', base)
+      .returning('revision')
+      .executeTakeFirst()
+    if (!gone) return revisionOf(inside, pupil, id)
+    await inside
+      .insertInto('thrown')
+      .values({ pupil, project: id, revision: base })
+      .onConflict((conflict) => conflict.columns(['pupil', 'project']).doUpdateSet({ revision: base }))
+      .execute()
+    await recount(inside, classId)
+    return 'deleted'
+  })
+}
+
+async function revisionOf(db: Db, pupil: string, id: string): Promise<number | null> {
+  const row = await db
+    .selectFrom('project')
+    .select('revision')
     .where('pupil', '=', pupil)
     .where('id', '=', id)
-    .returning('id')
     .executeTakeFirst()
-  if (gone) await recount(db, classId)
-  return gone !== undefined
+  return row?.revision ?? null
 }

@@ -1,6 +1,6 @@
 import { Refusal } from '../refusal.ts'
 import { route, type Answer, type Call, type Route } from '../route.ts'
-import { deleteProject, projectsOf, versionOf, versionsOf } from './projects-store.ts'
+import { deleteProject, projectsOf, thrownOf, versionOf, versionsOf } from './projects-store.ts'
 import { mostSpace } from './saves-store.ts'
 
 /** Ids are made on devices; each pupil has a space of their own. */
@@ -17,7 +17,9 @@ function deviceId(text: string | null | undefined): string {
 }
 
 async function list({ ports, who }: Call<undefined>): Promise<Answer> {
-  return { body: { projects: await projectsOf(ports.database.db, who.pupil!.id) } }
+  const { db } = ports.database
+  const { id } = who.pupil!
+  return { body: { projects: await projectsOf(db, id), thrown: await thrownOf(db, id) } }
 }
 
 /** The whole of it or nothing: what is answered 200 is on the disk. */
@@ -50,10 +52,12 @@ async function version({ ports, who, at }: Call<undefined>): Promise<Answer> {
   return { body: found }
 }
 
-async function remove({ ports, who, at }: Call<undefined>): Promise<Answer> {
+async function remove({ ports, who, at, query }: Call<undefined>): Promise<Answer> {
   const { id, class: classId } = who.pupil!
-  if (!(await deleteProject(ports.database.db, id, classId, at['project']!)))
-    throw new Refusal(404, 'noSuchProject')
+  const base = wholeNumber(query.get('base'))
+  const outcome = await deleteProject(ports.database.db, id, classId, at['project']!, base)
+  if (outcome === null) throw new Refusal(404, 'noSuchProject')
+  if (outcome !== 'deleted') throw new Refusal(409, 'newerRevision', { revision: outcome })
   return {}
 }
 

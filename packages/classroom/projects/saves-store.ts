@@ -30,8 +30,8 @@ export const mostSpace = 500_000_000
 export async function saveInside(db: Db, save: Save, most = mostSpace): Promise<Saved> {
   const before = await answeredBefore(db, save)
   if (before !== null) return await saved(db, save, before)
-  if (!(await takeRevision(db, save))) return await conflictOrSame(db, save)
-  const revision = save.base + 1
+  const revision = await takeRevision(db, save)
+  if (revision === null) return await conflictOrSame(db, save)
   await addVersion(db, save, revision)
   const { card, done } = save.checked
   if (card !== null) await noteResult(db, { pupil: save.pupil, class: save.class, card, done })
@@ -61,21 +61,24 @@ async function answeredBefore(db: Db, { pupil, save, project }: Save): Promise<n
   return row?.revision ?? null
 }
 
-/** Moves the project from the revision it stands on to the next: of two devices one does. */
+/** Moves the project from the revision it stands on to the next: of two devices one does. @returns null for the other one */
 async function takeRevision(
   db: Db,
   { pupil, project, base, checked, at, class: classId }: Save,
-): Promise<boolean> {
+): Promise<number | null> {
   const { name, card } = checked
   if (base === 0) {
-    const row = { pupil, id: project, class: classId, revision: 1, name, card, savedAt: at }
+    const revision = (await lastRevision(db, pupil, project)) + 1
+    const row = { pupil, id: project, class: classId, revision, name, card, savedAt: at }
     const added = await db
       .insertInto('project')
       .values(row)
       .onConflict((conflict) => conflict.columns(['pupil', 'id']).doNothing())
       .returning('id')
       .executeTakeFirst()
-    return added !== undefined
+    if (!added) return null
+    await db.deleteFrom('thrown').where('pupil', '=', pupil).where('project', '=', project).execute()
+    return revision
   }
   const moved = await db
     .updateTable('project')
@@ -85,7 +88,18 @@ async function takeRevision(
     .where('revision', '=', base)
     .returning('id')
     .executeTakeFirst()
-  return moved !== undefined
+  return moved ? base + 1 : null
+}
+
+/** Of a project that was thrown away; 0 for one that is new. */
+async function lastRevision(db: Db, pupil: string, project: string): Promise<number> {
+  const row = await db
+    .selectFrom('thrown')
+    .select('revision')
+    .where('pupil', '=', pupil)
+    .where('project', '=', project)
+    .executeTakeFirst()
+  return row?.revision ?? 0
 }
 
 /** The same save on another connection, the same work from another device, or a conflict. */

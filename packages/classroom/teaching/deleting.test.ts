@@ -20,6 +20,7 @@ const tables = [
   'answered',
   'asset',
   'versionAsset',
+  'thrown',
 ] as const
 const pixel = { type: 'image/png', base64: 'iVBORw0KGgo=' }
 
@@ -51,6 +52,8 @@ onBothDatabases((fresh) => {
       const pupil = await server.pupil(opened.code, nickname)
       const text = projectText(nickname, { ['b'.repeat(64)]: pixel })
       await pupil.browser.put('/projects/project-1?base=0&save=save-0001', text)
+      await pupil.browser.put('/projects/project-2?base=0&save=save-0002', text)
+      await pupil.browser.delete('/projects/project-2?base=1')
       pupils.push(pupil)
     }
     return { ...opened, pupils }

@@ -44,10 +44,20 @@ export async function throwAway(id: string): Promise<Moved> {
     const thrown: Thrown = { ...found, id: freshId('bin'), was: id, thrown: now, day }
     await transaction.objectStore('bin').put(thrown)
     await deleteProject(transaction, id)
+    await noteThrown(transaction, id)
     return { kind: 'moved', id: thrown.id }
   })
   if (moved.kind === 'moved') announce({ kind: 'gone', id })
   return moved
+}
+
+/** What a class has, or is about to get, is thrown away there too. */
+async function noteThrown(transaction: Writing, id: string): Promise<void> {
+  const sync = await transaction.objectStore('sync').get(id)
+  const isOnItsWay = (await transaction.objectStore('outbox').getKey(id)) !== undefined
+  if (!sync && !isOnItsWay) return
+  const { base = 0, synced = 0 } = sync ?? {}
+  await transaction.objectStore('sync').put({ id, base, synced, thrown: true })
 }
 
 /** Takes a project out of the bin. It gets its old key, or a new one where something else has that now. */

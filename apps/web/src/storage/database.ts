@@ -53,6 +53,8 @@ export interface SyncRecord {
   readonly conflict?: number
   /** What the class does not take, and the revision of this device that it was. */
   readonly refused?: { readonly revision: number; readonly reason: string }
+  /** It was thrown away on this device, and the class does not know yet. */
+  readonly thrown?: true
 }
 
 /** A save on its way to the class: once begun, it stays as it is until the class has answered. */
@@ -209,6 +211,16 @@ export async function storageErrorIn(
   } catch (cause) {
     return storageErrorOf(cause)
   }
+}
+
+/** Deletes what the class has of the pupil whose page this is. Its bin waits for the child to come back. */
+export async function deleteSent(): Promise<void> {
+  const binned = await writing(async (transaction) => {
+    const sent = allStores.filter((store) => store !== 'bin' && store !== 'days')
+    await Promise.all(sent.map((store) => transaction.objectStore(store).clear()))
+    return transaction.objectStore('bin').count()
+  })
+  if (binned === 0) await deleteOwnDatabase()
 }
 
 /** Deletes everything of the pupil whose page this is. Other tabs let go of it when they are asked. */

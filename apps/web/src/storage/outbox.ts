@@ -72,8 +72,46 @@ async function begin(transaction: Writing, id: string): Promise<OutboxRecord | n
   if (!found) return null
   const { base } = (await transaction.objectStore('sync').get(id)) ?? unknown(id)
   const record = { id, save: freshId('save'), revision: found.revision, base, project: found.project }
+  await keepFromThrowing(transaction, id)
   await transaction.objectStore('outbox').put(record)
   return record
+}
+
+/** Something has the place again of what was thrown away: it goes on from there. */
+async function keepFromThrowing(transaction: Writing, id: string): Promise<void> {
+  const { thrown, ...sync } = (await transaction.objectStore('sync').get(id)) ?? unknown(id)
+  if (thrown) await transaction.objectStore('sync').put(sync)
+}
+
+/** What was thrown away on this device and is still in the class: its id, and the revision of the class that is meant. */
+export async function nextToThrow(): Promise<Pick<SyncRecord, 'id' | 'base'> | null> {
+  return reading(async (transaction) => {
+    for (const { id, base, thrown } of await transaction.objectStore('sync').getAll()) {
+      if (!thrown || (await transaction.objectStore('outbox').getKey(id))) continue
+      if ((await savedRevision(transaction, id)) === null) return { id, base }
+    }
+    return null
+  })
+}
+
+/** The class has thrown it away, or has newer work of another device, which then comes back here. */
+export async function noteThrownInClass(id: string): Promise<void> {
+  await writing(async (transaction) => {
+    const sync = await transaction.objectStore('sync').get(id)
+    if (!sync?.thrown) return
+    // Whatever has its place by now is new to the class.
+    await transaction.objectStore('sync').delete(id)
+  })
+}
+
+/** Another device has thrown it away: it goes into the bin here too, unless there is work that the class does not have. */
+export async function isThrownElsewhere(id: string): Promise<boolean> {
+  return reading(async (transaction) => {
+    const own = await savedRevision(transaction, id)
+    const sync = await transaction.objectStore('sync').get(id)
+    const isOnItsWay = (await transaction.objectStore('outbox').getKey(id)) !== undefined
+    return own !== null && !isOnItsWay && sync !== undefined && sync.base > 0 && own === sync.synced
+  })
 }
 
 /** What the class has answered to a save. `gone`: it has no such project any more, this one is new to it. */
@@ -94,10 +132,11 @@ export async function noteAnswer({ id, save }: OutboxRecord, answer: Answered): 
   })
 }
 
-function syncAfter({ id, base, synced }: SyncRecord, sent: OutboxRecord, answer: Answered): SyncRecord {
+function syncAfter(before: SyncRecord, sent: OutboxRecord, answer: Answered): SyncRecord {
+  const { id, base, synced, thrown } = before
   switch (answer.kind) {
     case 'saved':
-      return { id, base: answer.revision, synced: sent.revision }
+      return { id, base: answer.revision, synced: sent.revision, ...(thrown && { thrown }) }
     case 'conflict':
       return { id, base, synced, conflict: answer.revision }
     case 'gone':
@@ -121,7 +160,7 @@ export async function isWanted(id: string, revision: number): Promise<boolean> {
     const own = await savedRevision(transaction, id)
     const sync = (await transaction.objectStore('sync').get(id)) ?? unknown(id)
     if (await transaction.objectStore('outbox').getKey(id)) return false
-    return own === null ? true : own === sync.synced && sync.base < revision
+    return own === null ? !sync.thrown : own === sync.synced && sync.base < revision
   })
 }
 
@@ -131,7 +170,7 @@ export async function takeIn({ id, revision, savedAt, project }: FromClass): Pro
     const own = await savedRevision(transaction, id)
     const sync = (await transaction.objectStore('sync').get(id)) ?? unknown(id)
     const isOnItsWay = (await transaction.objectStore('outbox').getKey(id)) !== undefined
-    if (isOnItsWay || (own !== null && own !== sync.synced)) return { kind: 'left' as const }
+    if (isOnItsWay || (own === null ? sync.thrown : own !== sync.synced)) return { kind: 'left' as const }
     const next = own === null ? firstRevision() : own + 1
     await putProject(transaction, { id, project, changed: savedAt, revision: next })
     await transaction.objectStore('sync').put({ id, base: revision, synced: next })

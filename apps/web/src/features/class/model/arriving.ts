@@ -1,11 +1,15 @@
-import { isWanted, takeIn, type FromClass } from '#storage/outbox.ts'
+import { throwAway } from '#storage/bin.ts'
+import { isThrownElsewhere, isWanted, noteThrownInClass, takeIn, type FromClass } from '#storage/outbox.ts'
 import { parseProject, type Project } from '@botgarten/programs/project'
 import * as v from 'valibot'
 import { idInClass, idOnDevice, pauseOf, type Pause } from './sending.ts'
 import { read, type Ask, type Reply } from './ask.ts'
 
 const revision = v.pipe(v.number(), v.integer(), v.minValue(1))
-const listed = v.object({ projects: v.array(v.object({ id: v.string(), revision })) })
+const listed = v.object({
+  projects: v.array(v.object({ id: v.string(), revision })),
+  thrown: v.array(v.string()),
+})
 const versions = v.object({ versions: v.array(v.object({ revision, savedAt: v.number() })) })
 const document = v.object({ revision, savedAt: v.number(), project: v.unknown() })
 
@@ -55,7 +59,18 @@ export async function fetchWork(ask: Ask, only?: string): Promise<Pause | null> 
     const project = await fetchProject(ask, id)
     if (project) await takeIn(project)
   }
+  await throwThese(all.thrown, only)
   return null
+}
+
+/** What the child has thrown away on another device lies in the bin of this one too. */
+async function throwThese(thrown: readonly string[], only?: string): Promise<void> {
+  for (const one of thrown) {
+    const id = idOnDevice(one)
+    if (id === null || (only !== undefined && id !== only) || !(await isThrownElsewhere(id))) continue
+    await throwAway(id)
+    await noteThrownInClass(id)
+  }
 }
 
 /** So long a page waits for the class before it goes on without, in milliseconds. */

@@ -1,5 +1,5 @@
-import { deleteOwnDatabase } from '#storage/database.ts'
-import { whereabouts, type AllWhereabouts, type Whereabouts } from '#storage/outbox.ts'
+import { deleteOwnDatabase, deleteSent } from '#storage/database.ts'
+import { nextToThrow, whereabouts, type AllWhereabouts, type Whereabouts } from '#storage/outbox.ts'
 import { account, setAccount, whenAccountChanges, type Account } from '#storage/account.ts'
 import type { Picture } from '@botgarten/classroom/pictures'
 import { fetchWork } from './arriving.ts'
@@ -105,7 +105,7 @@ export class Member {
     await this.outbox.flush()
     await this.#look()
     await this.ask('POST', '/me/leave')
-    if (this.waiting === 0) await deleteOwnDatabase()
+    if (this.waiting === 0 && (await nextToThrow()) === null) await deleteSent()
     this.forget()
   }
 

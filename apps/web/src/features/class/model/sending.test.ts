@@ -75,14 +75,15 @@ async function newDevice() {
     globalThis.indexedDB = factory
     vi.resetModules()
     const { sendAll, sendNext } = await import('./sending.ts')
-    const [projects, outbox, arriving, { database: opened }] = await Promise.all([
+    const [projects, outbox, arriving, bin, { database: opened }] = await Promise.all([
       import('#storage/projects.ts'),
       import('#storage/outbox.ts'),
       import('./arriving.ts'),
+      import('#storage/bin.ts'),
       import('#storage/database.ts'),
     ])
     await opened()
-    return { ...projects, ...outbox, sendAll, sendNext, ...arriving, opened }
+    return { ...projects, ...outbox, sendAll, sendNext, ...arriving, ...bin, opened }
   }
   let page = await pages()
   return {
@@ -162,6 +163,17 @@ async function settle(devices: readonly Device[], cable: Cable, own: boolean) {
   }
 }
 
+/** What lies in the bins of devices: it can be brought back. */
+async function inBins(devices: readonly Device[]): Promise<readonly string[]> {
+  const bins = await Promise.all(devices.map(({ page }) => page.listBin()))
+  return bins.flatMap(({ thrown }) => thrown.map(({ project }) => project.name))
+}
+
+async function takeOneBack({ page }: Device) {
+  const [last] = (await page.listBin()).thrown
+  if (last) await page.takeBack(last.id)
+}
+
 async function headsIn({ browser }: Pupil): Promise<readonly string[]> {
   const { projects } = (await browser.get('/projects')).body as { projects: { name: string }[] }
   return projects.map(({ name }) => name)
@@ -192,8 +204,12 @@ const step = fc.oneof(
   },
   { weight: 1, arbitrary: fc.record({ kind: fc.constant('choose'), device: which, own: fc.boolean() }) },
   { weight: 1, arbitrary: fc.record({ kind: fc.constant('late'), device: which }) },
+  { weight: 1, arbitrary: fc.record({ kind: fc.constant('throw'), device: which, id }) },
+  { weight: 1, arbitrary: fc.record({ kind: fc.constant('sendAll'), device: which }) },
+  // On one of them: the same work that is brought back on both is there twice.
+  { weight: 1, arbitrary: fc.record({ kind: fc.constant('back'), device: fc.constant(0) }) },
 ) as fc.Arbitrary<{
-  kind: 'edit' | 'send' | 'crash' | 'fetch' | 'choose' | 'late'
+  kind: 'edit' | 'send' | 'crash' | 'fetch' | 'choose' | 'late' | 'throw' | 'sendAll' | 'back'
   device: 0 | 1
   id?: string
   fate?: Fate
@@ -201,7 +217,7 @@ const step = fc.oneof(
 }>
 
 test(
-  'two devices edit, lose the network, crash and send twice: nothing is lost, nothing is doubled',
+  'two devices edit, throw away, lose the network, crash and send twice: nothing is lost, nothing is doubled',
   { timeout: isLong ? 900_000 : 60_000 },
   async () => {
     const devices = [await newDevice(), await newDevice()] as const
@@ -218,12 +234,15 @@ test(
           else if (kind === 'send') await on1.page.sendNext(cable.ask)
           else if (kind === 'crash') await on1.crash()
           else if (kind === 'fetch') await on1.page.fetchWork(cable.ask)
+          else if (kind === 'throw') await on1.page.throwAway(on)
+          else if (kind === 'sendAll') await on1.page.sendAll(cable.ask)
+          else if (kind === 'back') await takeOneBack(on1)
           else if (kind === 'choose') await choose(on1, cable, keepsOwn)
           else await cable.deliverLate()
         }
         await settle(devices, cable, own)
         const heads = await headsIn(pupil)
-        expect(work.lostWith(heads)).toEqual([])
+        expect(work.lostWith([...heads, ...(await inBins(devices))])).toEqual([])
         expect(new Set(heads).size).toBe(heads.length)
         for (const one of ['fear', 'friendship']) {
           const names = await namesOfVersions(pupil, one)
@@ -252,6 +271,45 @@ test('a child unplugs with three unsent saves, another signs in and plugs in: no
   await settle([laptop, tablet], cable, true)
   expect(work.lostWith(await headsIn(fox))).toEqual([])
   expect(await headsIn(owl)).toEqual([])
+})
+
+test('what is thrown away is thrown away in the class and on the other device, and comes back from the bin', async () => {
+  const [laptop, tablet] = [await newDevice(), await newDevice()]
+  const pupil = await newPupil()
+  const cable = new Cable(pupil)
+  await new Work().edit(laptop, 'fear')
+  await settle([laptop, tablet], cable, true)
+  expect(await tablet.page.load('fear')).not.toBeNull()
+  cable.fate = 'isLost'
+  await laptop.page.throwAway('fear')
+  expect(await laptop.page.sendAll(cable.ask)).toBe('away')
+  cable.fate = 'arrives'
+  // The class has it still, and it stays away from here all the same.
+  await laptop.page.fetchWork(cable.ask)
+  expect(await laptop.page.load('fear')).toBeNull()
+  await settle([laptop, tablet], cable, true)
+  expect(await headsIn(pupil)).toEqual([])
+  expect(await tablet.page.load('fear')).toBeNull()
+  expect(await inBins([tablet])).toEqual(['work 1'])
+  await takeOneBack(laptop)
+  await settle([laptop, tablet], cable, true)
+  expect(await headsIn(pupil)).toEqual(['work 1'])
+  expect((await tablet.page.load('fear'))?.project.name).toBe('work 1')
+})
+
+test('work that another device has done since is not thrown away with what was before it', async () => {
+  const [laptop, tablet] = [await newDevice(), await newDevice()]
+  const pupil = await newPupil()
+  const cable = new Cable(pupil)
+  const work = new Work()
+  await work.edit(laptop, 'fear')
+  await settle([laptop, tablet], cable, true)
+  await work.edit(tablet, 'fear')
+  expect(await tablet.page.sendAll(cable.ask)).toBeNull()
+  await laptop.page.throwAway('fear')
+  await settle([laptop, tablet], cable, true)
+  expect(await headsIn(pupil)).toEqual(['work 2'])
+  expect((await laptop.page.load('fear'))?.project.name).toBe('work 2')
 })
 
 test('what the class does not take stays on the device, and the next change is sent again', async () => {

@@ -1,4 +1,11 @@
-import { nextToSend, noteAnswer, type Answered, type OutboxRecord } from '#storage/outbox.ts'
+import {
+  nextToSend,
+  nextToThrow,
+  noteAnswer,
+  noteThrownInClass,
+  type Answered,
+  type OutboxRecord,
+} from '#storage/outbox.ts'
 import { writeProject } from '@botgarten/programs/project'
 import * as v from 'valibot'
 import { read, type Ask, type Reply } from './ask.ts'
@@ -60,11 +67,31 @@ export async function sendNext(ask: Ask): Promise<'sent' | 'none' | Pause> {
   return next ? ((await send(ask, next)) ?? 'sent') : 'none'
 }
 
-/** Sends all that waits. @returns why something still waits; null where all that can be sent is in the class */
-export async function sendAll(ask: Ask): Promise<Pause | null> {
+const isThrown = (reply: Reply): boolean =>
+  reply.kind === 'done' ||
+  (reply.kind === 'refused' && ['noSuchProject', 'newerRevision'].includes(reply.code))
+
+/** Has one project thrown away in the class that was thrown away here. @returns as `sendNext` */
+async function throwNext(ask: Ask): Promise<'sent' | 'none' | Pause> {
+  const next = await nextToThrow()
+  if (!next) return 'none'
+  // What never came to the class is nowhere.
+  if (next.base > 0) {
+    const reply = await ask('DELETE', `/projects/${idInClass(next.id)}?base=${next.base}`)
+    if (!isThrown(reply)) return pauseOf(reply)
+  }
+  await noteThrownInClass(next.id)
+  return 'sent'
+}
+
+async function all(next: (ask: Ask) => Promise<'sent' | 'none' | Pause>, ask: Ask): Promise<Pause | null> {
   for (;;) {
-    const outcome = await sendNext(ask)
+    const outcome = await next(ask)
     if (outcome === 'none') return null
     if (outcome !== 'sent') return outcome
   }
 }
+
+/** Sends all that waits. @returns why something still waits; null where the class has all that it can have */
+export const sendAll = async (ask: Ask): Promise<Pause | null> =>
+  (await all(sendNext, ask)) ?? (await all(throwNext, ask))
