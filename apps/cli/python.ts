@@ -1,7 +1,7 @@
 import { content } from '@botgarten/content/files'
 import { learnedFor, mapLookup } from '@botgarten/maps'
 import type { Project } from '@botgarten/programs'
-import { pythonFrom, type Dialect } from '@botgarten/programs/python'
+import { centresIn, pythonFrom, type Dialect } from '@botgarten/programs/python'
 import type { RobotPlacement } from '@botgarten/simulation'
 import { findMap } from './maps.ts'
 import { labMessage } from './words.ts'
@@ -25,7 +25,10 @@ export function pythonOf(
       set: robot.brain,
     },
     ...how,
-    learned: learnedFor(program, mapLookup(project, mapNamed), learned),
+    learned: {
+      ...learnedFor(program, mapLookup(project, mapNamed), learned),
+      centres: centresIn(project.sorting),
+    },
   }
   return pythonFrom(input, labMessage).text
 }

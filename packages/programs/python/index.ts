@@ -14,6 +14,7 @@ import { Writer } from './writer.ts'
 
 export { dialects } from './types.ts'
 export type { Dialect, Learned, Lesson, PythonFile, PythonInput, PythonNote, Say } from './types.ts'
+export { centresIn } from './centres.ts'
 export { fileName } from './file-name.ts'
 
 const robots = { pybricks: pybricksRobot, ev3dev2: ev3dev2Robot, spike: pybricksRobot }

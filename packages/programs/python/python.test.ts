@@ -6,7 +6,7 @@ import { beforeAll, describe, expect, it } from 'vitest'
 import { stacksOf } from '@botgarten/blocks'
 import { block, number, programOf, show, start } from '../testing/build.ts'
 import type { Program } from '../types.ts'
-import { dialects, fileName, pythonFrom, type PythonInput } from './index.ts'
+import { centresIn, dialects, fileName, pythonFrom, type PythonInput } from './index.ts'
 
 beforeAll(() => {
   addBlocks(expert)
@@ -116,6 +116,24 @@ describe('what has to sit at a port', () => {
     expect(file).toContain('python.plug B python.device.right')
     expect(file).toContain('python.plug C python.device.left')
   })
+})
+
+describe('groups of colours', () => {
+  const group = show(block('ai_sorting_group', { AS: 'NUMBER', SENSORPORT: '1' }))
+  const page = { source: 'readings', centres: [[10, 0, 2], [0, 4, 10]] } // prettier-ignore
+
+  it.each([
+    ['at the top', page],
+    ['behind another page', { source: 'things', centres: [[1]], pages: [page] }],
+  ])('that the playground has found go along: %s', (_where, sorting) => {
+    const rows = lines([group], { learned: { centres: centresIn(sorting) } })
+    expect(rows).toContain('centres = [[255, 0, 51], [0, 102, 255]]')
+  })
+
+  it.each([undefined, {}, { source: 'readings', centres: [[1, 2]] }, { source: 'readings', centres: 'x' }])(
+    'are none where the playground holds %j',
+    (sorting) => expect(centresIn(sorting)).toEqual([]),
+  )
 })
 
 describe('texts', () => {

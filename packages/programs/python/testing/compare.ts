@@ -1,6 +1,7 @@
 import { nothing, type Block } from '@botgarten/blocks'
 import { within } from '../../check/names.ts'
-import type { Program } from '../../types.ts'
+import { networks } from '../../networks.ts'
+import type { NetworkOutline, Program } from '../../types.ts'
 import type { Dialect } from '../types.ts'
 import type { Interpreted } from './interpreted.ts'
 import type { Command } from './tracing-robot.ts'
@@ -17,8 +18,15 @@ const elsewhere: { readonly [dialect in Dialect]: RegExp } = {
 const words = ({ type, fields = {} }: Block) => [type, ...Object.values(fields)].join(' ')
 
 /** Does a program ask for what this robot does not have? There its readings are nothing: python.md, "What is missing". */
-export const asksElsewhere = ({ stacks }: Program, dialect: Dialect): boolean =>
-  stacks.some(({ blocks }) => blocks.flatMap(within).some((block) => elsewhere[dialect].test(words(block))))
+export const asksElsewhere = (program: Program, dialect: Dialect): boolean =>
+  program.stacks.some(({ blocks }) =>
+    blocks.flatMap(within).some((block) => elsewhere[dialect].test(words(block))),
+  ) ||
+  (dialect === 'spike' && networks(program).some(showsSeveral))
+
+/** The hub of SPIKE Prime shows the highest of a network's words alone. */
+const showsSeveral = ({ outputs }: NetworkOutline) =>
+  outputs.filter(({ type }) => type === 'ai_nn_output_node_text').length > 1
 
 /** A move as a turn of each motor, as Pybricks drives a curve; a wheel that stands is not told. */
 function asTurns(command: Command): readonly Command[] {

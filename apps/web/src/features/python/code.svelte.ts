@@ -1,5 +1,12 @@
 import type { Finding } from '@botgarten/blocks'
-import { fileName, pythonFrom, type Dialect, type Learned, type PythonFile } from '@botgarten/programs/python'
+import {
+  centresIn,
+  fileName,
+  pythonFrom,
+  type Dialect,
+  type Learned,
+  type PythonFile,
+} from '@botgarten/programs/python'
 import type { LabSession } from '#lab/session.svelte.ts'
 import { readSetting, writeSetting } from '#storage/settings.ts'
 import { message } from '#words/message.ts'
@@ -63,7 +70,8 @@ export class Code {
       {
         ...{ name: this.#title(), program: this.#program, config, brains, set: brain },
         ...{ dialect: this.dialect, gaps: this.gaps },
-        ...{ learned: this.#learned, learner: this.learner },
+        learner: this.learner,
+        learned: { ...this.#learned, centres: centresIn(this.#session.project.sorting) },
       },
       message,
     )
