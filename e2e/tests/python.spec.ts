@@ -29,7 +29,7 @@ for (const language of languagesOf(import.meta.filename)) {
   test.describe(`the program as code, in ${language}`, () => {
     test.use({ language })
 
-    test('it stands beside the blocks, for both robots, and block and line light up together', async ({
+    test('it stands beside the blocks, for every robot, and block and line light up together', async ({
       child,
       page,
     }) => {
@@ -42,6 +42,8 @@ for (const language of languagesOf(import.meta.filename)) {
       await expect(line('wait(200)')).toHaveAttribute('aria-selected', 'true')
       await page.getByRole('button', { name: child.word('python.library.ev3dev2') }).click()
       await expect(line('sleep(0.2)')).toHaveAttribute('aria-selected', 'true')
+      await page.getByRole('button', { name: child.word('python.library.spike') }).click()
+      await expect(line('wait(200)')).toHaveAttribute('aria-selected', 'true')
     })
 
     test('what is saved is what is shown, and what the command line makes', async ({ child, page }) => {

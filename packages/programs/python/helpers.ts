@@ -41,9 +41,12 @@ export function helper(at: PythonAt, draft: Draft, wanted: string): string {
     call: (other) => helper(at, draft, other),
   })
   const rows = [`def ${name}${head}`, ...commented(draft, wanted), ...body.map((row) => `    ${row}`)]
-  draft.helpers.set(name, { rows, blocks: [] })
+  draft.helpers.set(name, { rows, blocks: ofOneBlock.includes(wanted) ? [at.block.id] : [] })
   return name
 }
+
+/** Helpers that are what one block means: their lines light up with it. */
+const ofOneBlock = ['learn', 'drive_best_way']
 
 /** Helpers whose names do not say what they are for: words in the section `python.helper`. */
 const explained = [
