@@ -74,6 +74,15 @@ interface ClassOfTest extends RunningServer {
   pupil(nickname: string): Promise<{ asker: Asker; id: string; pictures: readonly string[] }>
 }
 
+/** Somebody joins a class by its code. */
+export async function pupilOf(url: string, code: string, nickname: string) {
+  const asker = new Asker(url)
+  const { status, body } = await asker.ask('POST', '/join', { code, nickname })
+  if (status !== 201) throw new Error(`${nickname} could not join: ${status}`)
+  const { id, pictures } = body as { id: string; pictures: readonly string[] }
+  return { asker, id, pictures }
+}
+
 /** A server with a teacher and an open class. */
 export async function classOfTest(language: 'en' | 'de' = 'en'): Promise<ClassOfTest> {
   const server = await serverWithData()
@@ -92,12 +101,6 @@ export async function classOfTest(language: 'en' | 'de' = 'en'): Promise<ClassOf
   const code = words.join(' ')
   return {
     ...{ ...server, teacher, id, code },
-    async pupil(nickname) {
-      const asker = new Asker(server.url)
-      const { status, body } = await asker.ask('POST', '/join', { code, nickname })
-      if (status !== 201) throw new Error(`${nickname} could not join: ${status}`)
-      const { id, pictures } = body as { id: string; pictures: readonly string[] }
-      return { asker, id, pictures }
-    },
+    pupil: (nickname) => pupilOf(server.url, code, nickname),
   }
 }

@@ -1,6 +1,6 @@
 // A class as it is in the middle of a lesson, and pages of those who are in it.
 import type { Page } from '@playwright/test'
-import { classOfTest, type Asker } from './class-server.ts'
+import { classOfTest, pupilOf, type Asker } from './class-server.ts'
 import { projectFile } from './projects.ts'
 
 export type MadeClass = Awaited<ReturnType<typeof classOfTest>>
@@ -12,6 +12,17 @@ const inClass = (card: string) => `project-${card}`
 /** A pupil who has just joined. */
 export async function joins(made: MadeClass, nickname: string): Promise<Joined> {
   return { ...(await made.pupil(nickname)), nickname }
+}
+
+/** One more open class of the same teacher, 6a. */
+export async function anotherClass(made: MadeClass): Promise<MadeClass> {
+  const { teacher, url, classServer } = made
+  const about = { name: '6a', language: 'en', grade: 6, endsOn: classServer.ports.day(120) }
+  const { id } = (await teacher.ask('POST', '/classes', about)).body as { id: string }
+  await teacher.ask('POST', `/classes/${id}/open`)
+  const { words } = (await teacher.ask('GET', `/classes/${id}`)).body as { words: readonly string[] }
+  const code = words.join(' ')
+  return { ...made, id, code, pupil: (nickname) => pupilOf(url, code, nickname) }
 }
 
 /**

@@ -32,7 +32,7 @@ interface Wish {
   readonly name: string
   readonly language: Language
   readonly size: Size
-  opens(): Promise<Stage>
+  opens: () => Promise<Stage>
 }
 
 /** Fonts, pictures and the painter of canvases are there, and nothing moves that comes to an end. */
@@ -76,7 +76,12 @@ const inLab = (screen: Screen): Wish[] =>
       .filter((size) => (isPhone(size) ? !screen.neverPhone : !screen.phoneOnly))
       .map((size) => ({
         ...{ name: screen.name, language, size },
-        opens: async () => ({ url: server.url, show: screen.show, close: async () => {} }),
+        opens: () =>
+          Promise.resolve({
+            url: server.url,
+            show: (child, phone) => screen.show(child, phone),
+            close: () => Promise.resolve(),
+          }),
       })),
   )
 

@@ -5,6 +5,7 @@ import { ProjectList } from '../child-projects.ts'
 import { Child, leftEye, leftWheel } from '../child.ts'
 import { classOfTest } from '../class-server.ts'
 import { expect, test as base } from '../house.ts'
+import { anotherClass, joins, saves, signsIn } from '../made-class.ts'
 import { languagesOf } from '../words.ts'
 
 type School = Awaited<ReturnType<typeof classOfTest>>
@@ -20,6 +21,8 @@ const test = base.extend<object, { school: School }>({
     { scope: 'worker' },
   ],
   house: [({ school }, use) => use(school.url), { scope: 'worker' }],
+  // What the class answers to two devices, and when it has ended: a browser complains of it.
+  complaints: [/409 \(Conflict\)|410 \(Gone\)/],
 })
 
 const isAccessible = async (child: Child) => expect(await axeFindings(child.page)).toEqual([])
@@ -71,6 +74,9 @@ for (const language of languagesOf(import.meta.filename)) {
         const back = new Pupil(there, school)
         await back.opensByLink()
         await back.returns('Fuchs')
+        await back.taps(...pictures.toReversed())
+        await back.isRefused()
+        await isAccessible(there)
         await back.taps(...pictures)
         await expect(there.words('class.workIsHere')).toBeVisible()
         await isAccessible(there)
@@ -78,6 +84,94 @@ for (const language of languagesOf(import.meta.filename)) {
         await there.chooses('friendship')
         await there.seesWeight(leftEye, leftWheel, 0.8)
         await context.close()
+      })
+    })
+
+    test('a child is asked who it is, takes an earlier version, keeps both devices, throws away, and the class ends', async ({
+      child,
+      page,
+      school: server,
+    }) => {
+      const school = await anotherClass(server)
+      const made = await joins(school, 'Otter')
+      await saves(made, { program: 'start' })
+      await saves(made, { base: 1 })
+      await signsIn(page, school, made, 'asks')
+      const pupil = new Pupil(child, school)
+
+      await test.step('"Are you Otter?"', async () => {
+        await page.goto('/')
+        await expect(child.words('class.areYou', { nickname: 'Otter' })).toBeFocused()
+        await isAccessible(child)
+        await page.keyboard.press('Escape')
+        await page.keyboard.press('Escape')
+        await page.keyboard.press('Tab')
+        await page.keyboard.press('Enter')
+        await pupil.seesMe()
+      })
+
+      await test.step('a raised hand is seen by the teacher', async () => {
+        await child.chooses('friendship')
+        await pupil.opensMenu()
+        await child.presses('class.raiseHand')
+        const handOf = async () => {
+          const { body } = await school.teacher.ask('GET', `/classes/${school.id}/live`)
+          const { tiles } = body as { tiles: readonly { id: string; handAt: number | null }[] }
+          return tiles.find(({ id }) => id === made.id)?.handAt ?? null
+        }
+        await expect.poll(handOf).not.toBeNull()
+        await isAccessible(child)
+      })
+
+      await test.step('an earlier version comes back, and what was before stays one', async () => {
+        await child.seesWeight(leftEye, leftWheel, 0.8)
+        await pupil.opensMenu()
+        await child.presses('class.versions')
+        await expect(page.locator('.versions button, ol button, ul button').last()).toBeVisible()
+        await isAccessible(child)
+        await page.getByRole('dialog').getByRole('listitem').last().getByRole('button').click()
+        await expect(child.button('class.takeVersion')).toBeEnabled()
+        await Promise.all([page.waitForEvent('load'), child.presses('class.takeVersion')])
+        await child.seesLab()
+        await child.seesWeight(leftEye, leftWheel, 0)
+      })
+
+      await test.step('of two devices both are kept', async () => {
+        await expect(pupil.chip('chipClass')).toBeVisible()
+        await saves(made, { base: 3, starts: [0, 1] })
+        await child.typesWeight(leftEye, leftWheel, 0.3)
+        await expect(page.getByRole('dialog')).toContainText(child.word('class.thisDevice'))
+        await isAccessible(child)
+        await child.button('class.goOnWithThis').first().click()
+        await expect(page.getByRole('dialog')).toHaveCount(0)
+        await expect(pupil.chip('chipClass')).toBeVisible()
+      })
+
+      const projectsInClass = async () => {
+        const { body } = await made.asker.ask('GET', '/projects')
+        return (body as { projects: readonly object[] }).projects.length
+      }
+      await test.step('what is thrown away is thrown away in the class, and comes back', async () => {
+        await expect.poll(projectsInClass).toBe(2)
+        const list = new ProjectList(child)
+        await list.opens()
+        const [name] = await list.names()
+        await list.chooses(name!, 'throw')
+        await expect.poll(projectsInClass).toBe(1)
+        await child.presses('projects.takeBack')
+        await expect.poll(projectsInClass).toBe(2)
+      })
+
+      await test.step('a class that has ended leaves nothing on the device', async () => {
+        await school.teacher.ask('DELETE', `/classes/${school.id}`, { name: '6a' })
+        await expect(child.words('class.ended')).toBeVisible()
+        await isAccessible(child)
+        await child.presses('class.toGarden')
+        await child.seesTitle()
+        await expect(page.getByRole('link', { name: child.word('home.joinClass') })).toBeVisible()
+        expect(
+          await page.evaluate(async () => (await indexedDB.databases()).map(({ name }) => name)),
+        ).not.toContain(`botgarten-${made.id}`)
       })
     })
   })
