@@ -1,3 +1,4 @@
+import type { Brain } from '@botgarten/learning/neural-network'
 import { expect, type Locator, type Page } from '@playwright/test'
 import type { Spot } from './hand.ts'
 
@@ -19,7 +20,10 @@ declare global {
   /** What the page can be asked about what it paints; empty in builds that draw with elements. */
   var botgarten:
     | {
-        view(): { readonly robots: readonly Robot[] } | null
+        view(): {
+          readonly robots: readonly Robot[]
+          readonly brains: { readonly [network: string]: Brain }
+        } | null
         places(): readonly Place[]
         partAt(x: number, y: number): string | null
       }

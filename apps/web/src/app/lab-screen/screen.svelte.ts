@@ -231,12 +231,11 @@ export class LabScreenState {
 
   /** How the weights of the network come about: by turning its knobs, else from examples. */
   get way(): 'hand' | 'show' | 'practise' {
-    return this.#way
+    return this.session.training?.way ?? 'hand'
   }
-  #way = $state<'hand' | 'show' | 'practise'>('hand')
   setWay = async (way: 'hand' | 'show' | 'practise'): Promise<void> => {
     if (way !== 'hand') (await loadPart(training)).training(this.session, way)
-    this.#way = way
+    else if (this.session.training) this.session.training.way = null
   }
 
   openFile = (file: File): Promise<void> => navigation.openFile(file, this.ui)

@@ -1,8 +1,14 @@
-import { biasRow, trace as traceOf, weightsOf } from '@botgarten/learning/neural-network'
+import { biasRow, forward, layOut, trace as traceOf, weightsOf } from '@botgarten/learning/neural-network'
+import type { Brain } from '@botgarten/learning/neural-network'
 import type { NetView } from '@botgarten/lab'
 import type { LabSession } from '#lab/session.svelte.ts'
 import { drawn, type Neuron } from '#figures/network/neurons.ts'
+import { Asking } from './model/asking.svelte.ts'
 import { Practice } from './model/practice.svelte.ts'
+import { Showing } from './model/showing.svelte.ts'
+import { withAllOn, type ShownRow } from './model/table.ts'
+import Hand from './view/Hand.svelte'
+import Over from './view/Over.svelte'
 import Pane from './view/Pane.svelte'
 
 declare module '#lab/slots.ts' {
@@ -20,13 +26,20 @@ const nothing: ReadonlySet<string> = new Set()
 /** Showing examples and practising them: what belongs to it in the pane of the network and in the world. */
 export class Training {
   readonly Pane = Pane
+  readonly Hand = Hand
+  readonly Over = Over
   readonly session: LabSession
   readonly practice: Practice
-  way = $state<Way>('practise')
+  readonly showing: Showing
+  readonly asking: Asking
+  /** null: knobs are turned by hand. */
+  way = $state<Way | null>(null)
 
   constructor(session: LabSession) {
     this.session = session
     this.practice = new Practice(session)
+    this.showing = new Showing(this.practice)
+    this.asking = new Asking(this.practice, this.showing)
   }
 
   readonly inputs: readonly Neuron[] = $derived.by(() => this.#drawn('inputs'))
@@ -40,6 +53,8 @@ export class Training {
   /** What the neurons say of the example that is open, as far as it has come; null: none is open. */
   readonly example: NetView | null = $derived.by(() => {
     const { beats, brain } = this.practice
+    const { chosen } = this.showing
+    if (brain && this.way === 'show' && chosen) return this.#ofRow(brain, chosen)
     if (!beats.trace || !brain) return null
     const inputs = beats.trace.neurons.slice(0, this.inputs.length).map(({ value }) => 100 * value)
     const opened = traceOf(brain, beats.shows('inputs') ? inputs : [], this.#weightsBefore)
@@ -50,6 +65,25 @@ export class Training {
     })
     return { ...opened, outputs: Object.fromEntries(shown), brain, ran: true }
   })
+
+  /** Both knobs of the picture show this example. */
+  #ofRow(brain: Brain, { inputs }: ShownRow): NetView {
+    const read = inputs.map((value) => value ?? 0)
+    return { ...traceOf(brain, read, weightsOf(brain, this.session.robot.brain)), brain, ran: true }
+  }
+
+  /** What Bo says to a row's readings, by output; null where the row has gaps. */
+  answerTo({ inputs }: ShownRow): readonly number[] | null {
+    const { brain } = this.practice
+    const read = inputs.filter((value) => value !== null)
+    if (!brain || read.length < inputs.length) return null
+    return [...forward(layOut(brain, weightsOf(brain, this.session.robot.brain)), read)]
+  }
+
+  /** Rows are set aside, or taken back. */
+  setOn(rows: readonly number[], on: boolean): void {
+    this.showing.change((examples) => withAllOn(examples, rows, on))
+  }
 
   /** Those that Bo has answered with: the knobs move only in the last beat. */
   get #weightsBefore() {

@@ -1,9 +1,11 @@
+import type { Drive } from '@botgarten/learning/neural-network/examples'
 import { percentOff, type CurvePoint } from '@botgarten/learning/neural-network/train'
 import { formatNumber } from '#drawing/numbers.ts'
 import { level } from '#figures/network/level.svelte.ts'
 import type { Neuron } from '#figures/network/neurons.ts'
 import { language } from '#words/language.svelte.ts'
 import { m } from '#words/message.ts'
+import type { ShownRow } from '../model/table.ts'
 
 export const number = (value: number, digits = 2): string => formatNumber(value, language.locale, digits)
 
@@ -37,3 +39,21 @@ export function curveWords(curve: readonly CurvePoint[], shares: boolean): strin
     ? m['training.curve'](facts)
     : m['training.curveKept']({ ...facts, kept: errorWords(last.kept, shares) })
 }
+
+/** "example 7: left eye 40, right eye 90, left wheel 10, right wheel 60". */
+export function rowName(row: ShownRow, { inputs, outputs }: Named): string {
+  const said = (layer: readonly Neuron[], values: readonly (number | null)[]) =>
+    layer.map(
+      (neuron, k) => `${shortName(neuron, layer)} ${values[k] === null ? '–' : number(values[k] ?? 0, 0)}`,
+    )
+  const list = [...said(inputs, row.inputs), ...said(outputs, row.outputs)].join(', ')
+  return m['training.rowName']({ row: row.number, list })
+}
+
+interface Named {
+  readonly inputs: readonly Neuron[]
+  readonly outputs: readonly Neuron[]
+}
+
+/** How a row came about. */
+export const driveName = ({ by }: Drive): string => m[`training.by.${by}`]()

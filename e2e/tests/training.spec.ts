@@ -1,0 +1,87 @@
+// Rooms: training
+import { axeFindings } from '../axe.ts'
+import { Teaching } from '../child-training.ts'
+import { expect, test } from '../house.ts'
+
+/** The six rows of the picture. */
+const rows = `eyeLeft,eyeRight,wheelLeft,wheelRight
+40,40,45,45
+39,59,25,60
+68,100,50,90
+100,53,65,25
+29,28,25,25
+7,7,0,0
+`
+
+/** `botgarten learn net friendship --examples rows.csv --rounds 60 --json` in Node says this hash of its weights. */
+const learned = '7c9b35e4ad6dddfa'
+
+test('a child shows Bo what to do, lets it practise and drive, repairs a row, and takes its table along', async ({
+  child,
+  page,
+}) => {
+  const teaching = new Teaching(child)
+  await child.opensLab('friendship')
+  await teaching.shows()
+  await teaching.remembers(45, 45)
+  await teaching.remembers(25, 60)
+  await teaching.seesExamples(2)
+  await page.keyboard.press('Control+z')
+  await teaching.seesExamples(1)
+
+  await teaching.chooses('drive')
+  await teaching.drivesUntil(() => expect.poll(() => teaching.count()).toBeGreaterThan(4))
+  await expect(child.button('lab.continue').first()).toBeVisible()
+  const driven = await teaching.count()
+  await child.pressesStop()
+  expect(await axeFindings(page)).toEqual([])
+
+  await teaching.opensFile('rows.csv', rows)
+  await teaching.seesExamples(driven + 6)
+  await child.presses('training.onlyThese')
+  await teaching.seesExamples(6)
+  await teaching.setsAside(2)
+  await teaching.seesExamples(5)
+  await child.presses('training.aside', { count: 1 })
+  await teaching.takesBack(2)
+  await child.presses('training.toTable')
+  await teaching.seesExamples(6)
+
+  await teaching.letsPractise()
+  await teaching.practises()
+  expect(await teaching.hashOfWeights()).toBe(learned)
+  await expect(teaching.curve).toHaveAttribute('aria-valuenow', '60')
+  await teaching.curve.press('Home')
+  await expect(teaching.curve).toHaveAttribute('aria-valuenow', '0')
+  await teaching.curve.press('End')
+  await expect(teaching.curve).toHaveAttribute('aria-valuenow', '60')
+  expect(await teaching.hashOfWeights()).toBe(learned)
+  expect(await axeFindings(page)).toEqual([])
+
+  await child.presses('training.oneExample')
+  for (const beat of ['inputs', 'sums', 'says', 'error', 'arrows', 'knobs'])
+    await child.presses(`training.next.${beat}`)
+  await child.presses('training.close')
+  expect(await teaching.hashOfWeights()).not.toBe(learned)
+  await page.keyboard.press('Control+z')
+  await expect.poll(() => teaching.hashOfWeights()).toBe(learned)
+
+  await child.pressesStart()
+  await expect(page.getByText(child.word('training.drove'))).toBeVisible()
+  await child.pressesStop()
+
+  await teaching.shows()
+  const csv = await teaching.saves('training.saveCsv')
+  const json = await teaching.saves('training.saveJson')
+  await teaching.opensFile('again.csv', csv)
+  await teaching.seesExamples(12)
+  await teaching.opensFile('again.json', json)
+  await teaching.seesExamples(18)
+  await teaching.opensFile('other.csv', 'a;b;c;d\n1,5;2;3;4\n')
+  await child.presses('training.takeRows', { count: 1 })
+  await teaching.seesExamples(19)
+  await teaching.opensFile('broken.csv', 'eyeLeft,eyeRight,wheelLeft,wheelRight\n1,2,x,4\n')
+  await expect(
+    page.getByText(child.word('training.file.table.noNumber', { row: 2, column: 3, cell: 'x' })),
+  ).toBeVisible()
+})
