@@ -4,7 +4,9 @@ import type { Learned } from '@botgarten/programs/python'
 import { loadStage } from '#figures/map/stage.ts'
 
 /** What a program has learned by trying: its map has to come first. */
-export async function learnedIn(program: Program, course: Course | undefined,
+export async function learnedIn(
+  program: Program,
+  course: Course | undefined,
   maps: Project['maps'] = {},
 ): Promise<Learned> {
   const outline = learningIn(program)
