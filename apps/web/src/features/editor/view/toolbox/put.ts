@@ -33,10 +33,18 @@ async function show(workspace: Workspace, block: Blockly.BlockSvg) {
 
 function join(block: Blockly.BlockSvg, anchor: Blockly.BlockSvg): void {
   if (block.outputConnection) return void gapFor(block, anchor)?.connect(block.outputConnection)
+  const inside = emptyMouth(anchor)
+  if (inside && goes(block.previousConnection, inside)) return void inside.connect(block.previousConnection!)
   for (let at: Blockly.BlockSvg | null = anchor; at && block.previousConnection; at = at.getSurroundParent())
     if (at.nextConnection && goes(block.previousConnection, at.nextConnection))
       return void at.nextConnection.connect(block.previousConnection)
 }
+
+/** Where blocks stand inside of a loop or a condition that has none yet. */
+const emptyMouth = ({ inputList }: Blockly.BlockSvg): Blockly.Connection | undefined =>
+  inputList.find(
+    ({ type, connection }) => type === Blockly.inputs.inputTypes.STATEMENT && !connection?.targetBlock(),
+  )?.connection ?? undefined
 
 /** The first gap of a block, or of those around it, that takes this value. */
 function gapFor(block: Blockly.BlockSvg, anchor: Blockly.BlockSvg): Blockly.Connection | null {
