@@ -24,7 +24,8 @@ class Letters {
   /** Width of bold letters in px. */
   widthOf(text: string, size: number, font: Font): number {
     this.#canvas ??= document.createElement('canvas').getContext('2d')!
-    this.#canvas.font = `700 ${size}px ${this.families[font]}`
+    // A canvas goes on with what it has found once under a name: the name is another one when letters come.
+    this.#canvas.font = `700 ${size}px ${this.families[font]}, "arrival ${this.#arrived}"`
     return this.#canvas.measureText(text).width
   }
 }
