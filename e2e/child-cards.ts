@@ -8,14 +8,14 @@ export const node = (child: Child, layer: 'showWhere' | 'showSum', name: string)
     : child.button('network.showSum', { output: name })
 
 /** The knob between two neurons by their names. */
-const knob = (child: Child, from: string, to: string): Locator =>
+export const knobOf = (child: Child, from: string, to: string): Locator =>
   child.page.getByRole('slider', { name: child.word('network.weight', { from, to }), exact: true })
 
 /** Types a weight into a knob. */
 export async function setsKnob(child: Child, from: string, to: string, weight: string) {
-  await knob(child, from, to).focus()
+  await knobOf(child, from, to).focus()
   await child.types(...weight, 'Enter')
-  await expect(knob(child, from, to)).toHaveAttribute(
+  await expect(knobOf(child, from, to)).toHaveAttribute(
     'aria-valuenow',
     String(Number(weight.replace(',', '.'))),
   )

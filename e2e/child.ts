@@ -176,8 +176,12 @@ export class Child {
 
   /** Takes the knob by hand and goes along the link until the number is right. */
   async dragsKnob(from: Sensor, to: Motor, weight: number) {
-    const knob = this.knob(from, to)
-    const [start, end] = [await middleOf(knob), await middleOf(this.output(to))]
+    await this.dragsAlong(this.knob(from, to), this.output(to), weight)
+  }
+
+  /** Takes any knob by hand, towards the node at the end of its link. */
+  async dragsAlong(knob: Locator, node: Locator, weight: number) {
+    const [start, end] = [await middleOf(knob), await middleOf(node)]
     const now = async () => Number(await knob.getAttribute('aria-valuenow'))
     const along = (share: number) => ({
       x: start.x + (end.x - start.x) * share,
@@ -194,7 +198,7 @@ export class Child {
       else high = share
     }
     await this.#hand.up()
-    await this.seesWeight(from, to, weight)
+    await expect(knob).toHaveAttribute('aria-valuenow', String(weight))
   }
 
   /** Goes to the knob and types the number. */
