@@ -58,6 +58,13 @@ test('a child shows Bo what to do, lets it practise and drive, repairs a row, an
   expect(await teaching.hashOfWeights()).toBe(learned)
   expect(await axeFindings(page)).toEqual([])
 
+  await child.presses('training.fieldView')
+  await expect(page.getByRole('img', { name: /^Field/ })).toBeVisible()
+  await child.presses('training.alone')
+  await child.presses('training.aloneGo')
+  await expect(page.getByText(/^Round 60: [234] of 4$/)).toBeVisible()
+  await child.presses('training.knobsView')
+
   await child.presses('training.oneExample')
   for (const beat of ['inputs', 'sums', 'says', 'error', 'arrows', 'knobs'])
     await child.presses(`training.next.${beat}`)

@@ -5,6 +5,7 @@ import type { LabSession } from '#lab/session.svelte.ts'
 import { drawn, type Neuron } from '#figures/network/neurons.ts'
 import { Asking } from './model/asking.svelte.ts'
 import { Practice } from './model/practice.svelte.ts'
+import { Solo } from './model/solo.svelte.ts'
 import { Showing } from './model/showing.svelte.ts'
 import { withAllOn, type ShownRow } from './model/table.ts'
 import Hand from './view/Hand.svelte'
@@ -32,6 +33,7 @@ export class Training {
   readonly practice: Practice
   readonly showing: Showing
   readonly asking: Asking
+  readonly solo: Solo
   /** null: knobs are turned by hand. */
   way = $state<Way | null>(null)
 
@@ -40,6 +42,7 @@ export class Training {
     this.practice = new Practice(session)
     this.showing = new Showing(this.practice)
     this.asking = new Asking(this.practice, this.showing)
+    this.solo = new Solo(this.practice)
   }
 
   readonly inputs: readonly Neuron[] = $derived.by(() => this.#drawn('inputs'))
@@ -97,6 +100,7 @@ export class Training {
   }
 
   close(): void {
+    this.solo.close()
     this.practice.close()
   }
 }

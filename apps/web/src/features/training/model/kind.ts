@@ -1,4 +1,3 @@
-import { choiceIn } from '@botgarten/programs/examples'
 import type { Practice } from './practice.svelte.ts'
 
 /** Does it practise by cross-entropy: do its outputs share 100? */
@@ -6,6 +5,3 @@ export const sharesPractice = ({ brain }: Pick<Practice, 'brain'>): boolean => {
   const outputs = brain?.layers.at(-1) ?? []
   return outputs.length > 0 && outputs.every(({ activation }) => activation === 'softmax')
 }
-
-/** Is it right or wrong rather than far off: one of lamps, each of words? */
-export const choiceOf = ({ net }: Pick<Practice, 'net'>) => (net ? choiceIn(net) : null)
