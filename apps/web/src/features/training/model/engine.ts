@@ -14,15 +14,15 @@ export class Engine {
     this.#listen = listen
   }
 
-  /** Returns whether it practises beside the page. */
-  get isBeside(): boolean {
-    return this.#worker !== null
+  /** Has its worker ready before the first order. */
+  warm(): void {
+    if (this.#host === null && this.#worker === null) this.#start()
   }
 
   send(order: Order): void {
     if (order.kind === 'begin') this.#begun = [order]
     else if (this.#begun[0]) this.#begun = [this.#begun[0], order]
-    if (this.#host === null && this.#worker === null) this.#start()
+    this.warm()
     if (this.#host) this.#host.take(order)
     else this.#worker?.postMessage(order)
   }

@@ -141,6 +141,9 @@ export class Practice extends Assignment {
     this.#marks = this.#marks.filter((mark) => mark <= round)
   }
 
+  /** It is about to be asked: what practises is there then. */
+  warm = () => this.#engine.warm()
+
   pause(): void {
     if (this.#phase === 'again') this.#then = null
     if (this.#phase !== 'rest') this.#send({ kind: 'stop' })

@@ -8,5 +8,5 @@ const post = (report: Report) => {
   self.postMessage(report, { transfer: owned })
 }
 
-const host = new Host({ ...realTime(), post, slice: 15 })
+const host = new Host({ ...realTime(), post, slice: 8 })
 self.onmessage = ({ data }: MessageEvent<Order>) => host.take(data)
