@@ -6,6 +6,7 @@ const types = {
   csv: 'text/csv',
   zip: 'application/zip',
   py: 'text/x-python',
+  svg: 'image/svg+xml',
 }
 type Ending = 'botgarten.json' | 'brain.json' | keyof typeof types
 

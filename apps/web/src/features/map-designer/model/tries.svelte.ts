@@ -1,0 +1,48 @@
+import { writeMap } from '@botgarten/maps/own'
+import type { MapDocument } from '@botgarten/programs'
+import type { Tried } from './tries-worker.ts'
+
+/** A hand that goes on within this time is not done yet, in ms. */
+const CALM = 600
+
+/** Bo tries all roads of a map, in both directions, in a worker; after every change the roads that changed. */
+export class RoadTries {
+  #driven = $state.raw<ReadonlyMap<string, boolean>>(new Map())
+  #lines: readonly string[] = $state.raw([])
+  #worker: Worker | null = null
+  #timer = 0
+
+  /** How many roads there are, each direction for itself. */
+  get all() {
+    return this.#lines.length
+  }
+  get tried() {
+    return this.#lines.filter((line) => this.#driven.has(line)).length
+  }
+  /** Roads that Bo drove to their end. */
+  get driven() {
+    return this.#lines.filter((line) => this.#driven.get(line)).length
+  }
+
+  follow(map: MapDocument): void {
+    const text = writeMap(map, 'tried')
+    this.#lines = [...text.matchAll(/<path id="path-\d+-\d+" d="([^"]*)"/g)].map(([, line]) => line!)
+    clearTimeout(this.#timer)
+    if (this.#lines.every((line) => this.#driven.has(line))) return
+    this.#timer = window.setTimeout(() => this.#ask(text), CALM)
+  }
+
+  #ask(text: string): void {
+    if (!this.#worker) {
+      this.#worker = new Worker(new URL('./tries-worker.ts', import.meta.url), { type: 'module' })
+      this.#worker.onmessage = ({ data }: MessageEvent<Tried>) =>
+        (this.#driven = new Map([...this.#driven, [data.line, data.driven]]))
+    }
+    this.#worker.postMessage({ text, known: [...this.#driven.keys()] })
+  }
+
+  close(): void {
+    clearTimeout(this.#timer)
+    this.#worker?.terminate()
+  }
+}
