@@ -28,6 +28,10 @@ export const commands: Commands = {
     'q-thesis': withLab(async () => (await import('./sweep/thesis.ts')).thesis),
     kmeans: withLab(async () => (await import('./kmeans.ts')).kMeans),
   },
+  map: {
+    check: withLab(async () => (await import('./map.ts')).mapCheck),
+    drive: withLab(async () => (await import('./map.ts')).mapDrive),
+  },
   record: withLab(async () => (await import('./net/record.ts')).record),
   examples: withLab(async () => (await import('./net/examples.ts')).examples),
   convert: withLab(async () => (await import('./convert.ts')).convert),

@@ -25,7 +25,8 @@ export function findMap(what: string): MapFile {
   return map
 }
 
-const sentenceFor = ({ kind, facts }: MapProblem): string =>
+/** What is wrong with a drawing, in the language of this call. */
+export const sentenceFor = ({ kind, facts }: MapProblem): string =>
   message(
     `map.${kind}`,
     Object.fromEntries(Object.entries(facts).map(([name, value]) => [name, shorten(value)])),

@@ -54,6 +54,8 @@ export interface Maps {
   readonly maps: readonly string[]
   /** How many stations each map has. */
   readonly stations: { readonly [map: string]: number }
+  /** Those that have roads and no rooms. */
+  readonly drawn: readonly string[]
   /** The drawing of a map, as SVG. */
   readonly map: (id: string) => string | null
 }

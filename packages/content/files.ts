@@ -80,6 +80,9 @@ export function contentIn(root: string): ContentFiles {
     get stations() {
       return stations()
     },
+    get drawn() {
+      return maps().filter((id) => !mapFile(id)?.grid)
+    },
     get sets() {
       return sets()
     },

@@ -28,3 +28,15 @@ function arrowAt(points: readonly Point[], share: number): string {
     `${(at.x + along * x - aside * y).toFixed(1)} ${(at.y + along * y + aside * x).toFixed(1)}`
   return `M${to(-26, 0)}L${to(20, 0)}M${to(2, -15)}L${to(22, 0)}L${to(2, 15)}`
 }
+
+/** Size of what is measured, in units. */
+const CHIP = { width: 168, height: 54 }
+
+/** Where the note of a place stands: beside it, where it is farthest from all stations and on the paper. */
+export function chipSpot({ x, y }: Point, stations: readonly Point[]): Point {
+  const corners = [-1, 1].flatMap((side) => [-1, 1].map((high) => ({ x: x + side * 120, y: y + high * 70 })))
+  const inside = corners.filter((at) => at.x > 90 && at.x < 1510 && at.y > 40 && at.y < 960)
+  const gap = (at: Point) => Math.min(...stations.map((one) => Math.hypot(one.x - at.x, one.y - at.y)))
+  const best = (inside.length > 0 ? inside : corners).toSorted((a, b) => gap(b) - gap(a))[0]!
+  return { x: best.x - CHIP.width / 2, y: best.y - CHIP.height / 2 }
+}

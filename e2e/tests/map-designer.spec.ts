@@ -1,0 +1,55 @@
+// Rooms: map-designer, q-learning
+import { axeFindings } from '../axe.ts'
+import { Learner } from '../child-learning.ts'
+import { expect, test } from '../house.ts'
+import { languagesOf } from '../words.ts'
+
+for (const language of languagesOf(import.meta.filename)) {
+  test.describe(`a map of one's own in ${language}`, () => {
+    test.use({ language })
+
+    test('is drawn from home on, tried by Bo, learned on, and still there after a reload', async ({
+      child,
+      page,
+    }) => {
+      await child.opensHome()
+      await page.getByRole('link', { name: child.word('home.maps'), exact: true }).click()
+      await child.presses('design.new')
+      const paper = page.getByRole('group', { name: child.word('design.paper'), exact: true })
+      const box = (await paper.boundingBox())!
+      const at = (x: number, y: number) => [box.x + x * box.width, box.y + y * box.height] as const
+      const places = [at(0.15, 0.7), at(0.5, 0.25), at(0.85, 0.7)]
+      for (const place of places) await page.mouse.click(...place)
+      await child.presses('design.tool.road')
+      for (const [from, to] of [
+        [0, 1],
+        [1, 2],
+        [0, 2],
+      ] as const) {
+        await page.mouse.move(...places[from]!)
+        await page.mouse.down()
+        await page.mouse.move(...at(0.5, 0.5), { steps: 3 })
+        await page.mouse.move(...places[to]!, { steps: 3 })
+        await page.mouse.up()
+      }
+      // By keys: the third station is the goal.
+      await child.button('design.station', { station: 2 }).focus()
+      await child.presses('design.goalHere')
+      await expect(
+        page.getByText(child.word('design.reached', { start: 0, goal: 2, count: 1 })),
+      ).toBeVisible()
+      await expect(page.getByText(child.word('design.triedCount', { count: 6, all: 6 }))).toBeVisible({
+        timeout: 20_000,
+      })
+      expect(await axeFindings(page)).toEqual([])
+      await child.presses('design.undo')
+      await child.presses('design.redo')
+      await child.presses('design.learn')
+      const learner = new Learner(child)
+      await learner.sees()
+      await page.reload()
+      await learner.sees()
+      await expect(learner.station(2)).toBeVisible()
+    })
+  })
+}
