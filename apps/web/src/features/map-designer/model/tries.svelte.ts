@@ -1,5 +1,6 @@
 import { writeMap } from '@botgarten/maps/own'
 import type { MapDocument } from '@botgarten/programs'
+import { newWorker } from './new-worker.ts'
 import type { Tried } from './tries-worker.ts'
 
 /** A hand that goes on within this time is not done yet, in ms. */
@@ -7,7 +8,8 @@ const CALM = 600
 
 /** Bo tries all roads of a map, in both directions, in a worker; after every change the roads that changed. */
 export class RoadTries {
-  #driven = $state.raw<ReadonlyMap<string, boolean>>(new Map())
+  /** By the line of a road: did Bo get to its end? */
+  #driven = $state.raw<{ readonly [line: string]: boolean }>({})
   #lines: readonly string[] = $state.raw([])
   #worker: Worker | null = null
   #timer = 0
@@ -17,28 +19,28 @@ export class RoadTries {
     return this.#lines.length
   }
   get tried() {
-    return this.#lines.filter((line) => this.#driven.has(line)).length
+    return this.#lines.filter((line) => line in this.#driven).length
   }
   /** Roads that Bo drove to their end. */
   get driven() {
-    return this.#lines.filter((line) => this.#driven.get(line)).length
+    return this.#lines.filter((line) => this.#driven[line]).length
   }
 
   follow(map: MapDocument): void {
     const text = writeMap(map, 'tried')
     this.#lines = [...text.matchAll(/<path id="path-\d+-\d+" d="([^"]*)"/g)].map(([, line]) => line!)
     clearTimeout(this.#timer)
-    if (this.#lines.every((line) => this.#driven.has(line))) return
+    if (this.#lines.every((line) => line in this.#driven)) return
     this.#timer = window.setTimeout(() => this.#ask(text), CALM)
   }
 
   #ask(text: string): void {
     if (!this.#worker) {
-      this.#worker = new Worker(new URL('./tries-worker.ts', import.meta.url), { type: 'module' })
+      this.#worker = newWorker()
       this.#worker.onmessage = ({ data }: MessageEvent<Tried>) =>
-        (this.#driven = new Map([...this.#driven, [data.line, data.driven]]))
+        (this.#driven = { ...this.#driven, [data.line]: data.driven })
     }
-    this.#worker.postMessage({ text, known: [...this.#driven.keys()] })
+    this.#worker.postMessage({ text, known: Object.keys(this.#driven) })
   }
 
   close(): void {
