@@ -1,5 +1,6 @@
 import { content } from '@botgarten/content/files'
-import { learnedFor, mapLookup } from '@botgarten/maps'
+import { learnedFor } from '@botgarten/maps'
+import { mapLookup } from '@botgarten/maps/lookup'
 import type { Project } from '@botgarten/programs'
 import { centresIn, pythonFrom, type Dialect } from '@botgarten/programs/python'
 import type { RobotPlacement } from '@botgarten/simulation'

@@ -1,6 +1,5 @@
 export type * from './types.ts'
-export { mapLookup, stationsOf } from './lookup.ts'
-export { ownId } from './own/write.ts'
+export { ownId } from './own/own-id.ts'
 export { drawWay, liesOn, type DrawnWay } from './drawn.ts'
 export { courseOf, isShortest, learnedFor, learningKey, sectionsOf, withLearnedWay } from './learn.ts'
 export { pointsAlong, segmentsOf } from './path.ts'

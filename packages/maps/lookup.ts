@@ -18,7 +18,3 @@ export function mapLookup(
     return Object.hasOwn(maps, id) ? readMap(writeMap(maps[id]!, id)).map : null
   }
 }
-
-/** Stations of a project's own maps, by their ids: what the check of its blocks asks for. */
-export const stationsOf = ({ maps = {} }: Pick<Project, 'maps'>): { readonly [id: string]: number } =>
-  Object.fromEntries(Object.entries(maps).map(([id, { stations }]) => [id, stations.length]))

@@ -54,3 +54,11 @@ export interface MapRoad {
   /** Probability 0..1 to slide onto one of the other roads. */
   readonly slip?: number
 }
+
+/** Stations of a project's own maps, by their ids: what the check of its blocks asks for. */
+export const stationsOf = ({
+  maps = {},
+}: {
+  readonly maps?: { readonly [id: string]: MapDocument }
+}): { readonly [id: string]: number } =>
+  Object.fromEntries(Object.entries(maps).map(([id, { stations }]) => [id, stations.length]))

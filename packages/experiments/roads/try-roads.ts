@@ -1,7 +1,6 @@
-import { addBlocks, blockFrom, toolbox, type Template } from '@botgarten/blocks'
-import { learning, learningToolbox } from '@botgarten/blocks/packs/learning'
 import { createLab, type Document } from '@botgarten/lab'
 import { drawWay, driveSeconds, type MapFile } from '@botgarten/maps'
+import { followerProgram } from '@botgarten/maps/follower'
 import { cardConfig, paintFloor, TICKS_PER_SECOND } from '@botgarten/simulation'
 
 /** A road in one direction. */
@@ -20,7 +19,7 @@ export function drivesRoad(map: MapFile, road: RoadName): boolean {
   const { starts, ...floor } = scene
   const robot = { id: 'bo', pose: starts[0]!, program: 'main', brain: '', config: cardConfig }
   const world = { ...floor, robots: [robot] }
-  const document: Document = { programs: { main: follower() }, brains: {}, world }
+  const document: Document = { programs: { main: followerProgram() }, brains: {}, world }
   const lab = createLab()
   lab.load(document, paintFloor(world), { seed: 1, checks: [] })
   lab.start()
@@ -28,15 +27,4 @@ export function drivesRoad(map: MapFile, road: RoadName): boolean {
   const { x, y } = lab.view().robots[0]!.pose
   const [dx, dy] = [x - points.at(-1)!.x, y - points.at(-1)!.y]
   return dx * dx + dy * dy <= ARRIVED * ARRIVED
-}
-
-/** A start block, and the block that drives a way with what it holds in the toolbox. */
-function follower(): Document['programs'][string] {
-  addBlocks(learning, learningToolbox)
-  const rows = toolbox.find(({ category }) => category === 'q-learning')!.blocks
-  const start: Template = { type: 'robControls_start', mutation: { attrs: { declare: 'false' } } }
-  const drive = rows.find(({ type }) => type === 'ai_q_drive_the_best_way')!
-  let next = 0
-  const blocks = [start, drive].map((row) => blockFrom(row, () => `b${next++}`))
-  return { stacks: [{ x: 0, y: 0, blocks }], config: { stacks: [] } }
 }

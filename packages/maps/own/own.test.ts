@@ -4,13 +4,15 @@ import {
   dresses,
   parseProject,
   writeProject,
+  stationsOf,
   versionOf,
   type MapDocument,
 } from '@botgarten/programs'
 import { project as everyPart } from '../../programs/testing/every-part.ts'
 import fc from 'fast-check'
 import { describe, expect, test } from 'vitest'
-import { mapLookup, readMap, stationsOf } from '../index.ts'
+import { readMap } from '../index.ts'
+import { mapLookup } from '../lookup.ts'
 import {
   addRoad,
   addStation,

@@ -3,11 +3,9 @@ import { pointsAlong, segmentsOf } from '../path.ts'
 import { distance, type Point } from '../point.ts'
 import { coverStrokes, sceneryOf, strokesOf, type Stroke } from './dress.ts'
 import { lineOf, STRAIGHT } from './line.ts'
+import { ownId } from './own-id.ts'
 
 const ink = '#4A3428'
-
-/** The name under which a map of a project is learned on. */
-export const ownId = (id: string) => `own:${id}`
 
 /**
  * A map as the SVG of the maps that everybody has: layers, stations `node-i`, a path `path-i-j` for every move. What only

@@ -45,7 +45,7 @@ const isSound = ({ stations, roads, start, goals }: v.InferOutput<typeof parts>)
   )
 }
 
-export const mapSchema: v.GenericSchema<unknown, MapDocument> = v.pipe(
+const mapSchema: v.GenericSchema<unknown, MapDocument> = v.pipe(
   parts,
   v.check(isSound, 'A road, the start or a goal of the map leads to a station that is not there.'),
 )

@@ -1,7 +1,6 @@
 import type { Finding } from '@botgarten/blocks'
 import type { Document } from '@botgarten/lab'
-import { stationsOf } from '@botgarten/maps'
-import { check, type Program, type Project } from '@botgarten/programs'
+import { check, stationsOf, type Program, type Project } from '@botgarten/programs'
 import type { Change, LabEvent } from './change.ts'
 
 export const noProgram: Program = { stacks: [], config: { stacks: [] } }

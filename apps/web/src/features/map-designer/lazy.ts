@@ -1,4 +1,4 @@
 // What draws, opens and saves maps.
-export { Designer } from './model/designer.svelte.ts'
-export { begin, openDrawing, openMapOf, ownMaps, startFrom, type OpenedDrawing } from './model/projects.ts'
+export { begin, openDrawing, openMapOf, ownMaps, startFrom } from './model/projects.ts'
+export { default as Beginning } from './view/Beginning.svelte'
 export { default as MapDesigner } from './view/MapDesigner.svelte'

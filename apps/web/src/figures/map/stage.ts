@@ -2,7 +2,6 @@ import maps from 'content:maps'
 import type { Course } from '@botgarten/learning/q-learning'
 import { ownMapIn } from '@botgarten/blocks'
 import { courseOf, readMap, type MapFile } from '@botgarten/maps'
-import { writeMap } from '@botgarten/maps/own'
 import type { LearningOutline, Project } from '@botgarten/programs'
 import { takeApart, type Picture } from './picture.ts'
 import { roadsOf, type Road } from './roads.ts'
@@ -21,7 +20,10 @@ export interface Stage {
 async function textOf(id: string, own: Maps): Promise<string | null> {
   const mine = ownMapIn(id)
   if (mine === null) return maps.map(id)
-  return Object.hasOwn(own, mine) ? writeMap(own[mine]!, mine) : null
+  if (!Object.hasOwn(own, mine)) return null
+  // Most projects have none.
+  const { writeMap } = await import('@botgarten/maps/own')
+  return writeMap(own[mine]!, mine)
 }
 
 /** Null where there is no such map, or its file breaks a rule. `own`: the maps of the project. */

@@ -1,7 +1,7 @@
 import maps from 'content:maps'
 import { knowMaps, type Block } from '@botgarten/blocks'
 import { emptyMap, openMap, ownId, type OpenedMap } from '@botgarten/maps/own'
-import { mostOfMap, versionOf, type MapDocument, type Program, type Project } from '@botgarten/programs'
+import { versionOf, type MapDocument, type Program, type Project } from '@botgarten/programs'
 import { newProject } from '#content/new-project.ts'
 import { freshId, list, open, save } from '#storage/projects.ts'
 
@@ -63,9 +63,6 @@ export function withMap(project: Project, id: string, map: MapDocument): Project
   const all = { ...project.maps, [id]: map }
   return { ...project, maps: all, botgarten: versionOf({ maps: all }) }
 }
-
-/** Is there room for one map more? */
-export const hasRoom = ({ maps = {} }: Project): boolean => Object.keys(maps).length < mostOfMap.maps
 
 const mapBlock = 'ai_q_learning_states_and_actions_map'
 const triesBlock = 'ai_q_apply_learning_rule'
