@@ -204,6 +204,8 @@ export class LabScreenState {
         kind: 'help',
         text: this.#ended ? m['session.stoppedAt']() : m['session.needsHelp'](),
       } as const
+    // A place that is passed is over: what happens after it is no mistake.
+    if (notice === 'bumped' && this.success) return null
     return notice && ({ kind: 'info', text: m[`session.${notice}`]() } as const)
   })
 
