@@ -21,7 +21,7 @@ export class Engine {
 
   send(order: Order): void {
     if (order.kind === 'begin') this.#begun = [order]
-    else if (this.#begun[0]) this.#begun = [this.#begun[0], order]
+    else if (order.kind !== 'heard' && this.#begun[0]) this.#begun = [this.#begun[0], order]
     this.warm()
     if (this.#host) this.#host.take(order)
     else this.#worker?.postMessage(order)

@@ -20,15 +20,22 @@ export class Host {
   #practiser: Practiser | null = null
   #isDue = false
   #posted = -Infinity
+  /** A report is on its way: the page gets no more than it can take in. */
+  #isUnheard = false
 
   constructor(around: Surroundings) {
     this.#around = around
   }
 
   take(order: Order): void {
+    if (order.kind === 'heard') {
+      this.#isUnheard = false
+      return
+    }
     if (order.kind === 'begin') {
       this.#practiser = new Practiser(order.job, order.exercise, order.settings)
       this.#posted = -Infinity
+      this.#isUnheard = false
       return
     }
     const practiser = this.#practiser
@@ -57,13 +64,14 @@ export class Host {
     if (!practiser || practiser.isDone) return
     const { now, slice } = this.#around
     practiser.work(now, now() + slice)
-    const isRipe = practiser.hasNews && now() - this.#posted >= between
+    const isRipe = practiser.hasNews && !this.#isUnheard && now() - this.#posted >= between
     if (isRipe || practiser.isDone) this.#post(practiser)
     if (!practiser.isDone) this.#workLater(Math.min(between, practiser.wait(now())))
   }
 
   #post(practiser: Practiser): void {
     this.#posted = this.#around.now()
+    this.#isUnheard = true
     this.#around.post(practiser.report())
   }
 }

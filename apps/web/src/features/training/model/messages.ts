@@ -8,6 +8,8 @@ export type Order =
   | { readonly kind: 'go'; readonly until: number; readonly pace: number }
   /** Pauses; what counts is the last whole round. */
   | { readonly kind: 'stop' }
+  /** The last report was taken in: before that, rounds that go on are not reported again. */
+  | { readonly kind: 'heard' }
   /** Opens the next example and changes nothing. */
   | { readonly kind: 'peek' }
   /** Takes the next example. */
@@ -42,3 +44,10 @@ export interface Example {
   /** The parameters after it, or before it where it is only looked at. */
   readonly now: Float64Array<ArrayBuffer>
 }
+
+/** `going`: rounds pass · `again`: rounds that were practised before are practised again, to get back to one. */
+export type Phase = 'rest' | 'going' | 'again'
+
+/** What is to happen when the rounds of before are there again. */
+export type Then =
+  { readonly kind: 'show'; readonly round: number } | { readonly kind: 'go' } | { readonly kind: 'open' }

@@ -5,15 +5,16 @@ import type { LabSession } from '#lab/session.svelte.ts'
 import { Assignment } from './assignment.svelte.ts'
 import { Beats } from './beats.svelte.ts'
 import { Engine } from './engine.ts'
-import type { Order, Progress, Report } from './messages.ts'
-import { isSamePractice, noteOf, parametersIn, Rehearsal, weightsAt } from './rehearsal.ts'
-
-/** `going`: rounds pass · `again`: rounds that were practised before are practised again, to get back to one. */
-type Phase = 'rest' | 'going' | 'again'
-
-/** What is to happen when the rounds of before are there again. */
-type Then =
-  { readonly kind: 'show'; readonly round: number } | { readonly kind: 'go' } | { readonly kind: 'open' }
+import type { Order, Phase, Progress, Report, Then } from './messages.ts'
+import {
+  isSamePractice,
+  mostRounds,
+  nearestRound,
+  noteOf,
+  parametersIn,
+  Rehearsal,
+  weightsAt,
+} from './rehearsal.ts'
 
 /** How the network on the screen practises its examples: what a child does with rounds, and what has come of it. */
 export class Practice extends Assignment {
@@ -150,6 +151,7 @@ export class Practice extends Assignment {
   }
 
   #hear(report: Report): void {
+    setTimeout(() => this.#send({ kind: 'heard' }))
     if (report.job !== this.#job || !this.#rehearsal) return
     if (report.kind === 'example') return this.beats.take(report)
     this.#rehearsal.keep(report)
@@ -197,16 +199,11 @@ export class Practice extends Assignment {
   goTo(round: number, done: boolean): void {
     if (this.#phase === 'going' || !this.#rehearsal || !this.net) return
     this.beats.close()
-    const nearest = this.#nearest(round)
+    const nearest = nearestRound(this.#curve, round)
     if (this.#rehearsal.at(nearest)) this.#show(nearest)
     else if (this.#phase === 'rest') this.#again({ kind: 'show', round: nearest }, this.last)
     else this.#then = { kind: 'show', round: nearest }
     if (done && this.#phase === 'rest') this.commit()
-  }
-
-  #nearest(round: number): number {
-    const off = (point: CurvePoint) => Math.abs(point.round - round)
-    return this.#curve.reduce((a, b) => (off(b) < off(a) ? b : a), this.#curve[0]!).round
   }
 
   #show(round: number): void {
@@ -301,6 +298,3 @@ export class Practice extends Assignment {
     this.#engine.close()
   }
 }
-
-/** A practice may go on so far. */
-const mostRounds = 100_000

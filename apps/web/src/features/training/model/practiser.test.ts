@@ -29,7 +29,10 @@ function hosted(look: number, slice: number) {
   const host = new Host({
     now: () => (now += look),
     later: (act, ms) => due.push({ at: now + ms, act }),
-    post: (report) => reports.push(report),
+    post: (report) => {
+      reports.push(report)
+      host.take({ kind: 'heard' })
+    },
     slice,
   })
   const pass = (until = Infinity) => {
@@ -125,4 +128,23 @@ test('at most twenty reports come in a second, each with the parameters of its p
     if (one.kind !== 'progress') continue
     expect(one.stored).toHaveLength(one.points.length * one.now.length)
   }
+})
+
+test('who has not taken a report in gets none, but the last one', () => {
+  const reports: Report[] = []
+  let now = 0
+  const due: (() => void)[] = []
+  const host = new Host({
+    now: () => (now += 1),
+    later: (act) => due.push(act),
+    post: (report) => reports.push(report),
+    slice: 5,
+  })
+  host.take({ kind: 'begin', job: 1, exercise, settings: { ...settings, rounds: 100_000 } })
+  host.take({ kind: 'go', until: 500, pace: Infinity })
+  while (due.length > 0) due.shift()!()
+  expect(reports).toHaveLength(2)
+  expect(last(reports).round).toBe(500)
+  const points = reports.flatMap((one) => (one.kind === 'progress' ? one.points : []))
+  expect(points).toHaveLength(501)
 })

@@ -4,6 +4,7 @@ import {
   layOutTraining,
   parametersIn as laidOut,
   weightsIn,
+  type CurvePoint,
   type Settings,
   type TrainNet,
 } from '@botgarten/learning/neural-network/train'
@@ -90,4 +91,13 @@ export function noteOf(
     ...{ seed, start: weights, round, curve: thinned, marks: marks.slice(-mostPoints) },
     settings: { ...settings, keepBack, from, mirror: mirror !== null },
   }
+}
+
+/** A practice may go on so far. */
+export const mostRounds = 100_000
+
+/** The measured round that is nearest to this one. */
+export function nearestRound(curve: readonly CurvePoint[], round: number): number {
+  const off = (point: CurvePoint) => Math.abs(point.round - round)
+  return curve.reduce((a, b) => (off(b) < off(a) ? b : a), curve[0]!).round
 }
