@@ -203,12 +203,13 @@ export class Run {
   /** What checks see of this moment. */
   get seen() {
     const { world, state, read } = this.simulation
-    return { world, state, read, nextTurn: this.#nextTurn, taught: this.brains[this.#taught] ?? null }
+    return { world, state, read, nextTurn: this.#nextTurn, taught: this.#taught }
   }
 
-  /** The first network of the first robot. */
-  get #taught(): string {
-    return this.robots[0]?.networks[0] ?? ''
+  /** The first network of the first robot; where its program has none, one that was shown something. */
+  get #taught(): Brain | null {
+    const own = this.brains[this.robots[0]?.networks[0] ?? '']
+    return own ?? Object.values(this.brains).find(({ examples }) => examples) ?? null
   }
 
   #nextTurn = (mirrored: boolean) => {
