@@ -10,7 +10,7 @@ import { finds, type Way } from './ways.ts'
 /** A card, and what a child does to solve it. */
 interface Task {
   readonly card: string
-  solve(child: Child, way: Way): Promise<void>
+  readonly solve: (child: Child, way: Way) => Promise<void>
 }
 
 const light: Sensor = { sensor: 'light', port: '1', place: 'front' }

@@ -222,7 +222,7 @@ export interface Simulation {
    * '' for none of them (two colours mix on an edge); touch as 0 or 1; angle, rate (a second) and compass in degrees
    * clockwise, 0 on the compass = up (+y); infrared 0..100 over 70 cm; sound 0..100; x, y in cm and heading in degrees as rule 1 has them, heading 0..360.
    */
-  read(robot: number, port: SensorPort, mode: ReadMode): number | Colour | null
+  readonly read: (robot: number, port: SensorPort, mode: ReadMode) => number | Colour | null
   /** The rays a distance sensor sends now, for the screen. */
   rays(robot: number, port: SensorPort): readonly Ray[]
   /** Puts a robot or an obstacle somewhere by hand; nearest free place on the floor. Returns where it came to stand. */

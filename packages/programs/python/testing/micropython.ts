@@ -46,8 +46,10 @@ const none = <Value>(value: Value | null | undefined): Value | null => value ?? 
 
 /** Which sensor of the configuration a SPIKE Prime hub has at a port, or `gyro` built in. */
 function plugAt(config: RobotConfig, place: string): string | null {
-  const ports = Object.entries(place === 'gyro' ? config.sensors : primePorts(config))
-  return ports.find(([, it]) => (typeof it === 'object' ? it.kind : it) === place)?.[0] ?? null
+  const { sensors } = config
+  if (place === 'gyro')
+    return Object.keys(sensors).find((port) => sensors[port as keyof typeof sensors]?.kind === place) ?? null
+  return Object.entries(primePorts(config)).find(([, plug]) => plug === place)?.[0] ?? null
 }
 
 const brickOf = (robot: Robot, { tick, random }: Clock, config: RobotConfig) => ({

@@ -49,7 +49,7 @@ async function fromTable(bytes: Uint8Array, net: NetworkOutline): Promise<Read> 
     const { columns, rows } = readTable(decodeTable(bytes).text, limits, { decimalComma: false })
     return await inColumns({ columns, rows }, net)
   } catch (error) {
-    if (error instanceof TableError) return refused(`table.${error.problem}`, error.facts as Facts)
+    if (error instanceof TableError) return refused(`table.${error.problem}`, error.facts)
     throw error
   }
 }

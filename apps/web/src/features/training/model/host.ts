@@ -62,8 +62,9 @@ export class Host {
     this.#isDue = false
     const practiser = this.#practiser
     if (!practiser || practiser.isDone) return
-    const { now, slice } = this.#around
-    practiser.work(now, now() + slice)
+    const around = this.#around
+    const now = () => around.now()
+    practiser.work(now, now() + around.slice)
     const isRipe = practiser.hasNews && !this.#isUnheard && now() - this.#posted >= between
     if (isRipe || practiser.isDone) this.#post(practiser)
     if (!practiser.isDone) this.#workLater(Math.min(between, practiser.wait(now())))

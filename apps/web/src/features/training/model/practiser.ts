@@ -95,7 +95,7 @@ export class Practiser {
     this.#stored.forEach((one, at) => stored.set(one, at * parameters.length))
     this.#points = []
     this.#stored = []
-    const now = (ended ? parameters : whole).slice() as Float64Array<ArrayBuffer>
+    const now = (ended ? parameters : whole).slice()
     const sleeping = isGoing ? [] : sleepingIn(practice)
     return { kind: 'progress', job: this.#job, round, points, stored, now, isGoing, ended, sleeping }
   }
@@ -110,7 +110,7 @@ export class Practiser {
     if (saved) learner.restore(practice, saved)
     else if (practice.round !== round) this.#measure()
     if (!trace) return null
-    const now = practice.parameters.slice() as Float64Array<ArrayBuffer>
+    const now = practice.parameters.slice()
     return { kind: 'example', job: this.#job, trace, isPeek, now }
   }
 }
