@@ -37,10 +37,10 @@ const wordsAtOnce = ['app', 'blockly']
 /** What a page with this card asks for by itself: its words, its card, parts of these features. */
 const atOnce =
   (card: string | null, features: readonly string[]): Asks =>
-  (source, { name }) => {
+  (source) => {
     const [, locale, file = ''] = wordsOf(source) ?? []
     if (locale) return locale === language && wordsAtOnce.includes(file)
-    return name === `content-${card}` || features.some((id) => source === `src/features/${id}/lazy.ts`)
+    return source === `content:card/${card}` || features.some((id) => source === `src/features/${id}/lazy.ts`)
   }
 
 /** Everything that the lab may ask for, but parts and words of pages of their own, other languages and cards. */
@@ -49,7 +49,7 @@ const inLab =
   (source, { name = '' }) => {
     const [, locale, file = ''] = wordsOf(source) ?? /^(?:words)-(\w+)$/.exec(name) ?? []
     if (locale) return locale === language && !wordsOfPages.has(file)
-    if (name.startsWith('content-')) return name === `content-${card}`
+    if (source.startsWith('content:card/')) return source === `content:card/${card}`
     return !pages.includes(featureOf(source) ?? '')
   }
 

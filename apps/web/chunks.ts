@@ -159,5 +159,5 @@ export const chunks = [
     includeDependenciesRecursively: false,
   },
   // What lazy parts share and no page needs.
-  { name: 'parts', priority: 1, minShareCount: 2, entriesAware: true, entriesAwareMergeThreshold: 4_000 },
+  { name: 'parts', priority: 1, minShareCount: 2, entriesAware: true, entriesAwareMergeThreshold: 1_500 },
 ]

@@ -1,6 +1,6 @@
 import { addBlocks, type Block } from '@botgarten/blocks'
 import { learning } from '@botgarten/blocks/packs/learning'
-import { biasRow, follow, hiddenId } from '@botgarten/learning/neural-network'
+import { biasRow, follow, hiddenId } from '@botgarten/learning/neural-network/brain'
 import type { Program } from '@botgarten/programs'
 import { describe, expect, it } from 'vitest'
 import { labWith, worldWith } from './testing/scene.ts'

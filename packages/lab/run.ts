@@ -1,4 +1,4 @@
-import { emptyBrain, withWeight, type Brain } from '@botgarten/learning/neural-network'
+import { emptyBrain, withWeight, type Brain } from '@botgarten/learning/neural-network/brain'
 import { addToHash, startHash, type Hash } from '@botgarten/numbers'
 import { runThread } from '@botgarten/programs'
 import { pressKey, rollsOn, TICKS_PER_SECOND, type Pose, type Simulation } from '@botgarten/simulation'

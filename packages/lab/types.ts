@@ -1,4 +1,4 @@
-import type { Brain, NetTrace } from '@botgarten/learning/neural-network'
+import type { Brain, NetTrace } from '@botgarten/learning/neural-network/brain'
 import type { Drive } from '@botgarten/learning/neural-network/examples'
 import type { Finding } from '@botgarten/blocks'
 import type { Project } from '@botgarten/programs'

@@ -1,4 +1,4 @@
-import { trace, type Brain, type NetTrace, type Weights } from '@botgarten/learning/neural-network'
+import { trace, type Brain, type NetTrace, type Weights } from '@botgarten/learning/neural-network/brain'
 import { speechLength } from '@botgarten/blocks'
 import { evaluate } from '@botgarten/programs'
 import {

@@ -2,7 +2,7 @@ import { definitions, filledRows, hiddenIn, inputListOf, isBlockType, plugged } 
 import type { Block, NeuronLook } from '@botgarten/blocks'
 import { reachedIn } from './check/reached.ts'
 import { startingStacks } from './run/index-program.ts'
-import { emptyBrain, follow, hiddenId, type Brain } from '@botgarten/learning/neural-network'
+import { emptyBrain, follow, hiddenId, type Brain } from '@botgarten/learning/neural-network/brain'
 import type { NetworkInUse, NetworkOutline, NeuronOutline, Program } from './types.ts'
 
 /** Every network block of a program that is not switched off, those under a start block and those that lie about. */

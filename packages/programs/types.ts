@@ -9,7 +9,7 @@ import type {
   SortingMemory,
   Value,
 } from '@botgarten/blocks'
-import type { Activation, Brain } from '@botgarten/learning/neural-network'
+import type { Activation, Brain } from '@botgarten/learning/neural-network/brain'
 import type { Settings } from '@botgarten/learning/q-learning'
 import type { StreamState } from '@botgarten/numbers'
 import type { World } from '@botgarten/simulation'

@@ -1,4 +1,4 @@
-import type { Activation } from '@botgarten/learning/neural-network'
+import type { Activation } from '@botgarten/learning/neural-network/brain'
 import type { Block } from '../types.ts'
 import { field } from './fields.ts'
 import { plugged } from './rows.ts'

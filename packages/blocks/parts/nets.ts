@@ -1,4 +1,4 @@
-import { forward, layOut, type Brain } from '@botgarten/learning/neural-network'
+import { forward, layOut, type Brain } from '@botgarten/learning/neural-network/brain'
 import type { Context, HostBrain } from '../types.ts'
 
 /** Names come from files: `constructor` is one that nobody has set. */

@@ -1,4 +1,4 @@
-import { activations, forward, layOut, type Brain } from '@botgarten/learning/neural-network'
+import { activations, forward, layOut, type Brain } from '@botgarten/learning/neural-network/brain'
 import { COLOURS, createSimulation } from '@botgarten/simulation'
 import { describe, expect, it } from 'vitest'
 import { content } from '../files.ts'

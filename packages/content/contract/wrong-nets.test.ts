@@ -1,4 +1,4 @@
-import { weightOf, type Brain } from '@botgarten/learning/neural-network'
+import { weightOf, type Brain } from '@botgarten/learning/neural-network/brain'
 import { sample } from '@botgarten/numbers/testing'
 import { describe, expect, it } from 'vitest'
 import type { CardProgram } from '../index.ts'

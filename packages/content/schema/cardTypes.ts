@@ -1,5 +1,5 @@
 import type { Check } from '@botgarten/lab'
-import type { Weights } from '@botgarten/learning/neural-network'
+import type { Weights } from '@botgarten/learning/neural-network/brain'
 import type { Project } from '@botgarten/programs'
 import type { Pose, World } from '@botgarten/simulation'
 

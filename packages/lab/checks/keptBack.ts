@@ -1,4 +1,4 @@
-import { weightsOf, type Brain } from '@botgarten/learning/neural-network'
+import { weightsOf, type Brain } from '@botgarten/learning/neural-network/brain'
 import { errorOn, place } from '@botgarten/learning/neural-network/examples'
 import type { Check, Lack } from '../types.ts'
 import { nameOf, numberOf, type Kind } from './kind.ts'

@@ -1,4 +1,4 @@
-import type { Brain } from '@botgarten/learning/neural-network'
+import type { Brain } from '@botgarten/learning/neural-network/brain'
 import { cos, sin } from '@botgarten/numbers'
 import {
   FRONT,

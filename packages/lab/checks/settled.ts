@@ -1,4 +1,4 @@
-import type { PracticeNote } from '@botgarten/learning/neural-network'
+import type { PracticeNote } from '@botgarten/learning/neural-network/brain'
 import { percentOff } from '@botgarten/learning/neural-network/train'
 import { numberOf, type Kind } from './kind.ts'
 import type { Lack } from '../types.ts'

@@ -1,4 +1,4 @@
-import type { Brain } from '@botgarten/learning/neural-network'
+import type { Brain } from '@botgarten/learning/neural-network/brain'
 import type { Drive, Row } from '@botgarten/learning/neural-network/examples'
 import { starterChoice } from '@botgarten/learning/neural-network/examples'
 import { cardConfig, createSimulation, paintFloor } from '@botgarten/simulation'

@@ -1,4 +1,4 @@
-import type { Brain } from '@botgarten/learning/neural-network'
+import type { Brain } from '@botgarten/learning/neural-network/brain'
 import { place, type Row } from '@botgarten/learning/neural-network/examples'
 import type { Moment } from './moment.ts'
 

@@ -1,4 +1,4 @@
-import { weightsOf } from '@botgarten/learning/neural-network'
+import { weightsOf } from '@botgarten/learning/neural-network/brain'
 import { practiceChoice, prepare, type Exercise } from '@botgarten/learning/neural-network/examples'
 import { obstacleTo, type Obstacle } from '@botgarten/learning/neural-network/train'
 import { mirrorIn } from '@botgarten/programs/examples'

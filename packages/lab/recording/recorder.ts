@@ -7,7 +7,7 @@ import {
   type Drive,
   type Examples,
 } from '@botgarten/learning/neural-network/examples'
-import type { Brain } from '@botgarten/learning/neural-network'
+import type { Brain } from '@botgarten/learning/neural-network/brain'
 import type { Simulation } from '@botgarten/simulation'
 import { heldBy, type Hands } from '../inputs/hands.ts'
 import type { Brains } from '../robots/brains.ts'

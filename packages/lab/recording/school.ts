@@ -1,4 +1,4 @@
-import { emptyBrain, type Brain } from '@botgarten/learning/neural-network'
+import { emptyBrain, type Brain } from '@botgarten/learning/neural-network/brain'
 import {
   afterLesson,
   beginLesson,

@@ -1,5 +1,5 @@
 import type { Teaching } from '@botgarten/blocks'
-import { weightsOf, withoutWeights } from '@botgarten/learning/neural-network'
+import { weightsOf, withoutWeights } from '@botgarten/learning/neural-network/brain'
 import { errorOn } from '@botgarten/learning/neural-network/examples'
 import { networksByUse, type Program } from '@botgarten/programs'
 import { choiceIn } from '@botgarten/programs/examples'

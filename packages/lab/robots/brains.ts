@@ -7,7 +7,7 @@ import {
   type Brain,
   type Net,
   type Weights,
-} from '@botgarten/learning/neural-network'
+} from '@botgarten/learning/neural-network/brain'
 import { brainFor, networks, type Program } from '@botgarten/programs'
 import type { RobotPlacement } from '@botgarten/simulation'
 

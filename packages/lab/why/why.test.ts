@@ -1,7 +1,7 @@
 import fc from 'fast-check'
 import { expect, test } from 'vitest'
 import { leaveOut } from '@botgarten/learning/neural-network/explain'
-import { withWeight } from '@botgarten/learning/neural-network'
+import { withWeight } from '@botgarten/learning/neural-network/brain'
 import type { Lab } from '../index.ts'
 import { drive, forever, labWith, net, program } from '../testing/scene.ts'
 import { gridOf, imagine, readingsAt, type Standpoint } from './index.ts'

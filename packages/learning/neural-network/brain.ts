@@ -12,4 +12,3 @@ export {
   withWeights,
 } from './edit.ts'
 export { pruneWeights, withActivation } from './keep.ts'
-export { net as learner } from './train/learner.ts'

@@ -1,5 +1,5 @@
 import type { Block } from '@botgarten/blocks'
-import type { Brain } from '@botgarten/learning/neural-network'
+import type { Brain } from '@botgarten/learning/neural-network/brain'
 import * as v from 'valibot'
 import { brainSchema } from '../project/schema.ts'
 import type { Program, Project } from '../types.ts'

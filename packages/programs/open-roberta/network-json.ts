@@ -1,4 +1,4 @@
-import type { Brain, Neuron } from '@botgarten/learning/neural-network'
+import type { Brain, Neuron } from '@botgarten/learning/neural-network/brain'
 import * as v from 'valibot'
 import { settingsIn } from './network-settings.ts'
 import { idSchema } from '../project/schema-program.ts'

@@ -1,4 +1,4 @@
-import type { PracticeNote } from '@botgarten/learning/neural-network'
+import type { PracticeNote } from '@botgarten/learning/neural-network/brain'
 import { starterChoice, withChoice } from '@botgarten/learning/neural-network/examples'
 import * as v from 'valibot'
 

@@ -1,7 +1,7 @@
 import { addBlocks, type Template } from '@botgarten/blocks'
 import { expert } from '@botgarten/blocks/packs/expert'
 import { learning } from '@botgarten/blocks/packs/learning'
-import { follow, forward, layOut, type Brain } from '@botgarten/learning/neural-network'
+import { follow, forward, layOut, type Brain } from '@botgarten/learning/neural-network/brain'
 import fc from 'fast-check'
 import * as v from 'valibot'
 import { describe, expect, it } from 'vitest'

@@ -7,7 +7,7 @@ import {
   weightOf,
   weightsOf,
   type Brain,
-} from '@botgarten/learning/neural-network'
+} from '@botgarten/learning/neural-network/brain'
 import { networks } from '../networks.ts'
 import type { NetworkOutline, NeuronOutline, Program, Project } from '../types.ts'
 import { dataFrom, networkIn } from './network-json.ts'

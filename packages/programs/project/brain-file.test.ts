@@ -1,6 +1,12 @@
 import { addBlocks } from '@botgarten/blocks'
 import { learning } from '@botgarten/blocks/packs/learning'
-import { biasRow, emptyBrain, follow, withActivation, withWeight } from '@botgarten/learning/neural-network'
+import {
+  biasRow,
+  emptyBrain,
+  follow,
+  withActivation,
+  withWeight,
+} from '@botgarten/learning/neural-network/brain'
 import fc from 'fast-check'
 import { describe, expect, it } from 'vitest'
 import type { NetworkOutline } from '../types.ts'

@@ -6,7 +6,7 @@ import {
   type Activation,
   type Brain,
   type Weights,
-} from '@botgarten/learning/neural-network'
+} from '@botgarten/learning/neural-network/brain'
 import { mostNeurons } from '@botgarten/blocks'
 import * as v from 'valibot'
 import type { NetworkOutline } from '../types.ts'

@@ -1,5 +1,11 @@
-import { headOfRow, mostOf, place, shownBy, type Examples } from '@botgarten/learning/neural-network/examples'
-import type { PracticeNote } from '@botgarten/learning/neural-network'
+import {
+  headOfRow,
+  mostOf,
+  place,
+  shownBy,
+  type Examples,
+} from '@botgarten/learning/neural-network/examples/types'
+import type { PracticeNote } from '@botgarten/learning/neural-network/brain'
 import * as v from 'valibot'
 import { longestText } from './limits.ts'
 import { finite, idSchema, recordOf } from './schema-program.ts'

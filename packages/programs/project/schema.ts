@@ -1,6 +1,6 @@
 import * as v from 'valibot'
-import { activations, type Brain } from '@botgarten/learning/neural-network'
-import { mostOf } from '@botgarten/learning/neural-network/examples'
+import { activations, type Brain } from '@botgarten/learning/neural-network/brain'
+import { mostOf } from '@botgarten/learning/neural-network/examples/types'
 import type { Learned, Project } from '../types.ts'
 import { finite, idSchema, programSchema, recordOf, textSchema } from './schema-program.ts'
 import { assetsSchema } from './schema-assets.ts'

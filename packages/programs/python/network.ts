@@ -1,5 +1,5 @@
 import type { PythonAt } from '@botgarten/blocks'
-import { biasOf, weightsOf, type Brain, type Neuron } from '@botgarten/learning/neural-network'
+import { biasOf, weightsOf, type Brain, type Neuron } from '@botgarten/learning/neural-network/brain'
 import { brainFor, networks } from '../networks.ts'
 import type { NetworkOutline, NeuronOutline } from '../types.ts'
 import type { Draft } from './draft.ts'

@@ -1,5 +1,5 @@
 import type { PythonAt } from '@botgarten/blocks'
-import { weightsOf, biasOf, type Brain } from '@botgarten/learning/neural-network'
+import { weightsOf, biasOf, type Brain } from '@botgarten/learning/neural-network/brain'
 import { indexProgram } from '../run/index-program.ts'
 import type { Draft } from './draft.ts'
 import { quote } from './quote.ts'

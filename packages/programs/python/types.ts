@@ -1,5 +1,5 @@
 import type { Facts } from '@botgarten/blocks'
-import type { Brain } from '@botgarten/learning/neural-network'
+import type { Brain } from '@botgarten/learning/neural-network/brain'
 import type { Settings } from '@botgarten/learning/q-learning'
 import type { RobotConfig } from '@botgarten/simulation'
 import type { Program } from '../types.ts'

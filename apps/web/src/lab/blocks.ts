@@ -1,4 +1,4 @@
-import type { Activation } from '@botgarten/learning/neural-network'
+import type { Activation } from '@botgarten/learning/neural-network/brain'
 
 /** What the parts of the lab ask of the blocks. Blocks are named by their ids. */
 export interface Blocks {

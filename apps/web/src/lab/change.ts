@@ -1,5 +1,5 @@
 import type { Document } from '@botgarten/lab'
-import { emptyBrain, type Brain } from '@botgarten/learning/neural-network'
+import { emptyBrain, type Brain } from '@botgarten/learning/neural-network/brain'
 import {
   sceneOf,
   type Learned,

@@ -5,7 +5,7 @@ import {
   type Brain,
   type PracticeNote,
   type Weights,
-} from '@botgarten/learning/neural-network'
+} from '@botgarten/learning/neural-network/brain'
 import {
   freshDrive,
   practiceChoice,

@@ -10,7 +10,7 @@ import {
   type View,
   type Wheels,
 } from '@botgarten/lab'
-import type { Brain } from '@botgarten/learning/neural-network'
+import type { Brain } from '@botgarten/learning/neural-network/brain'
 import type { Floor, RobotKey } from '@botgarten/simulation'
 import { factsOf, renewed, type Facts } from './facts.ts'
 

@@ -1,6 +1,6 @@
 import type { Finding } from '@botgarten/blocks'
 import type { DriveKey } from '@botgarten/lab'
-import { emptyBrain, type Brain } from '@botgarten/learning/neural-network'
+import { emptyBrain, type Brain } from '@botgarten/learning/neural-network/brain'
 import { inScene, networksByUse, sceneOf } from '@botgarten/programs'
 import type { Learned, Project, Scene } from '@botgarten/programs'
 import type { Floor } from '@botgarten/simulation'

@@ -1,4 +1,4 @@
-import { emptyBrain, withWeight } from '@botgarten/learning/neural-network'
+import { emptyBrain, withWeight } from '@botgarten/learning/neural-network/brain'
 import { expect, test } from 'vitest'
 import type { Change } from './change.ts'
 import { UndoStack } from './undo.svelte.ts'

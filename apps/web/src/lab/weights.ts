@@ -4,7 +4,7 @@ import {
   weightsOf,
   withoutWeights,
   type Brain,
-} from '@botgarten/learning/neural-network'
+} from '@botgarten/learning/neural-network/brain'
 import type { Part } from './change.ts'
 import type { LabSession } from './session.svelte.ts'
 

@@ -1,5 +1,5 @@
 import type { Host } from '@botgarten/blocks'
-import { forward, layOut, withWeight, type Brain } from '@botgarten/learning/neural-network'
+import { forward, layOut, withWeight, type Brain } from '@botgarten/learning/neural-network/brain'
 import { brainFor, networks } from '../../networks.ts'
 import { indexProgram } from '../../run/index-program.ts'
 import { runThread, startThread } from '../../run/thread.ts'

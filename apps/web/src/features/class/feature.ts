@@ -8,5 +8,5 @@ export const schoolClass = {
   words: ['class'],
   route: 'join',
   load: () => import('./lazy.ts'),
-  budget: { page: 125_000, part: 60_000 },
+  budget: { page: 90_000, part: 45_000 },
 } satisfies Feature

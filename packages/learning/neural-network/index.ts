@@ -1,0 +1,2 @@
+export * from './brain.ts'
+export { net as learner } from './train/learner.ts'
