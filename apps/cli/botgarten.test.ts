@@ -90,6 +90,9 @@ describe('botgarten cards', () => {
       'all-the-same',
       'if-then',
       'either-or',
+      'show-it',
+      'four-wrong',
+      'either-or-2',
       'mars',
       'railway',
       'forest',
@@ -101,7 +104,7 @@ describe('botgarten cards', () => {
 
   it('lists them for people, a line each', async () => {
     expect((await botgarten('cards')).stdout).toMatch(
-      /\nfriendship .*Friendship \/ Freundschaft\nfear .*\ninterest .*\nrally .*\ncrossed-wires .*\nlost-links .*\nall-the-same .*\nif-then .*\neither-or .*\nmars .*\nrailway .*Railway \/ Eisenbahn\n/,
+      /\nfriendship .*Friendship \/ Freundschaft\nfear .*\ninterest .*\nrally .*\ncrossed-wires .*\nlost-links .*\nall-the-same .*\nif-then .*\neither-or .*\nshow-it .*\nfour-wrong .*\neither-or-2 .*\nmars .*\nrailway .*Railway \/ Eisenbahn\n/,
     )
   })
 })
