@@ -10,7 +10,8 @@ const scope = new URL('./', self.location.href)
 const addressOf = ({ path }: { readonly path: string }) => new URL(path.replace(/^\//, ''), scope).href
 const own = {
   scope: scope.href,
-  pages: new Set(prerendered.map(addressOf)),
+  // A teacher's pages are nothing without the server.
+  pages: new Set(prerendered.filter(({ path }) => !/^\/?teacher(\/|$)/.test(path)).map(addressOf)),
   // Who installs the lab is given its icons then; nobody asks a page for a notice.
   files: new Set(
     [...immutable, ...assets.filter(({ path }) => !/icon-.*png$|NOTICE/.test(path))].map(addressOf),
