@@ -68,7 +68,12 @@ export class Teaching {
     await expect(this.#page.locator('.show .head p b')).toHaveText(`${count}`)
   }
 
+  /** Rows of a long table are there when they are scrolled to. */
   async setsAside(row: number) {
+    await this.table.hover()
+    const button = this.#child.button('training.setRowAside', { row }).first()
+    for (let turns = 0; turns < 60 && (await button.count()) === 0; turns++)
+      await this.#page.mouse.wheel(0, turns < 30 ? -90 : 90)
     await this.#child.presses('training.setRowAside', { row })
   }
 
