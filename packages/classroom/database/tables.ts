@@ -97,11 +97,11 @@ interface ProjectTable {
   savedAt: number
 }
 
-/** A project that its pupil has thrown away, and has not brought back. */
+/** A project that its pupil has thrown away and not restored. */
 interface ThrownTable {
   pupil: string
   project: string
-  /** Its last one: brought back, it goes on from there, so that a late request never takes it for the former. */
+  /** Its last one: when restored, it goes on from there, so that a late request never takes it for the former. */
   revision: number
 }
 

@@ -6,7 +6,7 @@ export interface GridOptions {
   readonly surefooted?: number
   /** Paid for falling off the cliff, which leads back to the start. */
   readonly cliffReward?: number
-  /** By column, how many rooms the wind pushes upwards whoever leaves a room of it. */
+  /** By column, how many rooms the wind pushes a robot upwards that leaves a room of it. */
   readonly wind?: readonly number[]
   /** By goal, in the order of the rooms, with which probability it pays. Without: each time. */
   readonly chances?: readonly number[]
@@ -32,7 +32,7 @@ const directions = [
 
 /**
  * A grid world, read by rows from the upper left: S start, G goal (each of several), F floor, H hole (an attempt ends),
- * C cliff (back to the start), W wall, P a parcel: whoever enters carries it from then on, in states of their own behind
+ * C cliff (back to the start), W wall, P a parcel: a robot that enters carries it from then on, in states of their own behind
  * the others, and the goal is one for carriers alone. Who walks against a wall or the border stays. The worlds of
  * Gymnasium's toy_text: frozen_lake.py, cliffwalking.py; its order of actions: left, down, right, up. Wind: Sutton &
  * Barto, 2nd edition, example 6.5. A single row has no up and down.

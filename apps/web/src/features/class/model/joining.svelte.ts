@@ -104,7 +104,7 @@ export class Joining {
   async look(again = false): Promise<void> {
     const code = codeOf(this.words)
     if (code === null) this.#className = null
-    // Whoever is asked already looks for what was typed meanwhile.
+    // The request that is under way looks up what was typed meanwhile.
     if (code === null || this.#busy || (code === this.#asked && !again)) return
     await this.#asking(async () => {
       this.#asked = code

@@ -163,7 +163,7 @@ async function settle(devices: readonly Device[], cable: Cable, own: boolean) {
   }
 }
 
-/** What lies in the bins of devices: it can be brought back. */
+/** Projects in the bins of devices, which can be restored. */
 async function inBins(devices: readonly Device[]): Promise<readonly string[]> {
   const bins = await Promise.all(devices.map(({ page }) => page.listBin()))
   return bins.flatMap(({ thrown }) => thrown.map(({ project }) => project.name))
@@ -206,7 +206,7 @@ const step = fc.oneof(
   { weight: 1, arbitrary: fc.record({ kind: fc.constant('late'), device: which }) },
   { weight: 1, arbitrary: fc.record({ kind: fc.constant('throw'), device: which, id }) },
   { weight: 1, arbitrary: fc.record({ kind: fc.constant('sendAll'), device: which }) },
-  // On one of them: the same work that is brought back on both is there twice.
+  // On one of them only: restored on both, the same work is there twice.
   { weight: 1, arbitrary: fc.record({ kind: fc.constant('back'), device: fc.constant(0) }) },
 ) as fc.Arbitrary<{
   kind: 'edit' | 'send' | 'crash' | 'fetch' | 'choose' | 'late' | 'throw' | 'sendAll' | 'back'

@@ -29,7 +29,7 @@ export type Channel = Pick<BroadcastChannel, 'postMessage' | 'close' | 'onmessag
 const closed = 2
 /** In ms: a stream that the server refused is opened again after so long. */
 const patience = 3000
-/** In ms: whoever holds the stream and was not heard of for so long does not hold it any more. */
+/** In ms: a page that holds the stream and has sent no sign of life for this long has lost it. */
 const silence = 15_000
 
 const ending = v.object({ reason: v.string() })

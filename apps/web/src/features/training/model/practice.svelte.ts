@@ -83,7 +83,7 @@ export class Practice extends Assignment {
   /** Does what comes next with a practice that stands at the round that is shown. */
   #begin(then: Then): void {
     this.knobs.hold()
-    if (!this.#rehearsal || !this.#goesOn(this.#rehearsal)) this.#anew()
+    if (!this.#rehearsal || !this.#goesOn(this.#rehearsal)) this.#reset()
     if (this.#reached === this.#round) return this.#now(then)
     this.#again(then, this.#round)
   }
@@ -95,7 +95,7 @@ export class Practice extends Assignment {
   }
 
   /** A practice of its own begins with the knobs as they are, or from zero. */
-  #anew(): void {
+  #reset(): void {
     const exercise = this.exercise(this.knobs.weights)!
     const { shaken, data } = prepare(exercise)
     this.#shaken = shaken
@@ -222,7 +222,7 @@ export class Practice extends Assignment {
   peek = () => this.#send({ kind: 'peek' })
   take = () => this.#send({ kind: 'step' })
 
-  /** Practice begins anew from zero, or from a draw where there are hidden neurons. */
+  /** Resets practice to weights of zero, or to random ones where there are hidden neurons. */
   fromZero(): void {
     const exercise = this.exercise(this.knobs.weights)
     if (!exercise || this.obstacle || this.#phase !== 'rest') return
