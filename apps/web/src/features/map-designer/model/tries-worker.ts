@@ -1,8 +1,8 @@
 import { drivesRoad, roadsToTry } from '@botgarten/experiments/roads'
-import { readMap } from '@botgarten/maps'
+import type { MapFile } from '@botgarten/maps'
 
-interface Asked {
-  readonly text: string
+export interface Asked {
+  readonly map: MapFile
   /** Lines that were tried before. */
   readonly known: readonly string[]
 }
@@ -16,10 +16,8 @@ export interface Tried {
 let asked = 0
 
 /** Between two roads a newer map may come, which ends the older one. */
-self.onmessage = async ({ data: { text, known } }: MessageEvent<Asked>) => {
+self.onmessage = async ({ data: { map, known } }: MessageEvent<Asked>) => {
   const own = ++asked
-  const { map } = readMap(text)
-  if (!map) return
   for (const road of roadsToTry(map)) {
     const line = map.roads[road.join('-')]!
     if (known.includes(line)) continue

@@ -1,7 +1,8 @@
+import { readMap } from '@botgarten/maps'
 import { writeMap } from '@botgarten/maps/own'
 import type { MapDocument } from '@botgarten/programs'
 import { newWorker } from './new-worker.ts'
-import type { Tried } from './tries-worker.ts'
+import type { Asked, Tried } from './tries-worker.ts'
 
 /** A hand that goes on within this time is not done yet, in ms. */
 const CALM = 600
@@ -35,12 +36,14 @@ export class RoadTries {
   }
 
   #ask(text: string): void {
+    const { map } = readMap(text)
+    if (!map) return
     if (!this.#worker) {
       this.#worker = newWorker()
       this.#worker.onmessage = ({ data }: MessageEvent<Tried>) =>
         (this.#driven = { ...this.#driven, [data.line]: data.driven })
     }
-    this.#worker.postMessage({ text, known: Object.keys(this.#driven) })
+    this.#worker.postMessage({ map, known: Object.keys(this.#driven) } satisfies Asked)
   }
 
   close(): void {
