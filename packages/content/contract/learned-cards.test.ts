@@ -1,0 +1,105 @@
+import type { Brain } from '@botgarten/learning/neural-network/brain'
+import {
+  afterLesson,
+  beginLesson,
+  practiceChoice,
+  stepSettings,
+} from '@botgarten/learning/neural-network/examples'
+import { practiseFor } from '@botgarten/learning/neural-network/train'
+import { wordsOf } from '@botgarten/messages/folder'
+import { sample } from '@botgarten/numbers/testing'
+import { networks } from '@botgarten/programs'
+import { mirrorIn } from '@botgarten/programs/examples'
+import { describe, expect, it } from 'vitest'
+import { content } from '../files.ts'
+import type { CardProgram, MarkdownNode } from '../index.ts'
+import { solved } from './solved.ts'
+
+const brainOf = (id: string, file: string) => Object.values(content.program(id, file)!.brains)[0]
+
+/** Cards whose solution has practised its examples. */
+const learnedCards = content.cards
+  .map(({ id }) => id)
+  .filter((id) => (brainOf(id, 'solution')?.practice?.round ?? 0) > 0)
+
+const seeds = sample(
+  Array.from({ length: 20 }, (_, k) => k + 1),
+  1,
+)
+
+/** The brain after it has practised its own examples again with this seed, from where it began. */
+function practised(id: string, program: CardProgram, seed: number): Brain {
+  const network = Object.values(program.programs).flatMap(networks)[0]!
+  const brain = program.brains[network.id]!
+  const choice = practiceChoice(brain)
+  const { keepBack, from, mirror } = choice.settings
+  const config = content.card(id)!.world.robots[0]!.config
+  const lesson = beginLesson(
+    {
+      ...{ id: network.id, layers: brain.layers, weights: brain.practice!.start, examples: brain.examples! },
+      ...{ seed, keepBack, from, mirror: mirror ? mirrorIn(network, config) : null },
+    },
+    stepSettings(choice),
+  )
+  practiseFor(lesson.practice, lesson.curve, Infinity)
+  return afterLesson(brain, lesson)
+}
+
+const withPractice = (id: string, seed: number) => (program: CardProgram) => ({
+  ...program,
+  brains: Object.fromEntries(Object.keys(program.brains).map((key) => [key, practised(id, program, seed)])),
+})
+
+/** What is printed bold, wherever it stands. */
+const boldIn = (nodes: readonly MarkdownNode[]): readonly string[] =>
+  nodes.flatMap((node) => {
+    const inside = 'children' in node ? node.children : []
+    return node.type === 'strong' ? [plain(inside)] : boldIn(inside)
+  })
+const plain = (nodes: readonly MarkdownNode[]): string =>
+  nodes
+    .map((node) => ('children' in node ? plain(node.children) : 'value' in node ? node.value : ''))
+    .join('')
+
+/** What the screen writes on its buttons and switches: without what stands in brackets, and without numbers. */
+const labelsIn = (language: string) =>
+  new Set(
+    Object.values(wordsOf(language)).flatMap((message) =>
+      typeof message === 'string' ? [message.replace(/\s*[({:].*$/, '').toLowerCase()] : [],
+    ),
+  )
+
+describe.each(learnedCards)('the card %s is learned from examples', (id) => {
+  const { card, text } = content.card(id)!
+  const places = [...card.starts.keys()]
+
+  it('its solution has the weights that its own examples and seed come to', () => {
+    const program = content.program(id, 'solution')!
+    const { weights, practice } = brainOf(id, 'solution')!
+    expect(practised(id, program, practice!.seed).weights).toEqual(weights)
+  })
+
+  it('with at least 19 of 20 seeds Bo passes from every place', () => {
+    const failing = seeds.filter((seed) => {
+      const { failures } = solved(id, withPractice(id, seed))
+      return places.some((place) => failures(place, 1, {}).length > 0)
+    })
+    expect(failing.length).toBeLessThanOrEqual(seeds.length / 20)
+  })
+
+  it('every check can fail: a typical wrong answer misses it', () => {
+    const missed = content.wrongAnswers(id).flatMap((name) => {
+      const wrong = content.program(id, `wrong/${name}`)!
+      const { failures } = solved(id, () => wrong)
+      return sample(places, 1).flatMap((place) => failures(place, 1, {}))
+    })
+    expect(card.checks.filter((check) => !missed.includes(check.id))).toEqual([])
+  })
+
+  it.each(content.languages)('what is bold in its hints stands on the screen, in "%s"', (language) => {
+    const labels = labelsIn(language)
+    const bold = text[language]!.hints.flatMap((hint) => boldIn(hint))
+    expect(bold.length).toBeGreaterThan(2)
+    expect(bold.filter((words) => !labels.has(words.toLowerCase()))).toEqual([])
+  })
+})
