@@ -3,6 +3,7 @@ import { cardProject, type Card, type CardProgram } from '@botgarten/content'
 import { content } from '@botgarten/content/files'
 import { expect } from '@playwright/test'
 import { NetHands } from './child-network.ts'
+import { isPractised, practises } from './child-practising.ts'
 import type { Child } from './child.ts'
 
 /** A card with the programs it begins and ends with. */
@@ -18,8 +19,13 @@ export const tasks: readonly Task[] = content.cards.map(({ id }) => {
   return { card, start, solution: content.program(id, 'solution')! }
 })
 
-/** Solves a card: numbers are typed into its blocks, knobs are set; where other blocks are needed, they come from a file. */
-export async function solves(child: Child, { card, start, solution }: Task) {
+/**
+ * Solves a card: numbers are typed into its blocks, knobs are set, or examples are practised; where other blocks are needed, they
+ * come from a file.
+ */
+export async function solves(child: Child, task: Task) {
+  if (isPractised(task)) return practises(child, task)
+  const { card, start, solution } = task
   const numbers = numbersToType(start, solution)
   if (numbers) for (const [block, number] of numbers) await child.typesNumber(block, number)
   else {

@@ -1,8 +1,13 @@
 import { readFile } from 'node:fs/promises'
 import { expect, type Locator } from '@playwright/test'
+import type { Pose } from '@botgarten/simulation'
 import { addToHash, hex, startHash } from '@botgarten/numbers'
 import { layOutTraining, parametersIn } from '@botgarten/learning/neural-network/train'
 import type { Child } from './child.ts'
+
+/** cm between Bo's wheels, and how far from where it is wanted a hand may leave it. */
+const wheelsApart = 18
+const nearEnough = 3
 
 /** What a child does to teach a network by examples. */
 export class Teaching {
@@ -17,7 +22,9 @@ export class Teaching {
   }
 
   async shows() {
-    await this.#child.presses('network.showIt')
+    // In German the project of a card is called like this way.
+    const ways = this.#page.getByRole('toolbar', { name: this.#child.word('network.ways'), exact: true })
+    await ways.getByRole('button', { name: this.#child.word('network.showIt'), exact: true }).click()
     await expect(this.table).toBeVisible()
   }
 
@@ -44,6 +51,28 @@ export class Teaching {
     ] as const)
       await this.#page.getByRole('slider', { name: this.#child.word(key), exact: true }).fill(`${value}`)
     await this.#page.locator('.hand .main').getByRole('button').click()
+  }
+
+  /** Puts Bo somewhere: drags it there, once more where that was not near enough, and turns it by steps of 5 degrees. */
+  async puts({ x, y, heading }: Pose) {
+    const { painted, bo } = this.#child
+    const pxPerCm = (await painted.wheelsApart()) / wheelsApart
+    for (let drags = 0; drags < 4; drags += 1) {
+      const stands = await this.#stands()
+      if (Math.hypot(x - stands.x, y - stands.y) < nearEnough) break
+      const from = await painted.place('bo')
+      const to = { x: from.x + (x - stands.x) * pxPerCm, y: from.y - (y - stands.y) * pxPerCm }
+      await this.#child.drags(from, to)
+    }
+    await bo.focus()
+    const turn = ((heading - (await this.#stands()).heading + 540) % 360) - 180
+    for (let turns = Math.round(Math.abs(turn) / 5); turns > 0; turns -= 1)
+      await this.#child.types(turn > 0 ? ',' : '.')
+  }
+
+  async #stands(): Promise<Pose> {
+    const [x, y, heading] = (await this.#child.boStands()).split(',').map(Number)
+    return { x: x!, y: y!, heading: heading! }
   }
 
   async chooses(mode: 'remember' | 'drive') {

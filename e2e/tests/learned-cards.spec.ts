@@ -1,40 +1,26 @@
 // Rooms: training, content
-import { Teaching } from '../child-training.ts'
-import { test } from '../house.ts'
+import { practises } from '../child-practising.ts'
+import { tasks } from '../child-solving.ts'
+import { TimeHands } from '../child-time.ts'
+import { expect, test } from '../house.ts'
+import { languagesOf } from '../words.ts'
 
-test('the child shows a card nine places, lets Bo practise, and Bo stays by the square', async ({
-  child,
-}) => {
-  const teaching = new Teaching(child)
-  await child.opensLab('show-it')
-  await teaching.shows()
-  const rows = [
-    [100, 100, 70, 70],
-    [100, 74.57, 70, 50],
-    [74.57, 100, 50, 70],
-    [100, 45.9, 70, 30],
-    [45.14, 100, 30, 70],
-    [25.02, 25.02, 20, 20],
-    [100, 26.4, 70, 20],
-    [26.4, 100, 20, 70],
-    [5, 5, 0, 0],
-  ]
-  const table = ['eyeLeft,eyeRight,wheelLeft,wheelRight', ...rows.map((row) => row.join())].join('\n')
-  await teaching.opensFile('rows.csv', `${table}\n`)
-  await teaching.seesExamples(9)
-  await teaching.letsPractise()
-  await teaching.practises()
-  await child.pressesStart()
-  for (const check of ['near', 'neverTouches', 'stays', 'learned']) await child.seesCheck('show-it', check)
-})
+/** What a child does there: it shows places by hand, finds wrong rows, puts a hidden layer in. */
+const learned = ['show-it', 'four-wrong', 'either-or-2']
 
-test('the child finds four wrong rows, sets them aside, and Bo stays by the square', async ({ child }) => {
-  const teaching = new Teaching(child)
-  await child.opensLab('four-wrong')
-  await teaching.shows()
-  for (const row of [22, 16, 11, 5]) await teaching.setsAside(row)
-  await teaching.letsPractise()
-  await teaching.practises()
-  await child.pressesStart()
-  for (const check of ['near', 'stays', 'clean']) await child.seesCheck('four-wrong', check)
-})
+for (const language of languagesOf(import.meta.filename))
+  test.describe(`cards that are learned from examples, in ${language}`, () => {
+    test.use({ language })
+
+    for (const task of tasks.filter(({ card }) => learned.includes(card.id)))
+      test(`${task.card.id} is practised as its hints say, and Bo passes from its first place`, async ({
+        child,
+      }) => {
+        await child.opensLab(task.card.id)
+        await practises(child, task)
+        await child.pressesStart()
+        await new TimeHands(child).hurries()
+        await expect(child.words('lab.successTitle').first()).toBeVisible({ timeout: 40_000 })
+        for (const { id } of task.card.checks) await child.seesCheck(task.card.id, id)
+      })
+  })

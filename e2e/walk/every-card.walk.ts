@@ -1,4 +1,5 @@
 import { Learner } from '../child-learning.ts'
+import { isPractised } from '../child-practising.ts'
 import { solves, tasks } from '../child-solving.ts'
 import { TimeHands } from '../child-time.ts'
 import type { Child } from '../child.ts'
@@ -13,10 +14,16 @@ async function opens(child: Child, card: string, fromHome: boolean) {
   await child.seesLab()
 }
 
-for (const [index, task] of tasks.entries()) {
+/** Languages and ways there by turns; what hints tell a child to press is walked in every language. */
+const walks = tasks.flatMap((task, index) =>
+  (isPractised(task) ? languages : [languages[index % languages.length]!]).map((language, turn) => ({
+    ...{ task, language },
+    fromHome: (index + 2 * turn) % 4 < 2,
+  })),
+)
+
+for (const { task, language, fromHome } of walks) {
   const { card } = task
-  const language = languages[index % languages.length]!
-  const fromHome = index % 4 < 2
   const of = card.starts.length
 
   test.describe(`${card.id} in ${language}, ${fromHome ? 'from home' : 'by its address'}`, () => {

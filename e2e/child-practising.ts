@@ -1,0 +1,73 @@
+import type { CardProgram } from '@botgarten/content'
+import type { Brain } from '@botgarten/learning/neural-network'
+import { headOfRow, place, type Examples, type Row } from '@botgarten/learning/neural-network/examples'
+import { expect } from '@playwright/test'
+import { NetHands } from './child-network.ts'
+import { Teaching } from './child-training.ts'
+import type { Child } from './child.ts'
+
+interface Task {
+  readonly start: CardProgram
+  readonly solution: CardProgram
+}
+
+const brainIn = ({ brains }: CardProgram): Brain => Object.values(brains)[0]!
+
+/** Is a card solved by practice and not by knobs that a hand turns? */
+export const isPractised = ({ solution }: Task): boolean =>
+  (Object.values(solution.brains)[0]?.practice?.round ?? 0) > 0
+
+/** Solves a card as its hints say: layers are put in, places shown, wrong rows set aside, and all of it is practised. */
+export async function practises(child: Child, { start, solution }: Task) {
+  const [before, after] = [brainIn(start), brainIn(solution)]
+  const teaching = new Teaching(child)
+  await putsLayersIn(child, before, after)
+  const [shown, aside] = [rowsToShow(before, after), rowsToSetAside(after)]
+  if (shown.length > 0 || aside.length > 0) await teaching.shows()
+  if (shown.length > 0) await showsRows(child, shown, after.examples!)
+  for (const row of aside) await teaching.setsAside(row)
+  await teaching.letsPractise()
+  await teaching.practises()
+  // Bo stands where the last example was shown: only a start place counts.
+  if (shown.length > 0) await child.presses('lab.place', { number: 1 })
+}
+
+/** Every hidden layer that the solution has more, with its neurons and what they do with their sums. */
+async function putsLayersIn(child: Child, before: Brain, after: Brain) {
+  const hands = new NetHands(child)
+  const layers = after.layers.slice(1, after.layers.length - before.layers.length + 1)
+  if (layers.length > 0) await hands.chooses('expert')
+  for (const [index, neurons] of layers.entries()) {
+    const layer = index + 1
+    await child.presses('net.addLayer')
+    const nodes = (await hands.layer(layer).locator('b').textContent()) ?? ''
+    const missing = neurons.length - Number(nodes)
+    for (let presses = Math.abs(missing); presses > 0; presses -= 1)
+      await child.presses(missing > 0 ? 'net.more' : 'net.fewer', { layer })
+    await hands.neuron(layer, 1).click()
+    const name = child.word('net.hidden', { layer, neuron: 1 })
+    const choice = child.page.getByRole('combobox', { name: child.word('net.activationOf', { name }) })
+    await choice.selectOption(neurons[0]!.activation)
+    await expect(hands.layer(layer)).toContainText(child.word(`net.activation.${neurons[0]!.activation}`))
+  }
+}
+
+const rowsToShow = (before: Brain, after: Brain): readonly Row[] =>
+  before.examples ? [] : (after.examples?.rows ?? [])
+
+/** Numbers of the rows that are off, from 1. */
+const rowsToSetAside = ({ examples }: Brain): readonly number[] =>
+  (examples?.rows ?? []).flatMap((row, at) => (row[place.on] === 0 ? [at + 1] : []))
+
+/** Bo is put to each place, its wheels are set, and that is remembered. */
+async function showsRows(child: Child, rows: readonly Row[], { inputs }: Examples) {
+  const teaching = new Teaching(child)
+  // The whole floor can be reached then.
+  await child.presses('world.all')
+  for (const [index, row] of rows.entries()) {
+    await teaching.puts({ x: row[place.x]!, y: row[place.y]!, heading: row[place.heading]! })
+    const [left, right] = row.slice(headOfRow + inputs.length)
+    await teaching.remembers(left!, right!)
+    await teaching.seesExamples(index + 1)
+  }
+}
