@@ -83,22 +83,60 @@ export class Learner {
     await this.hurries()
     await this.learns()
     await this.seesEnd()
-    const floor = this.child.page.getByRole('region', { name: this.child.word('q.drives') })
     if (!(await this.child.page.locator('.best ol, .room .way').isVisible())) return
     // Bo drives what it has learned, and the floor has come forward.
-    await expect(floor).toBeVisible()
+    await expect(this.floor).toBeVisible()
     await this.child.presses('q.largeMap')
   }
 
   /** A limit has stopped the learning: it can start again, or Bo is already driving. */
   async seesEnd() {
     const { child } = this
-    const drives = child.page.getByRole('region', { name: child.word('q.drives') })
-    await expect(child.button('q.playNew').or(drives)).toBeVisible()
+    await expect(child.button('q.playNew').or(this.floor)).toBeVisible()
+  }
+
+  /** Where Bo drives what it has learned. */
+  get floor(): Locator {
+    return this.child.page.getByRole('region', { name: this.child.word('q.drives') })
+  }
+
+  /** Another map, by its name. */
+  async choosesMap(name: string) {
+    const { child } = this
+    await child.presses('q.change')
+    const maps = child.page.getByRole('combobox', { name: child.word('q.page.map'), exact: true })
+    await maps.selectOption({ label: name })
+    await child.types('Escape')
+    await this.sees()
+  }
+
+  /** More tries, and more time for them, typed over the numbers of now in the block that says so. */
+  async givesTries(tries: number, time: number, now = { tries: 10, time: 10_000 }) {
+    const { child } = this
+    await this.unfolds()
+    const fields = child.block('experience').locator('.blocklyInputField')
+    for (const [before, after] of [
+      [now.tries, tries],
+      [now.time, time],
+    ]) {
+      await fields.filter({ hasText: new RegExp(`^\\s*${before}\\s*$`) }).click()
+      await child.types('ControlOrMeta+a', ...String(after), 'Enter')
+    }
+    await child.presses('lab.fold')
+  }
+
+  /** Stations of the best way. */
+  async way(): Promise<readonly number[]> {
+    const texts = await this.wayStations.allTextContents()
+    return texts.map(Number)
+  }
+
+  get wayStations(): Locator {
+    return this.child.page.locator('.best ol b, .line .way b')
   }
 
   async seesWay(...stations: readonly number[]) {
-    await expect(this.child.page.locator('.best ol b, .line .way b')).toHaveText(stations.map(String))
+    await expect(this.wayStations).toHaveText(stations.map(String))
   }
 
   /** Map, numbers under their heads, and the table (or the row of the move) are seen together, nothing of them cut. */
