@@ -75,7 +75,12 @@ function smallOrCut(): string[] {
     const texts = [...card.querySelectorAll<SVGTextElement>('.columns .blocks text')]
     const small = texts.filter((text) => text.textContent.trim() && (heightOf(text) * 72) / 96 < 7.95)
     const cut = body.scrollHeight > body.clientHeight + 1 || body.scrollWidth > body.clientWidth + 1
+    // Its row is as high as one line: a second one would lie over the story.
+    const long = [...body.querySelectorAll('.title')].filter(
+      (one) => one.scrollHeight > one.clientHeight + 20,
+    )
     return [
+      ...long.map(() => `${name}: its title has two lines`),
       ...small.map(
         (text) => `${name}: “${text.textContent}” has ${((heightOf(text) * 72) / 96).toFixed(1)} pt`,
       ),
