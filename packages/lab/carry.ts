@@ -1,4 +1,6 @@
 import { samePose, type Pose, type RobotState, type Simulation } from '@botgarten/simulation'
+import type { Run } from './run.ts'
+import { newTrack } from './timeline/tracks.ts'
 
 interface Placed {
   readonly id: string
@@ -41,3 +43,20 @@ const touchingOnly = (robot: RobotState, ids: ReadonlySet<string>): RobotState =
   ...robot,
   touching: robot.touching.filter((id) => ids.has(id)),
 })
+
+/** A run goes on from one whose document was changed under it: what is in both goes on as it was. */
+export function goOnFrom(before: Run, run: Run): void {
+  run.tick = before.tick
+  run.hash = [...before.hash]
+  run.watches = structuredClone(before.watches)
+  run.endedAt = before.endedAt
+  run.tracks = run.robots.map(({ id }) => before.tracks[indexIn(before, id)] ?? newTrack())
+  for (const robot of run.robots) {
+    const was = before.robots[indexIn(before, robot.id)]
+    if (was?.program !== robot.program) run.endedAt = null
+    else robot.thread = structuredClone(was.thread)
+    for (const [id, last] of was?.brains.lastRuns ?? []) robot.brains.lastRuns.set(id, last)
+  }
+}
+
+const indexIn = ({ robots }: Run, robot: string) => robots.findIndex(({ id }) => id === robot)

@@ -1,4 +1,5 @@
 import type { Pose } from '@botgarten/simulation'
+import { brainsFor } from './robots/brains.ts'
 import type { Document } from './types.ts'
 
 /** Is it the same program, at most laid out differently on the canvas? */
@@ -7,6 +8,12 @@ export const sameBlocks = (a: Document['programs'], b: Document['programs']): bo
 
 const meaningOf = (programs: Document['programs']) =>
   JSON.stringify(Object.entries(programs).map(([id, { stacks }]) => [id, stacks.map(({ blocks }) => blocks)]))
+
+/** The document with a brain for every network block of its programs. */
+export const withBrains = (document: Document): Document => ({
+  ...document,
+  brains: brainsFor(document.programs, document.brains),
+})
 
 /** The world with other start poses for some things; robots have theirs changed only where that is wanted. */
 export function withPoses(

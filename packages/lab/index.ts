@@ -1,4 +1,5 @@
 export type * from './types.ts'
+export type * from './inputs/input.ts'
 export type { Variable } from './variables.ts'
 export { createLab } from './lab.ts'
 export { Pace } from './clock/pace.ts'

@@ -1,33 +1,15 @@
-import type { Brain } from '@botgarten/learning/neural-network/brain'
 import { hex } from '@botgarten/numbers'
-import {
-  createSimulation,
-  freshRobot,
-  type Floor,
-  type Pose,
-  type RobotKey,
-  type Simulation,
-} from '@botgarten/simulation'
+import { createSimulation, freshRobot, type Floor, type Pose, type Simulation } from '@botgarten/simulation'
 import { missing } from './checks/checks.ts'
 import { carryOver } from './carry.ts'
-import { emptyWorld, sameBlocks, withPoses } from './documents.ts'
-import { brainsFor } from './robots/brains.ts'
+import { emptyWorld, sameBlocks, withBrains, withPoses } from './documents.ts'
+import { HandsOnLab } from './inputs/hands-on-lab.ts'
+import type { Input } from './inputs/input.ts'
 import { sensesOf } from './robots/senses.ts'
 import { Run } from './run.ts'
 import { reachStop, stepBlock, stepNetwork, type Stops, type Walk } from './stepping.ts'
-import type { Course } from './timeline/moment.ts'
-import type {
-  Check,
-  Document,
-  DriveKey,
-  Hand,
-  Input,
-  Lab,
-  Phase,
-  Recording,
-  StepKind,
-  Wheels,
-} from './types.ts'
+import { momentOf, type Course } from './timeline/moment.ts'
+import type { Check, Document, Lab, Phase, StepKind } from './types.ts'
 import { variablesOf } from './variables.ts'
 import { viewOf } from './view.ts'
 
@@ -54,18 +36,25 @@ class OneLab implements Lab {
   #phase: Phase = 'ready'
   #simulation!: Simulation
   #run!: Run
-  #held: readonly DriveKey[] = []
-  /** On the pad, and what is recorded: as it was asked for, whatever moment is shown. */
-  #hand: Hand | null = null
-  #recording: Recording | null = null
-  #buttons: readonly { readonly robot: number; readonly key: RobotKey }[] = []
   #other: Other | null = null
-  /** Has a hand driven a robot while no run was on? Then that is where it starts. */
-  #handDrove = false
   #stops: Stops = new Set()
+  readonly #hands = new HandsOnLab({
+    run: () => this.#run,
+    isOn: () => this.#isOn,
+    branch: () => this.branch(),
+    give: (input) => this.#give(input),
+  })
+  readonly setWeight = this.#hands.setWeight
+  readonly setBrain = this.#hands.setBrain
+  readonly setTraining = this.#hands.setTraining
+  readonly remember = this.#hands.remember
+  readonly drive = this.#hands.drive
+  readonly record = this.#hands.record
+  readonly press = this.#hands.press
+  readonly pressButton = this.#hands.pressButton
 
   load(document: Document, floor: Floor, options: Options): void {
-    this.#document = { ...document, brains: brainsFor(document.programs, document.brains) }
+    this.#document = withBrains(document)
     this.#floor = floor
     this.#options = options
     this.reset()
@@ -73,7 +62,7 @@ class OneLab implements Lab {
 
   reset(): void {
     this.#phase = 'ready'
-    this.#handDrove = false
+    this.#hands.drove = false
     this.#simulation = this.#atStart()
     this.#begin()
   }
@@ -88,14 +77,14 @@ class OneLab implements Lab {
     }
     this.#run = new Run(this.#simulation, this.#document, this.#options.checks, before)
     this.#other = null
-    this.#keysAsHeld()
+    this.#hands.takeHold()
   }
 
   edit(programs: Document['programs'], fromStart = false): void {
     const moved = sameBlocks(programs, this.#document.programs)
     if (!moved) this.#run.toNow()
     const before = this.#document.programs
-    this.#document = { ...this.#document, programs, brains: brainsFor(programs, this.#document.brains) }
+    this.#document = withBrains({ ...this.#document, programs })
     if (moved) return
     if (fromStart && this.#isOn) this.#toStart(before)
     this.#begin()
@@ -114,7 +103,7 @@ class OneLab implements Lab {
 
   rebuild(document: Document, floor: Floor = this.#floor, stood?: { readonly [id: string]: Pose }): void {
     this.#run.toNow()
-    this.#document = { ...document, brains: brainsFor(document.programs, document.brains) }
+    this.#document = withBrains(document)
     this.#floor = floor
     const before = this.#simulation
     this.#simulation = this.#atStart()
@@ -125,11 +114,11 @@ class OneLab implements Lab {
 
   start(): void {
     this.#run.toNow()
-    if (this.#phase === 'ended' && !this.#handDrove) this.#simulation = this.#atStart()
+    if (this.#phase === 'ended' && !this.#hands.drove) this.#simulation = this.#atStart()
     for (const robot of this.#simulation.state.robots) freshRobot(robot)
     this.#phase = 'running'
     this.#begin()
-    this.#handDrove = false
+    this.#hands.drove = false
   }
 
   stop(): void {
@@ -156,7 +145,7 @@ class OneLab implements Lab {
       if (this.#phase === 'ready' || this.#phase === 'ended') this.start()
       this.#phase = 'paused'
     }
-    const index = this.#robotAt(robot)
+    const index = this.#run.robotAt(robot)
     if (kind === 'tick') this.#tick()
     else if (kind === 'network') stepNetwork(this.#walk(), index)
     else stepBlock(this.#walk(), index, kind === 'over', this.#stops)
@@ -165,13 +154,6 @@ class OneLab implements Lab {
   setStops(blocks: readonly string[]): void {
     this.#stops = new Set(blocks)
   }
-
-  /** Index of a robot; the first where none is named. */
-  #robotAt = (id: string | undefined) =>
-    Math.max(
-      0,
-      this.#run.robots.findIndex((robot) => robot.id === id),
-    )
 
   /** A step does not go past the present, where that was not where it began. */
   #walk(): Walk {
@@ -210,56 +192,13 @@ class OneLab implements Lab {
     const wasPast = this.#run.inPast
     this.#run.advance()
     if (wasPast) {
-      if (!this.#run.inPast) this.#keysAsHeld()
+      if (!this.#run.inPast) this.#hands.takeHold()
       return
     }
     if (this.#run.brains !== this.#document.brains) this.#takeBrains()
     if (!this.#run.isOver) return
     this.stop()
     this.#phase = 'ended'
-  }
-
-  setWeight(brain: string, from: string, to: string, weight: number, set = ''): void {
-    this.branch()
-    this.#give({ kind: 'weight', brain, from, to, weight, set })
-  }
-
-  setBrain(brain: string, value: Brain): void {
-    this.branch()
-    this.#give({ kind: 'brain', brain, value })
-  }
-
-  setTraining: Lab['setTraining'] = (brain, change) => {
-    this.branch()
-    this.#give({ kind: 'training', brain, ...change })
-  }
-
-  drive: Lab['drive'] = (wheels, others = {}, robot) => {
-    const index = this.#robotAt(robot)
-    this.#hand = wheels && { robot: index, ...wholePercent(wheels), others }
-    if (this.#run.inPast) return
-    this.#handDrove ||= wheels !== null && !this.#isOn
-    this.#giveHand(index)
-  }
-
-  #giveHand(robot: number): void {
-    this.#give({ kind: 'drive', ...(this.#hand ?? { robot, left: null, right: null }) })
-  }
-
-  record: Lab['record'] = (recording) => {
-    this.#recording = recording && { ...recording, robot: this.#robotAt(recording.robot) }
-    if (!this.#run.inPast && this.#recording !== this.#run.school.state.recording) this.#giveRecording()
-  }
-
-  #giveRecording(): void {
-    this.#give({ kind: 'record', recording: this.#recording })
-  }
-
-  remember: Lab['remember'] = (row) => {
-    this.branch()
-    const before = this.#document.brains[row.network]?.examples?.rows.length ?? 0
-    this.#give({ kind: 'remember', ...row, robot: this.#robotAt(row.robot) })
-    return (this.#document.brains[row.network]?.examples?.rows.length ?? 0) > before
   }
 
   place(id: string, pose: Pose, start?: Pose): Pose {
@@ -276,49 +215,12 @@ class OneLab implements Lab {
     return this.#phase === 'running' || this.#phase === 'paused'
   }
 
-  press(key: DriveKey, down: boolean, robot?: string): void {
-    this.#held = [...this.#held.filter((held) => held !== key), ...(down ? [key] : [])]
-    // In the past nobody drives; a key that is let go of there is let go of when it is over.
-    if (this.#run.inPast) return
-    this.#handDrove ||= down && !this.#isOn
-    this.#give({ kind: 'key', key, down, robot: this.#robotAt(robot) })
-  }
-
-  pressButton(key: RobotKey, down: boolean, robot?: string): void {
-    if (down) this.branch()
-    const index = this.#robotAt(robot)
-    this.#buttons = this.#buttons.filter((held) => held.key !== key || held.robot !== index)
-    if (down) this.#buttons = [...this.#buttons, { robot: index, key }]
-    if (!this.#run.inPast) this.#give({ kind: 'button', key, down, robot: index })
-  }
-
-  /** Keys of a panel that were let go of while the past was shown. */
-  #buttonsAsHeld(): void {
-    this.#simulation.state.robots.forEach(({ keys }, robot) => {
-      for (const key of keys)
-        if (!this.#buttons.some((held) => held.key === key && held.robot === robot))
-          this.#give({ kind: 'button', key, down: false, robot })
-    })
-  }
-
   variables = (robot?: string) => {
-    const run = this.#run.robots[this.#robotAt(robot)]
+    const run = this.#run.robots[this.#run.robotAt(robot)]
     return run ? variablesOf(run) : []
   }
 
-  senses = (robot?: string) => sensesOf(this.#simulation, this.#robotAt(robot))
-
-  #keysAsHeld(): void {
-    this.#buttonsAsHeld()
-    if (!sameHand(this.#hand, this.#run.school.state.hand))
-      this.#giveHand(this.#run.school.state.hand?.robot ?? 0)
-    if (this.#recording !== this.#run.school.state.recording) this.#giveRecording()
-    for (const key of new Set([...this.#run.keys, ...this.#held])) {
-      const down = this.#held.includes(key)
-      if (down !== this.#run.keys.includes(key))
-        this.#give({ kind: 'key', key, down, robot: this.#run.driven })
-    }
-  }
+  senses = (robot?: string) => sensesOf(this.#simulation, this.#run.robotAt(robot))
 
   #give(input: Input): void {
     this.#run.give(input, this.#isOn)
@@ -341,7 +243,7 @@ class OneLab implements Lab {
   #toNow(): void {
     if (!this.#run.inPast) return
     this.#run.toNow()
-    this.#keysAsHeld()
+    this.#hands.takeHold()
   }
 
   branch(): void {
@@ -355,7 +257,7 @@ class OneLab implements Lab {
       world: withPoses(world, this.#run.starts, false),
     }
     this.#phase = 'paused'
-    this.#keysAsHeld()
+    this.#hands.takeHold()
   }
 
   swap(): boolean {
@@ -367,22 +269,20 @@ class OneLab implements Lab {
     const { programs, world } = this.#document
     this.#document = { ...document, programs, world: { ...document.world, robots: world.robots } }
     this.#phase = phase
-    this.#keysAsHeld()
+    this.#hands.takeHold()
     return true
   }
 
-  state = () => this.#run.moment()
+  state = () => momentOf(this.#run)
   view = (robot?: string) =>
-    viewOf(this.#run, this.#run.inPast ? 'paused' : this.#phase, this.#robotAt(robot), this.#other !== null)
+    viewOf(
+      this.#run,
+      this.#run.inPast ? 'paused' : this.#phase,
+      this.#run.robotAt(robot),
+      this.#other !== null,
+    )
   missing = () => missing(this.#run.checks, this.#run.watches, this.#run.seconds, this.#run.seen)
   document = () => this.#document
   floor = () => this.#floor
   hash = () => hex(this.#run.hash)
 }
-
-const wholePercent = ({ left, right }: Wheels): Wheels => ({ left: wholeOf(left), right: wholeOf(right) })
-
-const wholeOf = (percent: number) => Math.max(-100, Math.min(100, Math.round(percent))) + 0
-
-const sameHand = (a: Hand | null, b: Hand | null) =>
-  a?.robot === b?.robot && a?.left === b?.left && a?.right === b?.right && a?.others === b?.others

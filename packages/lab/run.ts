@@ -2,20 +2,22 @@ import { emptyBrain, withWeight, type Brain } from '@botgarten/learning/neural-n
 import { addToHash, startHash, type Hash } from '@botgarten/numbers'
 import { runThread } from '@botgarten/programs'
 import { pressKey, rollsOn, TICKS_PER_SECOND, type Pose, type Simulation } from '@botgarten/simulation'
+import { goOnFrom } from './carry.ts'
 import { observe, watch, type Watch } from './checks/checks.ts'
+import { seenIn, type Seen } from './checks/seen.ts'
 import { withHands } from './inputs/hands.ts'
+import type { DriveKey, Input } from './inputs/input.ts'
 import { repeats } from './inputs/repeats.ts'
 import { School } from './recording/school.ts'
 import { teachingOf } from './recording/teaching.ts'
 import type { Brains } from './robots/brains.ts'
 import { mailOf } from './robots/mail.ts'
-import { nextTurn } from './robots/next-turn.ts'
 import { robotRun, type RobotRun } from './robots/run.ts'
-import { poseIn, type Course, type Moment } from './timeline/moment.ts'
+import { momentOf, poseIn, restore, type Course, type Moment } from './timeline/moment.ts'
 import { shared } from './timeline/shared.ts'
 import { Timeline } from './timeline/timeline.ts'
 import { newTrack, note, trackUntil, type Track } from './timeline/tracks.ts'
-import type { Check, Document, DriveKey, Input, TimeView } from './types.ts'
+import type { Check, Document, TimeView } from './types.ts'
 
 /** Ticks from keyframe to keyframe: so few that any moment is there again at once, on a slow laptop too. */
 const KEYFRAME_EVERY = 60
@@ -35,9 +37,13 @@ export class Run {
   tick = 0
   /** Tick at which the last program ended; null while one runs. */
   endedAt: number | null = null
-  #driven = 0
-  #part = 0
-  #given = 0
+  /** Index of the robot that the keys drive. */
+  driven = 0
+  /** How far this tick has come: steps of its programs from block to block, and inputs that were given. */
+  part = 0
+  given = 0
+  /** What checks see of the moment that is shown. */
+  readonly seen: Seen
   #timeline = new Timeline<Moment>()
   /** The present, while a moment of the past is shown. */
   #now: Moment | null = null
@@ -65,25 +71,9 @@ export class Run {
       ),
     )
     this.tracks = this.robots.map(newTrack)
-    if (before) this.#goOnFrom(before)
-    this.#timeline.keep(this.moment())
-  }
-
-  #goOnFrom(before: Run): void {
-    this.tick = before.tick
-    this.hash = [...before.hash]
-    this.watches = structuredClone(before.watches)
-    this.endedAt = before.endedAt
-    this.tracks = this.robots.map(({ id }) => {
-      const index = before.robots.findIndex((robot) => robot.id === id)
-      return before.tracks[index] ?? newTrack()
-    })
-    for (const robot of this.robots) {
-      const was = before.robots.find(({ id }) => id === robot.id)
-      if (was?.program !== robot.program) this.endedAt = null
-      else robot.thread = structuredClone(was.thread)
-      for (const [id, last] of was?.brains.lastRuns ?? []) robot.brains.lastRuns.set(id, last)
-    }
+    this.seen = seenIn(this)
+    if (before) goOnFrom(before, this)
+    this.#timeline.keep(momentOf(this))
   }
 
   /** Simulated seconds since Start. */
@@ -91,9 +81,12 @@ export class Run {
     return this.tick / TICKS_PER_SECOND
   }
 
-  /** Index of the robot that the keys drive. */
-  get driven(): number {
-    return this.#driven
+  /** Index of a robot; the first where none is named. */
+  robotAt(id: string | undefined): number {
+    return Math.max(
+      0,
+      this.robots.findIndex((robot) => robot.id === id),
+    )
   }
 
   get inPast(): boolean {
@@ -116,11 +109,11 @@ export class Run {
     this.#take(input)
     if (!inRun) return
     const last = this.#timeline.inputsAt(this.tick).at(-1)
-    const again = last?.part === this.#part && repeats(last.input, input)
+    const again = last?.part === this.part && repeats(last.input, input)
     // A thing that is dragged while time stands still is only where it was put last.
     if (again && input.kind === 'place' && samePose(before, this.poseOf(input.id))) return
-    this.#timeline.log(this.tick, { part: this.#part, input }, again)
-    this.#given = this.#timeline.inputsAt(this.tick).length
+    this.#timeline.log(this.tick, { part: this.part, input }, again)
+    this.given = this.#timeline.inputsAt(this.tick).length
   }
 
   #take(input: Input): void {
@@ -142,7 +135,7 @@ export class Run {
   }
 
   #press(key: DriveKey, down: boolean, robot: number): void {
-    this.#driven = robot
+    this.driven = robot
     this.keys = [...this.keys.filter((pressed) => pressed !== key), ...(down ? [key] : [])]
   }
 
@@ -158,7 +151,7 @@ export class Run {
 
   /** Programs in order of robots, up to the end of their tick. With `untilNextBlock` each stops after one block. */
   #runThreads(untilNextBlock = false): boolean {
-    if (untilNextBlock) this.#part++
+    if (untilNextBlock) this.part++
     const over = this.robots.map((robot) => {
       robot.context.now = this.seconds
       return runThread(robot.thread, robot.index, robot.context, untilNextBlock)
@@ -169,7 +162,7 @@ export class Run {
   /** One step of the programs from block to block, inside this tick. Returns whether the tick is over for all. */
   stepBlocks(): boolean {
     this.practise()
-    if (this.#now) this.#giveAgain(this.#part)
+    if (this.#now) this.#giveAgain(this.part)
     return this.#runThreads(true)
   }
 
@@ -177,10 +170,10 @@ export class Run {
   #giveAgain(part: number): void {
     this.practise()
     const inputs = this.#timeline.inputsAt(this.tick)
-    for (let next = inputs[this.#given]; next && next.part <= part; next = inputs[this.#given]) {
-      while (this.#part < next.part) this.#runThreads(true)
+    for (let next = inputs[this.given]; next && next.part <= part; next = inputs[this.given]) {
+      while (this.part < next.part) this.#runThreads(true)
       this.#take(next.input)
-      this.#given++
+      this.given++
     }
   }
 
@@ -193,34 +186,17 @@ export class Run {
     this.school.takeHands()
     withHands(this.simulation, this.school.hands, () => this.simulation.step())
     this.tick++
-    this.#part = this.#given = 0
+    this.part = this.given = 0
     this.#addHash()
     observe(this.checks, this.watches, this.seconds, this.seen)
     if (!this.#now) this.#keep()
     else if (this.tick >= this.#now.tick) this.toNow()
   }
 
-  /** What checks see of this moment. */
-  get seen() {
-    const { world, state, read } = this.simulation
-    return { world, state, read, nextTurn: this.#nextTurn, taught: this.#taught }
-  }
-
-  /** The first network of the first robot; where its program has none, one that was shown something. */
-  get #taught(): Brain | null {
-    const own = this.brains[this.robots[0]?.networks[0] ?? '']
-    return own ?? Object.values(this.brains).find(({ examples }) => examples) ?? null
-  }
-
-  #nextTurn = (mirrored: boolean) => {
-    const { config } = this.simulation.world.robots[0]!
-    return nextTurn(this.robots[0]!, config, this.seconds, mirrored)
-  }
-
   #keep(): void {
     note(this.tracks, this.tick, this.simulation.state)
     if (this.tick % KEYFRAME_EVERY === 0)
-      this.#timeline.keep(shared(this.moment(), this.#timeline.last ?? null))
+      this.#timeline.keep(shared(momentOf(this), this.#timeline.last ?? null))
   }
 
   /** A tick without programs: a robot that is driven by hand, things that still move. Returns whether there was any. */
@@ -261,25 +237,6 @@ export class Run {
     }
   }
 
-  moment(): Moment {
-    return {
-      tick: this.tick,
-      part: this.#part,
-      given: this.#given,
-      simulation: this.simulation.keyframe(),
-      threads: this.robots.map(({ thread }) => structuredClone(thread)),
-      brains: this.brains,
-      starts: this.starts,
-      lastRuns: this.robots.map(({ brains }) => [...brains.lastRuns]),
-      keys: this.keys,
-      driven: this.#driven,
-      school: this.school.state,
-      watches: structuredClone(this.watches),
-      hash: [...this.hash],
-      endedAt: this.endedAt,
-    }
-  }
-
   /** Back or forth to a tick of this run: nearest keyframe, then replay with the log (running.md 8). */
   goTo(tick: number): void {
     const now = this.#now?.tick ?? this.tick
@@ -287,13 +244,13 @@ export class Run {
     const wanted = Math.max(tick, this.#timeline.first)
     const from = this.#timeline.before(wanted)
     if (!from || wanted === this.tick) return
-    this.#now ??= this.moment()
-    if (from.tick > this.tick || wanted < this.tick) this.#restore(from)
+    this.#now ??= momentOf(this)
+    if (from.tick > this.tick || wanted < this.tick) restore(this, from)
     while (this.tick < wanted) this.advance()
   }
 
   toNow(): void {
-    if (this.#now) this.#restore(this.#now)
+    if (this.#now) restore(this, this.#now)
     this.#now = null
   }
 
@@ -301,7 +258,7 @@ export class Run {
   branch(): Course | null {
     if (!this.#now) return null
     const left = { timeline: this.#timeline, tracks: this.tracks, now: this.#now }
-    this.#timeline = this.#timeline.until(this.tick, this.#given)
+    this.#timeline = this.#timeline.until(this.tick, this.given)
     this.tracks = this.tracks.map((track) => trackUntil(track, this.seconds))
     this.#now = null
     return left
@@ -310,33 +267,11 @@ export class Run {
   /** Goes over to the end of another course of time. Returns the one that is left. */
   take({ timeline, tracks, now }: Course): Course {
     this.toNow()
-    const left = { timeline: this.#timeline, tracks: this.tracks, now: this.moment() }
+    const left = { timeline: this.#timeline, tracks: this.tracks, now: momentOf(this) }
     this.#timeline = timeline
     this.tracks = tracks
-    this.#restore(now)
+    restore(this, now)
     return left
-  }
-
-  #restore(moment: Moment): void {
-    this.simulation.restore(moment.simulation)
-    this.tick = moment.tick
-    this.#part = moment.part
-    this.#given = moment.given
-    for (const [id, brain] of Object.entries(moment.brains))
-      if (this.brains[id] !== brain) this.use(id, brain)
-    this.brains = moment.brains
-    this.starts = moment.starts
-    this.keys = moment.keys
-    this.#driven = moment.driven
-    this.school.restore(moment.school)
-    this.watches = structuredClone(moment.watches) as Watch[]
-    this.hash = [...moment.hash]
-    this.endedAt = moment.endedAt
-    this.robots.forEach((robot, index) => {
-      robot.thread = structuredClone(moment.threads[index]!)
-      robot.brains.lastRuns.clear()
-      for (const [id, last] of moment.lastRuns[index]!) robot.brains.lastRuns.set(id, last)
-    })
   }
 
   time(): Omit<TimeView, 'other'> {

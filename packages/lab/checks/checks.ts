@@ -22,7 +22,7 @@ function kindOf(check: Check): AnyKind {
   return kind
 }
 
-type Seen = Pick<Simulation, 'world' | 'state' | 'read'> & Partial<Pick<Moment, 'taught' | 'nextTurn'>>
+type Sight = Pick<Simulation, 'world' | 'state' | 'read'> & Partial<Pick<Moment, 'taught' | 'nextTurn'>>
 
 const noTurn: Moment['nextTurn'] = () => null
 
@@ -30,14 +30,14 @@ const momentOf = (
   checks: readonly Check[],
   watches: readonly Watch[],
   seconds: number,
-  { world, state, read, taught = null, nextTurn = noTurn }: Seen,
+  { world, state, read, taught = null, nextTurn = noTurn }: Sight,
 ): Moment => {
   const passed = (id: string) => watches[checks.findIndex((check) => check.id === id)]?.passed ?? false
   return { seconds, world, simulation: state, read, taught, nextTurn, passed }
 }
 
 /** Every check looks at one tick. */
-export function observe(checks: readonly Check[], watches: Watch[], seconds: number, seen: Seen): void {
+export function observe(checks: readonly Check[], watches: Watch[], seconds: number, seen: Sight): void {
   const moment = momentOf(checks, watches, seconds, seen)
   checks.forEach((check, index) => {
     const kept = watches[index]!
@@ -56,7 +56,7 @@ export function missing(
   checks: readonly Check[],
   watches: readonly Watch[],
   seconds: number,
-  seen: Seen,
+  seen: Sight,
 ): readonly Missing[] {
   const moment = momentOf(checks, watches, seconds, seen)
   const open = checks.flatMap((check, index): readonly Missing[] => {

@@ -1,4 +1,4 @@
-import type { DriveKey, Hand, Wheels } from '../types.ts'
+import type { DriveKey, Hand, Wheels } from './input.ts'
 import { setMotor, type Percent, type Simulation } from '@botgarten/simulation'
 
 const FORWARD: Percent = 60

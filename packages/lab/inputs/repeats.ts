@@ -1,4 +1,4 @@
-import type { Input } from '../types.ts'
+import type { Input } from './input.ts'
 
 /** Does an input that follows another in the same moment leave nothing of that one? A knob turned further, a thing moved on. */
 export function repeats(last: Input, next: Input): boolean {

@@ -2,7 +2,7 @@ import { executeOrders, hertzPerLevel, type Order, type Value } from '@botgarten
 import { evaluate, networksByUse, type NetworkOutline, type NeuronOutline } from '@botgarten/programs'
 import type { RobotConfig, RobotState } from '@botgarten/simulation'
 import type { RobotRun } from '../robots/run.ts'
-import type { Wheels } from '../types.ts'
+import type { Wheels } from '../inputs/input.ts'
 
 /** What a row has of a network: percent by the ids of its neurons. */
 export interface Columns {

@@ -13,7 +13,7 @@ import { heldBy, type Hands } from '../inputs/hands.ts'
 import type { Brains } from '../robots/brains.ts'
 import type { RobotRun } from '../robots/run.ts'
 import { poseIn } from '../timeline/moment.ts'
-import type { Recording } from '../types.ts'
+import type { Recording } from '../inputs/input.ts'
 import { doneOutputs, heldOutputs, networkOf, readInputs, type Columns } from './columns.ts'
 
 /** Where rows come from: one moment of a run. */

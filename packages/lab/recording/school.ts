@@ -10,7 +10,7 @@ import {
 } from '@botgarten/learning/neural-network/examples'
 import { practiseFor } from '@botgarten/learning/neural-network/train'
 import type { Hands } from '../inputs/hands.ts'
-import type { Hand, Input, Recording, Remembered, TrainingChange } from '../types.ts'
+import type { Hand, Input, Recording, Remembered, TrainingChange } from '../inputs/input.ts'
 import { doneOutputs, heldOutputs, inputsNow, networkOf, readInputs, showHeld } from './columns.ts'
 import { exerciseOf } from './exercise.ts'
 import { isFull, recorded, withExample, type Recorder } from './recorder.ts'

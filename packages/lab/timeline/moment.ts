@@ -4,7 +4,8 @@ import { degreesOf, type Pose, type SimulationState } from '@botgarten/simulatio
 import type { Watch } from '../checks/checks.ts'
 import type { Brains, NetRun } from '../robots/brains.ts'
 import type { SchoolState } from '../recording/school.ts'
-import type { DriveKey } from '../types.ts'
+import type { DriveKey } from '../inputs/input.ts'
+import type { Run } from '../run.ts'
 import type { Timeline } from './timeline.ts'
 import type { Track } from './tracks.ts'
 
@@ -41,3 +42,33 @@ export interface Course {
 export const poseIn = (
   thing: { readonly x: number; readonly y: number; readonly heading: number } | undefined,
 ) => (thing ? { x: thing.x, y: thing.y, heading: degreesOf(thing.heading) } : null)
+
+/** The moment at which a run stands. */
+export function momentOf(run: Run): Moment {
+  const { tick, part, given, brains, starts, keys, driven, endedAt } = run
+  return {
+    ...{ tick, part, given, brains, starts, keys, driven, endedAt },
+    simulation: run.simulation.keyframe(),
+    threads: run.robots.map(({ thread }) => structuredClone(thread)),
+    lastRuns: run.robots.map(({ brains }) => [...brains.lastRuns]),
+    school: run.school.state,
+    watches: structuredClone(run.watches),
+    hash: [...run.hash],
+  }
+}
+
+/** Puts a run back, or forth, to a moment of it. */
+export function restore(run: Run, moment: Moment): void {
+  run.simulation.restore(moment.simulation)
+  for (const [id, brain] of Object.entries(moment.brains)) if (run.brains[id] !== brain) run.use(id, brain)
+  const { tick, part, given, brains, starts, keys, driven, endedAt } = moment
+  Object.assign(run, { tick, part, given, brains, starts, keys, driven, endedAt } satisfies Partial<Run>)
+  run.school.restore(moment.school)
+  run.watches = structuredClone(moment.watches) as Watch[]
+  run.hash = [...moment.hash]
+  run.robots.forEach((robot, index) => {
+    robot.thread = structuredClone(moment.threads[index]!)
+    robot.brains.lastRuns.clear()
+    for (const [id, last] of moment.lastRuns[index]!) robot.brains.lastRuns.set(id, last)
+  })
+}

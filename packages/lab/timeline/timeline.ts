@@ -1,4 +1,5 @@
-import type { Input, Mark } from '../types.ts'
+import type { Input } from '../inputs/input.ts'
+import type { Mark } from '../types.ts'
 
 /** Ten simulated minutes, in ticks. */
 const LONGEST = 10 * 60 * 60
