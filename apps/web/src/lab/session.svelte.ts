@@ -1,12 +1,13 @@
 import type { Finding } from '@botgarten/blocks'
 import type { DriveKey } from '@botgarten/lab'
-import { emptyBrain, type Brain } from '@botgarten/learning/neural-network/brain'
-import { inScene, networksByUse, sceneOf } from '@botgarten/programs'
+import type { Brain } from '@botgarten/learning/neural-network/brain'
+import { networksByUse } from '@botgarten/programs'
 import type { Learned, Project, Scene } from '@botgarten/programs'
 import type { Floor } from '@botgarten/simulation'
 import { allowed } from './allowed.svelte.ts'
 import type { Slots } from './slots.ts'
 import { backFrom, type Change, type LabEvent, type Part } from './change.ts'
+import { execute, type Ground } from './execute.ts'
 import { Extras } from './extras.svelte.ts'
 import { Findings, noProgram } from './findings.svelte.ts'
 import { ProjectAutosave, savesTo } from './autosave.svelte.ts'
@@ -43,6 +44,7 @@ export class LabSession {
   readonly #extras: Extras
   readonly #progress: CardProgress
   readonly #findings: Findings
+  readonly #ground: Ground
   #listeners: readonly ((event: LabEvent) => void)[] = []
   /** Takes the pull back that a hand is in the middle of. */
   #pulled: Change | null = null
@@ -53,6 +55,13 @@ export class LabSession {
     this.#extras = new Extras(project)
     this.#progress = new CardProgress(card?.card, project.progress)
     this.lab = new RunningLab(project, opened.floor, card?.card.checks ?? [])
+    this.#ground = {
+      ...{ lab: this.lab, extras: this.#extras, progress: this.#progress, isCard: card !== null },
+      shownProgram: () => this.robot.program,
+      choose: (robot) => this.choose(robot),
+      moveBlocks: (direction, program) => this.moveBlocks(direction, program),
+      paint: (scene) => this.paint(scene),
+    }
     this.weights = new HandOnWeights(this)
     this.examples = new HandOnExamples(this)
     this.#findings = new Findings(() => this.lab.document, project)
@@ -142,7 +151,7 @@ export class LabSession {
     // Who comes or goes does so now.
     if (change.kind === 'robots') this.lab.goTo(Infinity)
     const before = backFrom(change, this.lab)
-    const done = this.#carryOut(change)
+    const done = execute(change, this.#ground)
     if (!done) return false
     if (part === 'start') this.#pulled = before
     const back = { whole: before, joined: before, start: null, move: null, end: this.#pulled, silent: null }[
@@ -153,76 +162,6 @@ export class LabSession {
     this.#tell({ kind: 'changed', change: done, back: same ? null : back, joined: part === 'joined' })
     if (halts.includes(change.kind) && this.#findings.stuck !== undefined) this.lab.stop()
     return true
-  }
-
-  /** Returns the change as it came out; null where it did not happen. */
-  #carryOut(change: Change): Change | null {
-    const { lab } = this
-    const { document } = lab
-    switch (change.kind) {
-      case 'program':
-        // On a card Bo begins again; a project of one's own goes on from where everything stands (running.md 9).
-        lab.edit({ ...document.programs, [change.program]: change.after }, this.opened.card !== null)
-        // Other blocks are another run.
-        if (lab.view.tick === 0) this.#progress.begin(lab.view.robots[0]?.pose)
-        return change
-      case 'blocks': {
-        // They are taken back where they are seen.
-        const own = document.world.robots.find(({ program }) => program === change.program)
-        if (own && this.robot.program !== change.program) this.choose(own.id)
-        return this.moveBlocks(change.direction, change.program) ? change : null
-      }
-      case 'place':
-        this.#progress.helped()
-        return { ...change, after: lab.place(change.id, change.after, change.start), start: undefined }
-      case 'weight': {
-        const { network, from, to, after, set } = change
-        lab.setWeight(network, from, to, after, set)
-        return { kind: 'brain', id: network, after: lab.document.brains[network] ?? emptyBrain }
-      }
-      case 'brain':
-        lab.setBrain(change.id, change.after)
-        return change
-      case 'examples':
-        lab.setTraining(change.network, { examples: change.after ?? null })
-        return change
-      case 'practice':
-        lab.setTraining(change.network, { practice: change.after ?? null })
-        return change
-      case 'config': {
-        const robot = document.world.robots.find(({ id }) => id === change.id)
-        if (!robot || JSON.stringify(robot.config) === JSON.stringify(change.after)) return null
-        const robots = document.world.robots.map((one) =>
-          one === robot ? { ...one, config: change.after } : one,
-        )
-        lab.rebuild({ ...document, world: { ...document.world, robots } })
-        return change
-      }
-      case 'scene': {
-        const { after, pictures, stood } = change
-        this.#extras.addPictures(pictures)
-        this.#progress.helped()
-        const world = inScene(document.world, after)
-        lab.rebuild({ ...document, world }, this.paint(after) ?? undefined, stood)
-        return { kind: 'scene', after: sceneOf(lab.document.world) }
-      }
-      case 'robots': {
-        const { robots } = change.after.world
-        this.#progress.helped()
-        lab.rebuild({ ...change.after, world: { ...document.world, robots } }, undefined, change.stood)
-        return { kind: 'robots', after: lab.document }
-      }
-      case 'future':
-        lab.swap()
-        return change
-      case 'progress':
-        this.#progress.set(change.after)
-        return change
-      case 'learned':
-      case 'shelf':
-        this.#extras.take(change)
-        return change
-    }
   }
 
   /** Rows were written by the run itself, or by a hand that remembers: they can be taken back, and are saved. */

@@ -1,0 +1,120 @@
+import { emptyBrain } from '@botgarten/learning/neural-network/brain'
+import { inScene, sceneOf, type Scene } from '@botgarten/programs'
+import type { Floor } from '@botgarten/simulation'
+import type { Change } from './change.ts'
+import type { Extras } from './extras.svelte.ts'
+import type { CardProgress } from './progress.svelte.ts'
+import type { RunningLab } from './running.svelte.ts'
+
+/** Where a change happens. */
+export interface Ground {
+  readonly lab: RunningLab
+  readonly extras: Extras
+  readonly progress: CardProgress
+  readonly isCard: boolean
+  /** Id of the program on the screen. */
+  shownProgram(): string
+  choose(robot: string): void
+  moveBlocks(direction: 'undo' | 'redo', program: string): boolean
+  paint(scene: Scene): Floor | null
+}
+
+type Of<Kind extends Change['kind']> = Extract<Change, { kind: Kind }>
+
+type Executors = {
+  readonly [Kind in Change['kind']]: (change: Of<Kind>, ground: Ground) => Change | null
+}
+
+const executors: Executors = {
+  program(change, { lab, progress, isCard }) {
+    // On a card Bo begins again; a project of one's own goes on from where everything stands (running.md 9).
+    lab.edit({ ...lab.document.programs, [change.program]: change.after }, isCard)
+    // Other blocks are another run.
+    if (lab.view.tick === 0) progress.begin(lab.view.robots[0]?.pose)
+    return change
+  },
+
+  blocks(change, ground) {
+    // They are taken back where they are seen.
+    const own = ground.lab.document.world.robots.find(({ program }) => program === change.program)
+    if (own && ground.shownProgram() !== change.program) ground.choose(own.id)
+    return ground.moveBlocks(change.direction, change.program) ? change : null
+  },
+
+  place(change, { lab, progress }) {
+    progress.helped()
+    return { ...change, after: lab.place(change.id, change.after, change.start), start: undefined }
+  },
+
+  weight({ network, from, to, after, set }, { lab }) {
+    lab.setWeight(network, from, to, after, set)
+    return { kind: 'brain', id: network, after: lab.document.brains[network] ?? emptyBrain }
+  },
+
+  brain(change, { lab }) {
+    lab.setBrain(change.id, change.after)
+    return change
+  },
+
+  examples(change, { lab }) {
+    lab.setTraining(change.network, { examples: change.after ?? null })
+    return change
+  },
+
+  practice(change, { lab }) {
+    lab.setTraining(change.network, { practice: change.after ?? null })
+    return change
+  },
+
+  config(change, { lab }) {
+    const { document } = lab
+    const robot = document.world.robots.find(({ id }) => id === change.id)
+    if (!robot || JSON.stringify(robot.config) === JSON.stringify(change.after)) return null
+    const robots = document.world.robots.map((one) =>
+      one === robot ? { ...one, config: change.after } : one,
+    )
+    lab.rebuild({ ...document, world: { ...document.world, robots } })
+    return change
+  },
+
+  scene({ after, pictures, stood }, { lab, extras, progress, paint }) {
+    extras.addPictures(pictures)
+    progress.helped()
+    const { document } = lab
+    lab.rebuild({ ...document, world: inScene(document.world, after) }, paint(after) ?? undefined, stood)
+    return { kind: 'scene', after: sceneOf(lab.document.world) }
+  },
+
+  robots({ after, stood }, { lab, progress }) {
+    const { robots } = after.world
+    progress.helped()
+    lab.rebuild({ ...after, world: { ...lab.document.world, robots } }, undefined, stood)
+    return { kind: 'robots', after: lab.document }
+  },
+
+  future(change, { lab }) {
+    lab.swap()
+    return change
+  },
+
+  progress(change, { progress }) {
+    progress.set(change.after)
+    return change
+  },
+
+  learned(change, { extras }) {
+    extras.take(change)
+    return change
+  },
+
+  shelf(change, { extras }) {
+    extras.take(change)
+    return change
+  },
+}
+
+/** Makes a change happen. Returns it as it came out; null where it did not happen. */
+export function execute(change: Change, ground: Ground): Change | null {
+  const executor = executors[change.kind] as (change: Change, ground: Ground) => Change | null
+  return executor(change, ground)
+}
