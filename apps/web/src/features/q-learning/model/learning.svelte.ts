@@ -1,19 +1,19 @@
 import { untrack } from 'svelte'
 import type { Course } from '@botgarten/learning/q-learning'
-import { isShortest, learningKey, sectionsOf } from '@botgarten/maps'
-import { learningIn, type Learned } from '@botgarten/programs'
+import { isShortest, sectionsOf } from '@botgarten/maps'
+import type { Learned } from '@botgarten/programs'
 import type { LabUi } from '#lab/ui.svelte.ts'
 import type { LabSession } from '#lab/session.svelte.ts'
-import { loadStage, courseOn, type Stage } from '#figures/map/stage.ts'
+import { courseOn } from '#figures/map/stage.ts'
 import { atMostEvery, pauseWhenAway, replay } from './clock.ts'
 import { throwSeed } from './dice.ts'
 import { Drive, type LearnedWay } from './drive.svelte.ts'
-import { taskKey } from './guess.ts'
 import { Guessing } from './guessing.svelte.ts'
-import { type Blocks, BlockEdits } from './block-edits.ts'
+import type { Blocks } from './block-edits.ts'
 import { Player } from './player.svelte.ts'
 import { Records, rowOf } from './records.svelte.ts'
 import { Screen } from './screen.svelte.ts'
+import { Task } from './task.svelte.ts'
 
 /** `over`: a limit stopped it · `stopped`: a hand did. */
 export type State = 'ready' | 'playing' | 'paused' | 'over' | 'stopped'
@@ -24,7 +24,6 @@ const KEEP_EVERY = 2000
 /** One playground: a course of learning, its map, and the verbs of a child's hand. */
 export class Learning {
   readonly session: LabSession
-  readonly edits: BlockEdits
   readonly records: Records
   readonly screen = new Screen()
   /** What the child thinks before Bo learns. */
@@ -37,11 +36,7 @@ export class Learning {
     onpause: () => this.#halt('paused'),
     onframe: atMostEvery(KEEP_EVERY, () => this.#keep()),
   })
-  outline = $derived.by(() => learningIn(this.session.program))
-  #key = $derived(this.outline ? learningKey(this.outline) : '')
-  /** Map, start, goal and closed roads: what a guess is about. */
-  #task = $derived(this.outline ? taskKey(this.outline) : '')
-  #stage = $state.raw<Stage | null>(null)
+  readonly task: Task
   #course: Course | null = null
   #state = $state<State>('ready')
   #seed = $state(1)
@@ -52,15 +47,21 @@ export class Learning {
   constructor(session: LabSession, ui: LabUi, blocks: Blocks, pinned: number | null) {
     this.session = session
     this.drive = new Drive(session, ui, () => this.#learned())
-    this.edits = new BlockEdits(() => this.outline, blocks)
+    this.task = new Task(session, blocks)
     const kept = session.learned
     this.records = new Records(kept?.runs ?? [])
     this.#seed = pinned ?? kept?.seed ?? throwSeed()
     session.learnFirst = () => this.#learnFirst()
   }
 
+  get outline() {
+    return this.task.outline
+  }
   get stage() {
-    return this.#stage
+    return this.task.stage
+  }
+  get edits() {
+    return this.task.edits
   }
   get shown() {
     return this.screen.told
@@ -97,16 +98,16 @@ export class Learning {
     const { session } = this
     const stop = $effect.root(() => {
       $effect(() => {
-        const key = this.#key
+        const { key } = this.task
         untrack(() => void this.#follow(key))
       })
       $effect(() => {
-        if (this.#task) untrack(() => this.guess.forget())
+        if (this.task.question) untrack(() => this.guess.forget())
       })
       $effect(() => {
         if (session.lab.facts.phase === 'running') untrack(() => this.drive.comeForward())
       })
-      $effect(() => this.drive.showMap(this.#stage))
+      $effect(() => this.drive.showMap(this.stage))
     })
     const leave = pauseWhenAway(() => this.pause())
     return () => {
@@ -121,24 +122,21 @@ export class Learning {
   /** The blocks say something else: a new course on the map they name, or the one that was kept. */
   async #follow(key: string): Promise<void> {
     this.#halt('ready')
-    const { outline } = this
-    if (!outline) return
-    const stage =
-      this.#stage?.id === outline.map ? this.#stage : await loadStage(outline.map, this.session.maps)
-    if (key !== this.#key) return
-    this.#stage = stage
-    if (!stage || !this.#create()) return
+    const { task } = this
+    if (!task.outline) return
+    if (!task.hasMap) await task.loadMap()
+    if (key !== task.key || !task.stage || !this.#create()) return
     const kept = this.session.learned
     if (kept?.key === key && kept.seed === this.#seed && kept.moves > 0) await this.#goOn(kept, key)
   }
 
   #create(): boolean {
-    const { outline } = this
+    const { outline, stage } = this
     this.#course = null
     this.screen.clear()
     this.#noted = false
-    if (!outline || !this.#stage) return false
-    this.#course = courseOn(this.#stage, outline, this.#seed)
+    if (!outline || !stage) return false
+    this.#course = courseOn(stage, outline, this.#seed)
     this.#show(1)
     return this.#course !== null
   }
@@ -146,7 +144,7 @@ export class Learning {
   /** Learns again what was learned when the page was left: the same seed gives the same (running.md 2). */
   async #goOn(kept: Learned, key: string): Promise<void> {
     const course = this.#course!
-    const isWanted = () => key === this.#key && course === this.#course
+    const isWanted = () => key === this.task.key && course === this.#course
     if (!(await replay(course, kept.moves, isWanted))) return
     this.#noted = kept.noted
     this.#show(1)
@@ -156,14 +154,6 @@ export class Learning {
 
   #show(progress: number): void {
     if (this.#course) this.player.show(progress)
-  }
-
-  /** Another map, from where it begins to where it ends. */
-  async chooseMap(id: string): Promise<void> {
-    const stage = await loadStage(id, this.session.maps)
-    if (!stage || this.outline?.map === id) return
-    const { start = 0, goal = stage.map.stations.length - 1 } = stage.map
-    this.edits.setMap(id, start, goal)
   }
 
   // ---- the guess ----
@@ -291,7 +281,7 @@ export class Learning {
 
   #keep(): void {
     const moves = this.#course?.made ?? 0
-    const of = { seed: this.#seed, key: this.#key, noted: this.#noted }
+    const of = { seed: this.#seed, key: this.task.key, noted: this.#noted }
     const { program } = this.session.robot
     const after = { ...of, moves, runs: this.records.runs }
     this.session.apply({ kind: 'learned', program, after })
