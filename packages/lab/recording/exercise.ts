@@ -1,5 +1,10 @@
 import { weightsOf } from '@botgarten/learning/neural-network/brain'
-import { practiceChoice, prepare, type Exercise } from '@botgarten/learning/neural-network/examples'
+import {
+  exerciseBy,
+  practiceChoice,
+  prepare,
+  type Exercise,
+} from '@botgarten/learning/neural-network/examples'
 import { obstacleTo, type Obstacle } from '@botgarten/learning/neural-network/train'
 import { mirrorIn } from '@botgarten/programs/examples'
 import { networkOf } from './columns.ts'
@@ -14,12 +19,10 @@ export function exerciseOf(
   const [robot, brain, placement] = [robots[index], brains[network], simulation.world.robots[index]]
   const outline = robot && networkOf(robot, network)
   if (!outline || !placement || !brain?.examples) return null
-  const { seed, settings } = practiceChoice(brain)
-  return {
-    ...{ id: network, layers: brain.layers, weights: weightsOf(brain, placement.brain) },
-    ...{ examples: brain.examples, seed, keepBack: settings.keepBack, from: 'knobs' },
-    mirror: settings.mirror ? mirrorIn(outline, placement.config) : null,
-  }
+  const { layers, examples } = brain
+  const shown = { id: network, layers, examples, weights: weightsOf(brain, placement.brain) }
+  const mirror = mirrorIn(outline, placement.config)
+  return { ...exerciseBy(practiceChoice(brain), shown, mirror), from: 'knobs' }
 }
 
 const problems: { readonly [kind in Obstacle['kind']]: string } = {

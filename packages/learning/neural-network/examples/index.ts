@@ -12,7 +12,14 @@ export {
   type ShownPair,
 } from './rows.ts'
 export { columnsFor } from './columns.ts'
-export { practiceChoice, starterChoice, stepSettings, withChoice, type PracticeChoice } from './choice.ts'
+export {
+  exerciseBy,
+  practiceChoice,
+  starterChoice,
+  stepSettings,
+  withChoice,
+  type PracticeChoice,
+} from './choice.ts'
 export { afterLesson, beginLesson, errorOn, type Lesson } from './lesson.ts'
 export { beginExercise, prepare, type Exercise, type Prepared } from './prepare.ts'
 export { findingsIn, type ExampleFinding, type Table } from './checks/index.ts'

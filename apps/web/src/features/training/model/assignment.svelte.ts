@@ -1,5 +1,10 @@
 import type { Brain, Weights } from '@botgarten/learning/neural-network'
-import { prepare, type Exercise, type PracticeChoice } from '@botgarten/learning/neural-network/examples'
+import {
+  exerciseBy,
+  prepare,
+  type Exercise,
+  type PracticeChoice,
+} from '@botgarten/learning/neural-network/examples'
 import { obstacleTo } from '@botgarten/learning/neural-network/train'
 import type { NetworkInUse } from '@botgarten/programs'
 import { mirrorIn } from '@botgarten/programs/examples'
@@ -46,13 +51,8 @@ export class Assignment {
 
   /** What would be practised with these weights as its start; null: there is nothing. */
   exercise(weights: Weights): Exercise | null {
-    const { net, examples, choice } = this
-    if (!net || !examples) return null
-    const { keepBack, from, mirror } = choice.settings
-    return {
-      ...{ id: net.id, layers: this.layers, weights, examples, seed: choice.seed, keepBack, from },
-      mirror: mirror ? this.mirror : null,
-    }
+    const { net, layers, examples } = this
+    return net && examples && exerciseBy(this.choice, { id: net.id, layers, weights, examples }, this.mirror)
   }
 
   choose(change: Partial<PracticeChoice['settings']>, seed = this.choice.seed): void {

@@ -1,11 +1,11 @@
-import { prepare } from '@botgarten/learning/neural-network/examples'
-import { byHeartSince, type CurvePoint, type Ending } from '@botgarten/learning/neural-network/train'
+import { exerciseBy, prepare } from '@botgarten/learning/neural-network/examples'
 import type { LabEvent } from '#lab/change.ts'
 import type { LabSession } from '#lab/session.svelte.ts'
 import { Assignment } from './assignment.svelte.ts'
 import { Beats } from './beats.svelte.ts'
 import { Engine } from './engine.ts'
 import type { Order, Phase, Progress, Report, Then } from './messages.ts'
+import { Outcome } from './outcome.svelte.ts'
 import {
   isSamePractice,
   mostRounds,
@@ -21,13 +21,7 @@ export class Practice extends Assignment {
   readonly beats: Beats
   readonly #engine = new Engine((report) => this.#hear(report))
   #phase = $state<Phase>('rest')
-  #curve = $state.raw<readonly CurvePoint[]>([])
-  #marks = $state.raw<readonly number[]>([])
-  /** Whose weights are on the knobs. */
-  #round = $state(0)
-  #ending = $state.raw<Ending | null>(null)
-  #sleeping = $state.raw<readonly string[]>([])
-  #shaken = $state(false)
+  readonly outcome = new Outcome()
   /** Rounds a second; Infinity: as fast as it can. */
   pace = $state(Infinity)
   /** What the rounds follow from; null: nothing was practised yet, or a hand has turned knobs since. */
@@ -50,29 +44,6 @@ export class Practice extends Assignment {
   get isGoing() {
     return this.#phase === 'going'
   }
-  get curve() {
-    return this.#curve
-  }
-  get marks() {
-    return this.#marks
-  }
-  get round() {
-    return this.#round
-  }
-  get ending() {
-    return this.#ending
-  }
-  get sleeping() {
-    return this.#sleeping
-  }
-  get shaken() {
-    return this.#shaken
-  }
-  readonly last = $derived.by(() => this.#curve.at(-1)?.round ?? 0)
-  /** The errors of the round whose weights are on the knobs. */
-  readonly point = $derived.by(() => this.#curve.findLast(({ round }) => round <= this.#round) ?? null)
-  readonly byHeart = $derived.by(() => byHeartSince(this.#curve))
-
   /** Practises as many rounds as are chosen, from the round that is shown on. */
   practise(): void {
     if (this.obstacle || this.#phase !== 'rest') return
@@ -84,8 +55,8 @@ export class Practice extends Assignment {
   #begin(then: Then): void {
     this.knobs.hold()
     if (!this.#rehearsal || !this.#goesOn(this.#rehearsal)) this.#reset()
-    if (this.#reached === this.#round) return this.#now(then)
-    this.#again(then, this.#round)
+    if (this.#reached === this.outcome.round) return this.#now(then)
+    this.#again(then, this.outcome.round)
   }
 
   /** Is what practises next the same practice, with the weights that it has left? */
@@ -98,10 +69,9 @@ export class Practice extends Assignment {
   #reset(): void {
     const exercise = this.exercise(this.knobs.weights)!
     const { shaken, data } = prepare(exercise)
-    this.#shaken = shaken
     this.#rehearsal = new Rehearsal({ ...exercise, weights: data.weights, from: 'knobs' }, this.choice)
     this.#rehearsal.from = exercise.from
-    ;[this.#curve, this.#marks, this.#round] = [[], [], 0]
+    this.outcome.begin(shaken)
     this.#sendBegin()
     this.#reached = 0
   }
@@ -129,17 +99,10 @@ export class Practice extends Assignment {
     this.#then = null
     if (then.kind === 'open') return this.#send({ kind: 'peek' })
     if (then.kind === 'show') return this.#show(then.round)
-    this.#ending = null
-    this.#cut(this.#round)
+    this.outcome.goOn()
     this.#phase = 'going'
-    const until = Math.min(mostRounds, this.#round + this.choice.settings.rounds)
+    const until = Math.min(mostRounds, this.outcome.round + this.choice.settings.rounds)
     this.#send({ kind: 'go', until, pace: this.pace })
-  }
-
-  /** What comes after a round becomes another future. */
-  #cut(round: number): void {
-    this.#curve = this.#curve.filter((point) => point.round <= round)
-    this.#marks = this.#marks.filter((mark) => mark <= round)
   }
 
   /** It is about to be asked: what practises is there then. */
@@ -157,11 +120,8 @@ export class Practice extends Assignment {
     this.#rehearsal.keep(report)
     this.#reached = report.round
     if (this.#phase === 'again') return this.#hearAgain(report)
-    if (this.beats.trace) this.#round = report.round
-    this.#curve = [
-      ...this.#curve,
-      ...report.points.filter(({ round }) => round > (this.#curve.at(-1)?.round ?? -1)),
-    ]
+    if (this.beats.trace) this.outcome.show(report.round)
+    this.outcome.measure(report.points)
     if (this.#phase === 'going') this.#hearRounds(report)
   }
 
@@ -173,12 +133,11 @@ export class Practice extends Assignment {
   }
 
   #hearRounds({ now, round, isGoing, ended, sleeping }: Progress): void {
-    this.#round = ended?.kind === 'noBetter' ? ended.best : round
+    this.outcome.show(ended?.kind === 'noBetter' ? ended.best : round)
     this.write(now)
     if (isGoing) return
     this.#phase = 'rest'
-    this.#ending = ended ?? (round > 0 ? { kind: 'rounds' } : null)
-    this.#sleeping = sleeping
+    this.outcome.end(ended ?? (round > 0 ? { kind: 'rounds' } : null), sleeping)
     if (ended) this.#reached = -1
     this.commit()
   }
@@ -192,16 +151,16 @@ export class Practice extends Assignment {
   commit(): void {
     const rehearsal = this.#rehearsal
     if (!rehearsal) return
-    this.knobs.commit(() => noteOf(rehearsal, { round: this.round, curve: this.curve, marks: this.marks }))
+    this.knobs.commit(() => noteOf(rehearsal, this.outcome))
   }
 
   /** Shows the network as it was after a round. `done`: the hand lets go of the curve. */
   goTo(round: number, done: boolean): void {
     if (this.#phase === 'going' || !this.#rehearsal || !this.net) return
     this.beats.close()
-    const nearest = nearestRound(this.#curve, round)
+    const nearest = nearestRound(this.outcome.curve, round)
     if (this.#rehearsal.at(nearest)) this.#show(nearest)
-    else if (this.#phase === 'rest') this.#again({ kind: 'show', round: nearest }, this.last)
+    else if (this.#phase === 'rest') this.#again({ kind: 'show', round: nearest }, this.outcome.last)
     else this.#then = { kind: 'show', round: nearest }
     if (done && this.#phase === 'rest') this.commit()
   }
@@ -209,7 +168,7 @@ export class Practice extends Assignment {
   #show(round: number): void {
     const parameters = this.#rehearsal?.at(round)
     if (!parameters) return
-    this.#round = round
+    this.outcome.show(round)
     this.write(parameters)
   }
 
@@ -230,7 +189,8 @@ export class Practice extends Assignment {
     this.knobs.hold()
     const { data } = prepare({ ...exercise, from: 'zero' })
     this.#rehearsal = new Rehearsal({ ...exercise, weights: data.weights, from: 'knobs' }, this.choice)
-    ;[this.#curve, this.#marks, this.#round, this.#ending, this.#shaken] = [[], [], 0, null, false]
+    this.outcome.begin(false)
+    this.outcome.end(null)
     this.#sendBegin()
     this.#reached = 0
     this.write(parametersIn(this.#rehearsal))
@@ -269,18 +229,11 @@ export class Practice extends Assignment {
     const { note, examples } = this
     this.knobs.forget()
     this.#reached = -1
-    ;[this.#curve, this.#marks, this.#round] = [note?.curve ?? [], note?.marks ?? [], note?.round ?? 0]
-    ;[this.#ending, this.#sleeping, this.#shaken] = [null, [], false]
+    this.outcome.adopt(note)
     this.#rehearsal = null
     if (!note || note.round === 0 || !examples || !this.net) return
-    this.#rehearsal = Rehearsal.of(note, {
-      ...{ id: this.net.id, layers: this.layers, weights: note.start, examples, seed: note.seed },
-      ...{
-        keepBack: note.settings.keepBack,
-        from: 'knobs',
-        mirror: note.settings.mirror ? this.mirror : null,
-      },
-    })
+    const shown = { id: this.net.id, layers: this.layers, weights: note.start, examples }
+    this.#rehearsal = Rehearsal.of(note, { ...exerciseBy(note, shown, this.mirror), from: 'knobs' })
     this.knobs.take()
   }
 
@@ -288,9 +241,8 @@ export class Practice extends Assignment {
   #markDrive(): void {
     const { net } = this
     const note = this.note
-    if (!net || !note || this.#curve.length === 0 || this.#marks.includes(this.#round)) return
-    this.#marks = [...this.#marks, this.#round].sort((a, b) => a - b)
-    const after = { ...note, marks: this.#marks }
+    if (!net || !note || !this.outcome.mark()) return
+    const after = { ...note, marks: this.outcome.marks }
     this.knobs.as(() => this.session.apply({ kind: 'practice', network: net.id, after }, 'silent'))
   }
 

@@ -1,5 +1,5 @@
 import type { PracticeNote, Weights } from '@botgarten/learning/neural-network'
-import type { Exercise, PracticeChoice } from '@botgarten/learning/neural-network/examples'
+import { stepSettings, type Exercise, type PracticeChoice } from '@botgarten/learning/neural-network/examples'
 import {
   layOutTraining,
   parametersIn as laidOut,
@@ -9,8 +9,6 @@ import {
   type TrainNet,
 } from '@botgarten/learning/neural-network/train'
 import type { Progress } from './messages.ts'
-
-type Chosen = PracticeChoice['settings']
 
 /** A practice as it can be practised again: from its start, and what each of its rounds came to. */
 export class Rehearsal {
@@ -22,9 +20,9 @@ export class Rehearsal {
   from: 'knobs' | 'zero' = 'knobs'
   readonly #rounds = new Map<number, Float64Array>()
 
-  constructor(exercise: Exercise, { settings }: PracticeChoice) {
+  constructor(exercise: Exercise, choice: PracticeChoice) {
     this.exercise = exercise
-    this.settings = withoutBeginning(settings)
+    this.settings = stepSettings(choice)
     this.net = layOutTraining(exercise.layers)
   }
 
@@ -46,10 +44,6 @@ export class Rehearsal {
   at = (round: number) => this.#rounds.get(round)
 }
 
-function withoutBeginning({ keepBack: _k, from: _f, mirror: _m, ...settings }: Chosen): Settings {
-  return settings
-}
-
 /** The parameters that it starts with. */
 export const parametersIn = ({ net, exercise }: Rehearsal) => laidOut(net, exercise.weights)
 
@@ -64,7 +58,7 @@ export function isSamePractice(
   choice: PracticeChoice,
 ): boolean {
   const { rounds: _, ...own } = settings
-  const { rounds: _other, ...other } = withoutBeginning(choice.settings)
+  const { rounds: _other, ...other } = stepSettings(choice)
   return (
     exercise.id === next.id &&
     exercise.layers === next.layers &&

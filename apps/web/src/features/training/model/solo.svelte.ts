@@ -11,16 +11,21 @@ export interface Result {
   readonly tried: readonly Tried[]
 }
 
+/** Whose weights are on the knobs. */
+interface Shown {
+  readonly outcome: { readonly round: number }
+}
+
 /** Bo drives alone from starts that nobody has shown. */
 export class Solo {
-  readonly #assignment: Assignment & { readonly round: number }
+  readonly #assignment: Assignment & Shown
   #results = $state.raw<readonly Result[]>([])
   #isGoing = $state(false)
   #frame = 0
   /** The start that is looked at. */
   shown = $state.raw<Tried | null>(null)
 
-  constructor(assignment: Assignment & { readonly round: number }) {
+  constructor(assignment: Assignment & Shown) {
     this.#assignment = assignment
   }
 
@@ -37,7 +42,8 @@ export class Solo {
 
   go(): void {
     if (this.#isGoing) return
-    const { session, round } = this.#assignment
+    const { session, outcome } = this.#assignment
+    const { round } = outcome
     const { lab, opened, robotId } = session
     const { card } = opened
     const starts = unseenStarts(card?.card.starts ?? [], lab.document.world.size, this.count, 1)

@@ -36,7 +36,7 @@ function rowOf({ prepared }: Practice, at: number): number {
 }
 
 function endingOf(practice: Practice): Said | null {
-  const { ending, byHeart, sleeping } = practice
+  const { ending, byHeart, sleeping } = practice.outcome
   if (!ending) return null
   if (ending.kind === 'ranAway') return { text: m['training.ranAway']({ round: ending.round }) }
   if (byHeart !== null)
@@ -50,7 +50,7 @@ function endingOf(practice: Practice): Said | null {
 }
 
 function noteOf(practice: Practice): Said | null {
-  if (practice.shaken) return { text: m['training.shaken']() }
+  if (practice.outcome.shaken) return { text: m['training.shaken']() }
   if (practice.prepared?.asks) return { text: m['training.whichTest']() }
   if (practice.prepared && practice.prepared.gaps > 0)
     return { text: m['training.gaps']({ count: practice.prepared.gaps }) }
