@@ -1,5 +1,6 @@
 // One stream a browser: HTTP/1.1 allows six connections. The page that was used last holds it, the others hear from that one.
 import { ownName } from '#storage/account.ts'
+import { LiveStream } from '#parts/page/live-stream.ts'
 import type { Source } from '#parts/page/source.ts'
 import * as v from 'valibot'
 import { me, type Me } from './pupil.ts'
@@ -26,9 +27,6 @@ export interface StreamListener {
 /** What pages tell each other through. */
 export type Channel = Pick<BroadcastChannel, 'postMessage' | 'close' | 'onmessage'>
 
-const closed = 2
-/** In ms: a stream that the server refused is opened again after so long. */
-const patience = 3000
 /** In ms: a page that holds the stream and has sent no sign of life for this long has lost it. */
 const silence = 15_000
 
@@ -37,16 +35,14 @@ const isVisible = () => typeof document === 'undefined' || document.visibilitySt
 
 /** Holds the stream of this browser, or listens to the page that does. */
 export class SharedStream {
-  readonly #open: () => Source
+  readonly #stream: LiveStream
   readonly #hear: StreamListener
   readonly #channel: Channel
   readonly #page = crypto.randomUUID()
-  #source: Source | null = null
   /** Since when this page holds the stream, ms; 0: another one does. */
   #since = 0
   #heardAt = Date.now()
   #last: Heard | null = null
-  #timer: ReturnType<typeof setTimeout> | undefined
 
   constructor(
     hear: StreamListener,
@@ -54,14 +50,14 @@ export class SharedStream {
     channel: Channel = new BroadcastChannel(ownName('botgarten-live')),
   ) {
     this.#hear = hear
-    this.#open = open
+    this.#stream = new LiveStream(open, (source) => this.#follow(source))
     this.#channel = channel
     channel.onmessage = ({ data }: MessageEvent<Message>) => this.#listen(data)
   }
 
   /** Does this page hold the stream, and does it stand? */
   get isOpen(): boolean {
-    return this.#source?.readyState === 1
+    return this.#stream.isOpen
   }
   get isHeld(): boolean {
     return this.#since > 0
@@ -77,14 +73,12 @@ export class SharedStream {
 
   /** Opens the stream again where this page holds it: the old one may be dead without a word. */
   reopen(): void {
-    if (!this.isHeld) return
-    clearTimeout(this.#timer)
-    this.#source?.close()
-    const source = this.#open()
-    this.#source = source
+    if (this.isHeld) this.#stream.open()
+  }
+
+  #follow(source: Source): void {
     source.addEventListener('state', ({ data }) => this.#takeIn(data))
     source.addEventListener('end', ({ data }) => this.#ends(v.parse(ending, JSON.parse(data)).reason))
-    source.addEventListener('error', () => this.#broke(source))
   }
 
   /** Lets go of it: another page that is looked at takes it. */
@@ -107,9 +101,7 @@ export class SharedStream {
   }
 
   #letGo(): void {
-    clearTimeout(this.#timer)
-    this.#source?.close()
-    this.#source = null
+    this.#stream.close()
     this.#since = 0
     this.#heardAt = Date.now()
   }
@@ -126,13 +118,6 @@ export class SharedStream {
     this.#channel.postMessage({ kind: 'end', reason } satisfies Message)
     this.#letGo()
     this.#hear.end(reason)
-  }
-
-  /** A browser opens a stream again that was cut, not one that was refused. */
-  #broke(source: Source): void {
-    if (source !== this.#source || source.readyState !== closed) return
-    clearTimeout(this.#timer)
-    this.#timer = setTimeout(() => this.reopen(), patience)
   }
 
   #listen(message: Message): void {

@@ -1,5 +1,6 @@
 import * as v from 'valibot'
 import { inOrder } from '@botgarten/classroom/tiles'
+import { LiveStream } from '#parts/page/live-stream.ts'
 import type { Source } from '#parts/page/source.ts'
 import * as answers from './answers.ts'
 import type { SchoolClass } from './answers.ts'
@@ -15,9 +16,6 @@ type Hint = { readonly card: string; readonly hint: number } | { readonly text: 
 /** The start program of a card, or a project as its file has it. */
 type StartProgram = { readonly card: string } | { readonly file: string }
 
-const closed = 2
-/** In ms: a stream that the server refused is tried again after so long. */
-const patience = 3000
 /** A cable that was pulled is no end of a stream: one that was silent for so long is looked after, so often. */
 const silence = 12_000
 const checkEvery = 5000
@@ -29,21 +27,23 @@ const read = <Schema extends v.GenericSchema>(schema: Schema, { data }: { readon
 export class LiveClass {
   readonly id: string
   readonly #api: ClassApi
-  readonly #open: (path: string) => Source
+  readonly #stream: LiveStream
   #state = $state.raw<v.InferOutput<typeof answers.liveState> | null>(null)
   /** The server's clock minus ours, ms. */
   #shift = $state(0)
   #connection = $state<'opening' | 'open' | 'broken' | 'ended'>('opening')
   readonly #attempts = new Attempts()
-  #source: Source | null = null
-  #timer: ReturnType<typeof setTimeout> | undefined
   #heardAt = 0
   #checking = false
 
   constructor(api: ClassApi, id: string, open: (path: string) => Source = (path) => new EventSource(path)) {
     this.#api = api
     this.id = id
-    this.#open = open
+    this.#stream = new LiveStream(
+      () => open(`/api/class${this.#path('/stream')}`),
+      (source) => this.#follow(source),
+      () => this.#broke(),
+    )
   }
 
   /** Null until the first event. */
@@ -76,7 +76,7 @@ export class LiveClass {
 
   /** Follows the class until the returned function is called. */
   watch(): () => void {
-    this.#follow()
+    this.#stream.open()
     const checks = setInterval(() => void this.#check(silence), checkEvery)
     const check = () => void this.#check(0)
     const page = typeof window === 'undefined' ? null : window
@@ -84,19 +84,14 @@ export class LiveClass {
     return () => {
       for (const event of ['offline', 'online']) page?.removeEventListener(event, check)
       clearInterval(checks)
-      clearTimeout(this.#timer)
-      this.#source?.close()
-      this.#source = null
+      this.#stream.close()
     }
   }
 
-  #follow(): void {
-    const source = this.#open(`/api/class${this.#path('/stream')}`)
-    this.#source = source
+  #follow(source: Source): void {
     source.addEventListener('state', (event) => this.#take(read(answers.liveState, event)))
     source.addEventListener('tiles', (event) => this.#merge(read(answers.liveTiles, event)))
     source.addEventListener('end', (event) => this.#end(read(answers.liveEnd, event).reason))
-    source.addEventListener('error', () => this.#broke(source))
   }
 
   /** Where nothing was heard for so long, the server is asked; where it does not answer, the stream is opened again. */
@@ -105,18 +100,12 @@ export class LiveClass {
     this.#checking = true
     try {
       const state = await this.#api.ask(answers.liveState, 'GET', this.#path('/live'))
-      if (this.#source && this.#connection === 'broken') this.#again()
+      if (this.#stream.isWanted && this.#connection === 'broken') this.#stream.open()
       this.#take(state)
     } catch (error) {
       this.#connection = isOver(error) ? 'ended' : 'broken'
     }
     this.#checking = false
-  }
-
-  #again(): void {
-    clearTimeout(this.#timer)
-    this.#source?.close()
-    this.#follow()
   }
 
   #take(state: v.InferOutput<typeof answers.liveState>): void {
@@ -135,18 +124,13 @@ export class LiveClass {
   }
 
   #end(reason: string): void {
-    if (reason === 'again') return this.#again()
-    this.#source?.close()
+    if (reason === 'again') return this.#stream.open()
+    this.#stream.close()
     this.#connection = 'ended'
   }
 
-  /** A browser opens a stream again that was cut, not one that was refused. */
-  #broke(source: Source): void {
-    if (this.#connection === 'ended') return
-    this.#connection = 'broken'
-    if (source.readyState !== closed) return
-    clearTimeout(this.#timer)
-    this.#timer = setTimeout(() => this.#again(), patience)
+  #broke(): void {
+    if (this.#connection !== 'ended') this.#connection = 'broken'
   }
 
   open = () => this.#do('POST', '/open')
