@@ -1,4 +1,13 @@
-import { addBend, addRoad, addStation, moveBend, moveStation, setRoad, type Reach } from '@botgarten/maps/own'
+import {
+  addBend,
+  addRoad,
+  addStation,
+  moveBend,
+  moveStation,
+  sampled,
+  setRoad,
+  type Reach,
+} from '@botgarten/maps/own'
 import type { MapDocument, MapRoad } from '@botgarten/programs'
 import type { Designer } from './designer.svelte.ts'
 
@@ -24,6 +33,19 @@ export interface Pull {
 
 /** So far a hand has to go before a press is a pull, in units of the paper. */
 export const SLOP = 14
+
+/** What is there within `reach` of a place, in units: bends of the chosen road before stations, and these before roads. */
+export function targetAt({ map, lines, chosen, tool }: Designer, { x, y }: At, reach: number): Target {
+  const isNear = (one: At, share = 1) => Math.hypot(one.x - x, one.y - y) <= reach * share
+  if (chosen?.kind === 'road' && tool !== 'sign') {
+    const bend = map.roads[chosen.index]!.bends.findIndex((one) => isNear(one, 0.8))
+    if (bend >= 0) return { kind: 'bend', road: chosen.index, bend }
+  }
+  const station = map.stations.findLastIndex((one) => isNear(one))
+  if (station >= 0) return { kind: 'station', index: station }
+  const road = lines.findLastIndex(({ there }) => sampled(there).some((one) => isNear(one, 0.75)))
+  return road >= 0 ? { kind: 'road', index: road } : { kind: 'paper' }
+}
 
 /** What a hand begins where it presses; null: the press alone does it. */
 export function pullFrom(designer: Designer, target: Target, begin: At): Pull | null {
