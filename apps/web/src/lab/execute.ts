@@ -1,47 +1,48 @@
 import { emptyBrain } from '@botgarten/learning/neural-network/brain'
-import { inScene, sceneOf, type Scene } from '@botgarten/programs'
-import type { Floor } from '@botgarten/simulation'
+import { inScene, sceneOf } from '@botgarten/programs'
 import type { Change } from './change.ts'
 import type { Extras } from './extras.svelte.ts'
 import type { CardProgress } from './progress.svelte.ts'
-import type { RunningLab } from './running.svelte.ts'
+import type { LabSession } from './session.svelte.ts'
 
-/** Where a change happens. */
-export interface Ground {
-  readonly lab: RunningLab
+/** What only changes write. */
+export interface Written {
   readonly extras: Extras
   readonly progress: CardProgress
-  readonly isCard: boolean
-  /** Id of the program on the screen. */
-  shownProgram(): string
-  choose(robot: string): void
-  moveBlocks(direction: 'undo' | 'redo', program: string): boolean
-  paint(scene: Scene): Floor | null
 }
 
 type Of<Kind extends Change['kind']> = Extract<Change, { kind: Kind }>
 
 type Executors = {
-  readonly [Kind in Change['kind']]: (change: Of<Kind>, ground: Ground) => Change | null
+  readonly [Kind in Change['kind']]: (
+    change: Of<Kind>,
+    session: LabSession,
+    written: Written,
+  ) => Change | null
+}
+
+function take(change: Of<'learned' | 'shelf'>, _session: LabSession, { extras }: Written): Change {
+  extras.take(change)
+  return change
 }
 
 const executors: Executors = {
-  program(change, { lab, progress, isCard }) {
+  program(change, { lab, opened }, { progress }) {
     // On a card Bo begins again; a project of one's own goes on from where everything stands (running.md 9).
-    lab.edit({ ...lab.document.programs, [change.program]: change.after }, isCard)
+    lab.edit({ ...lab.document.programs, [change.program]: change.after }, opened.card !== null)
     // Other blocks are another run.
     if (lab.view.tick === 0) progress.begin(lab.view.robots[0]?.pose)
     return change
   },
 
-  blocks(change, ground) {
+  blocks(change, session) {
     // They are taken back where they are seen.
-    const own = ground.lab.document.world.robots.find(({ program }) => program === change.program)
-    if (own && ground.shownProgram() !== change.program) ground.choose(own.id)
-    return ground.moveBlocks(change.direction, change.program) ? change : null
+    const own = session.lab.document.world.robots.find(({ program }) => program === change.program)
+    if (own && session.robot.program !== change.program) session.choose(own.id)
+    return session.moveBlocks(change.direction, change.program) ? change : null
   },
 
-  place(change, { lab, progress }) {
+  place(change, { lab }, { progress }) {
     progress.helped()
     return { ...change, after: lab.place(change.id, change.after, change.start), start: undefined }
   },
@@ -77,15 +78,17 @@ const executors: Executors = {
     return change
   },
 
-  scene({ after, pictures, stood }, { lab, extras, progress, paint }) {
+  scene({ after, pictures, stood }, session, { extras, progress }) {
     extras.addPictures(pictures)
     progress.helped()
+    const { lab } = session
     const { document } = lab
-    lab.rebuild({ ...document, world: inScene(document.world, after) }, paint(after) ?? undefined, stood)
+    const floor = session.paint(after) ?? undefined
+    lab.rebuild({ ...document, world: inScene(document.world, after) }, floor, stood)
     return { kind: 'scene', after: sceneOf(lab.document.world) }
   },
 
-  robots({ after, stood }, { lab, progress }) {
+  robots({ after, stood }, { lab }, { progress }) {
     const { robots } = after.world
     progress.helped()
     lab.rebuild({ ...after, world: { ...lab.document.world, robots } }, undefined, stood)
@@ -97,24 +100,17 @@ const executors: Executors = {
     return change
   },
 
-  progress(change, { progress }) {
+  progress(change, _session, { progress }) {
     progress.set(change.after)
     return change
   },
 
-  learned(change, { extras }) {
-    extras.take(change)
-    return change
-  },
-
-  shelf(change, { extras }) {
-    extras.take(change)
-    return change
-  },
+  learned: take,
+  shelf: take,
 }
 
 /** Makes a change happen. Returns it as it came out; null where it did not happen. */
-export function execute(change: Change, ground: Ground): Change | null {
-  const executor = executors[change.kind] as (change: Change, ground: Ground) => Change | null
-  return executor(change, ground)
+export function execute(change: Change, session: LabSession, written: Written): Change | null {
+  const executor = executors[change.kind] as (...given: Parameters<typeof execute>) => Change | null
+  return executor(change, session, written)
 }

@@ -7,7 +7,7 @@ import type { Floor } from '@botgarten/simulation'
 import { allowed } from './allowed.svelte.ts'
 import type { Slots } from './slots.ts'
 import { backFrom, type Change, type LabEvent, type Part } from './change.ts'
-import { execute, type Ground } from './execute.ts'
+import { execute } from './execute.ts'
 import { Extras } from './extras.svelte.ts'
 import { Findings, noProgram } from './findings.svelte.ts'
 import { ProjectAutosave, savesTo } from './autosave.svelte.ts'
@@ -44,7 +44,6 @@ export class LabSession {
   readonly #extras: Extras
   readonly #progress: CardProgress
   readonly #findings: Findings
-  readonly #ground: Ground
   #listeners: readonly ((event: LabEvent) => void)[] = []
   /** Takes the pull back that a hand is in the middle of. */
   #pulled: Change | null = null
@@ -55,13 +54,6 @@ export class LabSession {
     this.#extras = new Extras(project)
     this.#progress = new CardProgress(card?.card, project.progress)
     this.lab = new RunningLab(project, opened.floor, card?.card.checks ?? [])
-    this.#ground = {
-      ...{ lab: this.lab, extras: this.#extras, progress: this.#progress, isCard: card !== null },
-      shownProgram: () => this.robot.program,
-      choose: (robot) => this.choose(robot),
-      moveBlocks: (direction, program) => this.moveBlocks(direction, program),
-      paint: (scene) => this.paint(scene),
-    }
     this.weights = new HandOnWeights(this)
     this.examples = new HandOnExamples(this)
     this.#findings = new Findings(() => this.lab.document, project)
@@ -151,7 +143,7 @@ export class LabSession {
     // Who comes or goes does so now.
     if (change.kind === 'robots') this.lab.goTo(Infinity)
     const before = backFrom(change, this.lab)
-    const done = execute(change, this.#ground)
+    const done = execute(change, this, { extras: this.#extras, progress: this.#progress })
     if (!done) return false
     if (part === 'start') this.#pulled = before
     const back = { whole: before, joined: before, start: null, move: null, end: this.#pulled, silent: null }[
