@@ -2,7 +2,7 @@ import { addBlocks, knowMaps } from '@botgarten/blocks'
 import { expert } from '@botgarten/blocks/packs/expert'
 import { learning } from '@botgarten/blocks/packs/learning'
 import { courseStream } from '@botgarten/learning/q-learning'
-import { courseOf, learnedFor, placeOf } from '@botgarten/maps'
+import { learnedFor, placeOf } from '@botgarten/maps'
 import { fastDraw, fastStream } from '@botgarten/numbers'
 import { learningIn, type Program } from '@botgarten/programs'
 import { dialects, pythonFrom, type Dialect } from '@botgarten/programs/python'
@@ -72,8 +72,6 @@ describe.each(dialects)('a robot that goes on learning, with %s', (dialect) => {
   it.each(programs)('learns on %s the table that the lab learns from the same dice', async (_id, program) => {
     const outline = learningIn(program)!
     const map = mapNamed(outline.map)!
-    const course = courseOf(outline, map, 1)
-    course.advance(outline.moves)
     const { table } = learnedFor(program, mapNamed, { seed: 1, moves: Infinity })
     const dice = fastStream(courseStream(1))
     const { robot, astray } = onFloor(map.stations.map((_, station) => placeOf(map, station)))

@@ -157,7 +157,7 @@ test('a pale group is painted elsewhere first, so that what lies under its shape
     families,
     () => over as unknown as CanvasRenderingContext2D,
   )
-  expect(order.filter((calls) => calls.endsWith('ellipse'))).toEqual(['layer ellipse', 'layer ellipse'])
+  expect(order.filter((call) => call.endsWith('ellipse'))).toEqual(['layer ellipse', 'layer ellipse'])
   expect(order.slice(-3)).toEqual(['page globalAlpha 0.5', 'page drawImage', 'page setTransform'])
   expect(order).not.toContain('layer globalAlpha 0.5')
 })
@@ -200,7 +200,7 @@ describe('with canvases of its own', () => {
     })
   })
 
-  /** What is calls to a canvas that is three times as fine, by the names of its methods and what is set. */
+  /** The calls of a canvas that is three times as fine, by the names of its methods and what is set. */
   function screen() {
     const shown: unknown[] = []
     const state: { [key: string]: unknown } = {
