@@ -75,7 +75,7 @@ export class Teaching {
     return { x: x!, y: y!, heading: heading! }
   }
 
-  async chooses(mode: 'remember' | 'drive') {
+  async chooses(mode: 'remember' | 'drive' | 'coach' | 'copy') {
     const modes = this.#page.getByRole('group', { name: this.#child.word('training.modes') })
     await modes.getByRole('button', { name: this.#child.word(`training.mode.${mode}`), exact: true }).click()
   }

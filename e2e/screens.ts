@@ -7,6 +7,8 @@ import { RobotHands } from './child-robot.ts'
 import { TimeHands } from './child-time.ts'
 import { projectFile, sayingProject } from './projects.ts'
 import { lookingIn } from './screens-looking-in.ts'
+import { mapScreens } from './screens-maps.ts'
+import { trainingScreens } from './screens-training.ts'
 
 /** One picture: how a child gets there. `phone`: one part of the lab at a time. */
 export interface Screen {
@@ -199,4 +201,6 @@ export const screens: readonly Screen[] = [
     },
   },
   ...lookingIn,
+  ...trainingScreens,
+  ...mapScreens,
 ]

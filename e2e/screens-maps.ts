@@ -1,0 +1,104 @@
+import { expect } from '@playwright/test'
+import { Learner } from './child-learning.ts'
+import type { Child } from './child.ts'
+import type { Screen } from './screens.ts'
+
+/** A drawing that breaks three rules. */
+const broken = `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 1600 1000">
+<circle id="node-0" cx="200" cy="200" r="40"/><circle id="node-1" cx="900" cy="500" r="40"/>
+<path id="path-0-9" d="M200 200L900 500"/><path id="path-0-1" d="M200 200L300 500"/><path id="path-1-1" d="M900 500L920 520"/>
+</svg>`
+
+const opens = async (child: Child) => {
+  await child.page.goto('/maps')
+  await expect(child.button('design.new')).toBeVisible()
+}
+
+/** Begins with the map of the railway. */
+async function draws(child: Child) {
+  await opens(child)
+  await child.page.locator('main li button').nth(1).click()
+  await expect(child.page.getByRole('group', { name: child.word('design.paper'), exact: true })).toBeVisible()
+}
+
+/** A map is drawn. */
+const designing: readonly Screen[] = [
+  { name: 'maps', show: opens },
+  {
+    name: 'map-upload',
+    async show(child) {
+      await opens(child)
+      const file = { name: 'map.svg', mimeType: 'image/svg+xml', buffer: Buffer.from(broken) }
+      await child.page.locator('input[type=file]').first().setInputFiles(file)
+      await expect(child.page.getByRole('alert')).toBeVisible()
+    },
+  },
+  {
+    name: 'map-empty',
+    async show(child) {
+      await opens(child)
+      await child.presses('design.new')
+      await expect(child.words('design.empty')).toBeVisible()
+    },
+  },
+  { name: 'map-drawn', show: draws },
+  {
+    name: 'map-station',
+    async show(child) {
+      await draws(child)
+      await child.button('design.station', { station: 2 }).focus()
+    },
+  },
+  {
+    name: 'map-road',
+    async show(child) {
+      await draws(child)
+      await child.presses('design.tool.road')
+      await child.page.locator('.frame [role=button]').first().focus()
+    },
+  },
+  {
+    name: 'map-list',
+    async show(child) {
+      await draws(child)
+      await child.presses('design.asList')
+    },
+  },
+  {
+    name: 'map-dress',
+    async show(child) {
+      await draws(child)
+      await child.presses('design.dresses.mars')
+    },
+  },
+  {
+    name: 'map-print',
+    neverPhone: true,
+    async show(child) {
+      await draws(child)
+      await child.page.emulateMedia({ media: 'print' })
+    },
+  },
+]
+
+/** Chooses a map of rooms as a child does, from a card that learns by trying. */
+async function chooses(child: Child, map: string) {
+  const learner = new Learner(child)
+  await learner.opens('mars')
+  await child.presses('q.change')
+  await child.page.locator('.choice select').first().selectOption(map)
+  await child.types('Escape')
+  return learner
+}
+
+const grids: readonly Screen[] = ['bandit', 'cliff', 'errand', 'lake', 'lake-8', 'windy'].flatMap((map) => [
+  { name: `rooms-${map}`, show: async (child: Child) => void (await chooses(child, map)) },
+  {
+    name: `rooms-${map}-learned`,
+    async show(child: Child) {
+      await (await chooses(child, map)).learnsToTheEnd()
+    },
+  },
+])
+
+export const mapScreens = [...designing, ...grids]
