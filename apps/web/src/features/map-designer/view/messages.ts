@@ -25,5 +25,5 @@ export const stationName = ({ stations }: MapDocument, station: number): string 
 export function problemsSaid(problems: readonly MapProblem[]): string {
   const shown = problems.slice(0, 6).map(({ kind, facts }) => message(`design.problem.${kind}`, facts))
   const more = problems.length - shown.length
-  return [...shown, ...(more > 0 ? [m['design.moreProblems']({ count: more })] : [])].join(' ')
+  return [...shown, ...(more > 0 ? [m['design.moreProblems']({ count: more })] : [])].join('\n')
 }
