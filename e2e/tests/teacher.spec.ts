@@ -138,6 +138,7 @@ test('a teacher starts a server, leads a lesson and deletes the class', async ({
 
   await test.step('the matrix shows who has done what, and is saved as CSV', async () => {
     await teacher.button('cards').click()
+    await page.reload()
     const row = page.getByRole('row', { name: /Fuchs/ })
     await row.getByRole('button').focus()
     await page.keyboard.press('Enter')
