@@ -156,6 +156,7 @@ for (const language of languagesOf(import.meta.filename)) {
         await expect.poll(projectsInClass).toBe(2)
         const list = new ProjectList(child)
         await list.opens()
+        await expect.poll(() => list.names()).toHaveLength(2)
         const [name] = await list.names()
         await list.chooses(name!, 'throw')
         await expect.poll(projectsInClass).toBe(1)
