@@ -37,6 +37,7 @@ export const commands: Commands = {
   convert: withLab(async () => (await import('./convert.ts')).convert),
   print: withLab(async () => (await import('./print/print.ts')).print),
   serve: async () => (await import('./serve.ts')).serve,
+  doctor: async () => (await import('./doctor.ts')).doctor,
   backup: async () => (await import('./backup.ts')).backup,
   restore: async () => (await import('./backup.ts')).restore,
   teacher: {

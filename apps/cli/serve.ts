@@ -36,7 +36,8 @@ type Values = ReturnType<typeof options<typeof known>>['values']
 /** `botgarten serve`: the lab and the class, until it is stopped. It is what `npm start` runs. */
 export const serve: Command = { options: known, execute: open }
 
-const usualPort = 4173
+/** Where a class server listens where no port is named. */
+export const usualPort = 4173
 /** In which folder all of a class server lies where none is named. */
 export const usualData = inRepository('data')
 

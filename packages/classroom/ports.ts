@@ -36,6 +36,10 @@ export interface Host {
   readonly freeSpace: () => number
   /** Addresses under which it is reached. */
   readonly addresses: () => readonly string[]
+  /** When another device last reached it, ms since 1970; null: none has. */
+  readonly otherDevice: () => number | null
+  /** Of the product: `0.1.0`. */
+  readonly version: string
   /** Nightly copies: how many, and the day of the newest; null where the database has tools of its own. */
   readonly backups: () => { readonly count: number; readonly last: string | null } | null
   /** Makes the copy of today. */

@@ -25,6 +25,7 @@ import { startNights } from './nights.ts'
 import { postgresBus } from './postgres-bus.ts'
 import { portsOn } from './ports.ts'
 import { CannotServe, causeIn } from './problem.ts'
+import { ReachedRecord } from './reached.ts'
 
 export interface ClassOptions {
   /** The folder of database, key and backups. */
@@ -46,8 +47,8 @@ export interface ClassServer {
   answer(request: IncomingMessage, response: ServerResponse): Promise<void>
   /** The secret of the link that makes the first teacher; null where there is one already. */
   firstTeacher(): Promise<string | null>
-  /** Takes note under which addresses the server is reached. */
-  reachedAt(addresses: readonly string[]): void
+  /** The server listens. @param addresses under which it is reached, asked anew each time: networks come and go */
+  reachedAt(addresses: () => readonly string[]): void
   close(): Promise<void>
 }
 
@@ -133,13 +134,14 @@ function serverOn(
 ): ClassServer {
   const teacherMade = () => rmSync(join(folder, linkFile), { force: true })
   const bus = address === undefined ? noBus : postgresBus(address)
-  let reached: readonly string[] = []
-  const addresses = () => reached
+  let addresses: () => readonly string[] = () => []
+  const record = new ReachedRecord(folder)
   const { ports, close } = portsOn(database, secret, {
     folder,
     publicAddress: publicAddress ?? null,
     teacherMade,
-    addresses,
+    addresses: () => addresses(),
+    otherDevice: () => record.otherDevice,
     bus,
   })
   const stopLive = startLive(ports.live)
@@ -152,7 +154,9 @@ function serverOn(
     } catch {
       return void response.writeHead(405).end()
     }
-    await send(await handle(request, ports, callerOf(incoming, proxies)), response)
+    const caller = callerOf(incoming, proxies)
+    record.note(caller.address, ports.now())
+    await send(await handle(request, ports, caller), response)
     // What was not read of a body that was refused is read to nowhere, so that the sender hears the answer.
     if (!incoming.complete) incoming.resume()
   }
@@ -162,7 +166,10 @@ function serverOn(
     owns: (path) => path === base || path.startsWith(`${base}/`),
     answer,
     firstTeacher: () => firstTeacherToken(ports),
-    reachedAt: (addresses) => void (reached = addresses),
+    reachedAt(now) {
+      addresses = now
+      record.startAt(now())
+    },
     async close() {
       stopLive()
       await ports.live.close()

@@ -20,7 +20,8 @@ export function syncedBy(folder: string): string | null {
   return synced.find(([name]) => parts.some((part) => name.test(part)))?.[1] ?? null
 }
 
-function isOnNetwork(folder: string): boolean {
+/** On a network drive databases break. */
+export function isOnNetwork(folder: string): boolean {
   if (folder.startsWith('\\\\')) return true
   return process.platform === 'linux' && ofNetworks.has(statfsSync(folder).type)
 }

@@ -15,6 +15,7 @@ import {
   type LogLine,
   type Ports,
 } from '@botgarten/classroom'
+import root from '../../package.json' with { type: 'json' }
 import { cardsInWorker } from './cards.ts'
 
 /** The ISO day where this machine stands, so many days from today. */
@@ -30,7 +31,7 @@ function logTrouble({ method, route, status, error = '' }: LogLine): void {
   if (status >= 500) console.error(`${method} ${route} ${status} ${error}`.trim())
 }
 
-function hostOf(database: Database, { folder, addresses }: PortOptions): Host {
+function hostOf(database: Database, { folder, addresses, otherDevice }: PortOptions): Host {
   return {
     memory: () => process.memoryUsage.rss(),
     freeSpace: () => {
@@ -38,6 +39,8 @@ function hostOf(database: Database, { folder, addresses }: PortOptions): Host {
       return bavail * bsize
     },
     addresses,
+    otherDevice,
+    version: root.version,
     backups: () => {
       if (database.backup === null) return null
       const days = nightliesIn(folder).map((name) => name.slice(0, -'.db'.length))
@@ -53,6 +56,7 @@ export interface PortOptions {
   readonly teacherMade: () => void
   readonly bus?: Bus
   readonly addresses: () => readonly string[]
+  readonly otherDevice: () => number | null
 }
 
 /** Everything real: clock, randomness, a worker that checks projects. */

@@ -105,6 +105,6 @@ export async function startServer(options: ServerOptions): Promise<RunningServer
   server.listen({ port: options.port, host: options.host })
   await once(server, 'listening')
   const { port } = server.address() as AddressInfo
-  classServer?.reachedAt(addresses(port, networkInterfaces()))
+  classServer?.reachedAt(() => addresses(port, networkInterfaces()))
   return { port, url: `http://localhost:${port}`, close: () => closeAll(server, classServer) }
 }

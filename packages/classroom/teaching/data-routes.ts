@@ -70,6 +70,7 @@ const health = ({ ports, caller }: Call<undefined>): Promise<Answer> =>
         freeSpace: ports.host.freeSpace(),
         addresses: ports.host.addresses(),
       },
+      ...{ otherDevice: ports.host.otherDevice(), version: ports.host.version },
       ...{ backups: ports.host.backups(), streams: ports.live.size },
     },
   })

@@ -50,6 +50,7 @@ export class Server {
         Promise.resolve([{ id: 'friendship', starts: 3, title: { en: 'Friendship', de: 'Freundschaft' } }]),
       host: {
         ...{ memory: () => 1, freeSpace: () => 1, addresses: () => ['http://lab.test'] },
+        ...{ otherDevice: () => null, version: '0.1.0' },
         ...{ backups: () => ({ count: 0, last: null }), backUp: () => Promise.resolve() },
       },
       ...changes,
