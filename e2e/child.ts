@@ -2,7 +2,7 @@ import { expect, type Locator, type Page } from '@playwright/test'
 import { readFile } from 'node:fs/promises'
 import { finger, mouse, type Hand, type Spot } from './hand.ts'
 import { Painted } from './painted.ts'
-import { message, cardMessage, checkMessage, type Language } from './words.ts'
+import { message, cardMessage, chapterOf, checkMessage, type Language } from './words.ts'
 
 /** A neuron as a child would point at it: what it is, where it is plugged in and where it sits. */
 export interface Sensor {
@@ -56,6 +56,14 @@ export class Child {
   async opensHome() {
     await this.page.goto('/')
     await this.seesTitle()
+  }
+
+  /** The link to a card on the home page, in its chapter. */
+  async findsCard(card: string): Promise<Locator> {
+    const link = this.page.locator(`a[href$="/lab/${card}"]`).first()
+    const chapter = chapterOf(card)
+    if (chapter) await this.presses(chapter === 'examples' ? 'home.fromExamples' : 'home.byTrying')
+    return link
   }
 
   /** Opens a card or the free lab by its address, and waits for the blocks. */

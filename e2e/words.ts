@@ -34,6 +34,9 @@ export function checkMessage(language: Language, card: string, id: string): stri
   return said
 }
 
+/** In which part of its bed a card lies; undefined for the first, by hand. */
+export const chapterOf = (card: string) => content.cards.find(({ id }) => id === card)?.chapter
+
 /** What a card is called in a language. Throws where there is no such card. */
 export function cardMessage(language: Language, id: string): string {
   const card = content.cards.find((one) => one.id === id)

@@ -10,7 +10,7 @@ import { languages } from '../words.ts'
 async function opens(child: Child, card: string, fromHome: boolean) {
   if (!fromHome) return child.opensLab(card)
   await child.opensHome()
-  await child.page.locator(`a[href$="/lab/${card}"]`).first().click()
+  await (await child.findsCard(card)).click()
   await child.seesLab()
 }
 
@@ -63,6 +63,7 @@ for (const { task, language, fromHome } of walks) {
           await expect(page.getByRole('heading', { level: 1 })).toHaveText(child.card(card.next))
         }
         await child.opensHome()
+        await child.findsCard(card.id)
         const full = child.word('home.level', { passed: of, of })
         const own = page.getByRole('listitem').filter({ has: page.locator(`a[href$="/lab/${card.id}"]`) })
         await expect(own.getByRole('img', { name: full, exact: true })).toBeVisible()

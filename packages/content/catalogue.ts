@@ -10,7 +10,7 @@ import type { ThingSet } from './schema/thingTypes.ts'
 export type Translated<Text> = { readonly [language: string]: Text }
 
 /** What is known of a card without opening it: this travels with every page. */
-export interface CardHead extends Pick<Card, 'id' | 'code' | 'group'> {
+export interface CardHead extends Pick<Card, 'id' | 'code' | 'group' | 'chapter'> {
   /** Where it lies on the home page: the folder above its own. */
   readonly bed: Playground
   /** Number of its start poses. */

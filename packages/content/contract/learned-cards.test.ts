@@ -73,6 +73,8 @@ describe.each(learnedCards)('the card %s is learned from examples', (id) => {
   const { card, text } = content.card(id)!
   const places = [...card.starts.keys()]
 
+  it('lies in the chapter of examples on the home page', () => expect(card.chapter).toBe('examples'))
+
   it('its solution has the weights that its own examples and seed come to', () => {
     const program = content.program(id, 'solution')!
     const { weights, practice } = brainOf(id, 'solution')!

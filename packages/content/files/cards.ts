@@ -31,10 +31,11 @@ export function cardsIn(content: Folder) {
   const bedIn = (folder: string) => readBed(basename(dirname(folder)))
 
   function headIn(folder: string): CardHead {
-    const { id, code, group, starts } = cardIn(folder)
+    const { id, code, group, chapter, starts } = cardIn(folder)
     return {
       ...{ id, code, bed: bedIn(folder) },
       ...(group && { group }),
+      ...(chapter && { chapter }),
       ...{ starts: starts.length, title: content.translated(folder, titleOf) },
     }
   }

@@ -24,6 +24,7 @@ const card = v.strictObject({
   code: v.string(),
   playground,
   group: v.exactOptional(v.picklist(['repair'])),
+  chapter: v.exactOptional(v.picklist(['examples', 'trying'])),
   grades: v.tuple([v.number(), v.number()]),
   minutes: v.number(),
   starts: v.pipe(v.array(pose), v.minLength(1)),

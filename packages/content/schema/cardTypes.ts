@@ -11,6 +11,8 @@ export interface Card {
   readonly playground: Playground
   /** Cards that lie together in their bed, under a word of their own. */
   readonly group?: Group
+  /** Which part of its bed it lies in; absent: the first, by hand. */
+  readonly chapter?: Chapter
   /** Youngest and oldest grade. */
   readonly grades: readonly [number, number]
   readonly minutes: number
@@ -40,6 +42,9 @@ export type Playground = 'network' | 'drive' | 'q-learning' | 'sorting'
 
 /** `repair`: brains that are wrong on purpose. */
 export type Group = 'repair'
+
+/** `examples`: a network learns from rows that a child showed; `trying`: from what pays. */
+export type Chapter = 'examples' | 'trying'
 
 export type Need =
   | 'distanceSensors'

@@ -1,5 +1,5 @@
 import { describe, expect, test } from 'vitest'
-import { firstSentence, isDone, nextOf, type BedCard } from './home.ts'
+import { cardsIn, chapterOnShow, chaptersOf, firstSentence, isDone, nextOf, type BedCard } from './home.ts'
 
 const card = (label: string, passed: number, of: number): BedCard => ({
   ...{ href: `/lab/${label}`, number: '', label, goal: '', picture: null, group: null },
@@ -29,6 +29,29 @@ describe('the card to play next', () => {
 
   test('a playground without goals is never done', () => {
     expect([card('vessels', 0, 0), card('tidy up', 2, 2)].map(isDone)).toEqual([false, true])
+  })
+})
+
+describe('the chapters of a bed', () => {
+  const shown = (label: string, passed: number) => ({
+    ...card(label, passed, 3),
+    chapter: 'examples' as const,
+  })
+  const cards = [card('chameleon', 3, 3), card('fear', 0, 3), shown('show me', 0)]
+
+  test('are those that have cards, in their order', () => {
+    expect(chaptersOf(cards)).toEqual(['hand', 'examples'])
+    expect(cardsIn(cards, 'examples').map(({ label }) => label)).toEqual(['show me'])
+  })
+
+  test('begin with the one of the card to play next, until another is chosen', () => {
+    expect(chapterOnShow(cards, undefined)).toBe('hand')
+    expect(chapterOnShow(cards, 'examples')).toBe('examples')
+    expect(chapterOnShow([card('chameleon', 3, 3), shown('show me', 0)], undefined)).toBe('examples')
+  })
+
+  test('never show one that has no cards', () => {
+    expect(chapterOnShow(cards, 'trying')).toBe('hand')
   })
 })
 

@@ -1,6 +1,6 @@
 import type { Snippet } from 'svelte'
 import type { Translated } from '@botgarten/content/catalogue'
-import type { Group, Playground } from '@botgarten/content'
+import type { Chapter, Group, Playground } from '@botgarten/content'
 import { resolve } from '$app/paths'
 import { allCards, pictureOf, placeOf } from '#content/cards.ts'
 import { shownName, titleOf, addressOf } from '#content/names.ts'
@@ -37,6 +37,8 @@ export interface BedCard {
   readonly level: Level
   /** Cards of one kind bear its mark. */
   readonly group: Group | null
+  /** Which part of its bed it lies in; null: the first, by hand. */
+  readonly chapter?: Chapter | null
   /** A teacher has not left it open today. */
   readonly closed?: boolean
 }
@@ -74,6 +76,25 @@ export function nextOf(cards: readonly BedCard[]): BedCard | null {
   return open.find((card) => (card.level.of > 0 ? !isDone(card) : !begun)) ?? open[0] ?? null
 }
 
+export type ShownChapter = Chapter | 'hand'
+
+const chapterOf = ({ chapter }: BedCard): ShownChapter => chapter ?? 'hand'
+
+/** The parts of a bed that have cards, in the order of the cards. */
+export const chaptersOf = (cards: readonly BedCard[]): readonly ShownChapter[] => [
+  ...new Set(cards.map(chapterOf)),
+]
+
+/** The part of a bed that is on show: the chosen one, where none was chosen that of the card to play next. */
+export function chapterOnShow(cards: readonly BedCard[], chosen: ShownChapter | undefined): ShownChapter {
+  if (chosen && chaptersOf(cards).includes(chosen)) return chosen
+  const next = nextOf(cards)
+  return next ? chapterOf(next) : 'hand'
+}
+
+export const cardsIn = (cards: readonly BedCard[], chapter: ShownChapter): readonly BedCard[] =>
+  cards.filter((card) => chapterOf(card) === chapter)
+
 /** What lies on this device, as tiles that lead back to it. */
 export const recentOf = (kept: readonly Listed[]): RecentProject[] =>
   kept.map((one) => ({
@@ -100,13 +121,14 @@ export const firstSentence = (text: string, locale: string): string =>
 export const bedOf = (bed: Playground, kept: readonly Listed[], goals: Goals): BedCard[] =>
   allCards
     .filter((card) => card.bed === bed)
-    .map(({ id, code, group }) => ({
+    .map(({ id, code, group, chapter }) => ({
       href: resolve('/lab/[card]', { card: id }),
       number: bed === 'network' ? code.replace(/^\D+/, '') : '',
       label: titleOf(id),
       goal: firstSentence(goals[id]?.[language.locale] ?? goals[id]?.['en'] ?? '', language.locale),
       picture: pictureOf(id),
       group: group ?? null,
+      chapter: chapter ?? null,
       level: levelOf(id, kept),
       closed: !allowed.isOpen(id),
     }))
