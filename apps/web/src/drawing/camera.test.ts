@@ -2,6 +2,7 @@ import fc from 'fast-check'
 import { describe, expect, test } from 'vitest'
 import {
   aim,
+  bringing,
   floorCorner,
   follow,
   fromPane,
@@ -111,6 +112,33 @@ describe('the camera', () => {
         const scale = scaleFor(pane, floor, needOf(robot, others))
         const at = toPane(robot, aim(robot, others, scale, pane, floor), pane)
         expect(at.x >= 10 && at.x <= pane.width - 10 && at.y >= 10 && at.y <= pane.height - 10).toBe(true)
+      }),
+    )
+  })
+
+  test('brings both ends of a way into sight, and stays where both are seen', () => {
+    const now = { x: 60, y: 170, scale: 2.05 }
+    const ends = [
+      { x: 60, y: 170 },
+      { x: 300, y: 200 },
+    ]
+    const there = bringing(ends, now, low, floor)!
+    for (const end of ends) {
+      const { x, y } = toPane(end, there, low)
+      expect(x > 20 && x < low.width - 20 && y > 20 && y < low.height - 20).toBe(true)
+    }
+    expect(there.scale).toBeLessThan(2.05)
+    expect(bringing(ends, there, low, floor)).toBeNull()
+  })
+
+  test('never comes nearer to bring something into sight, nor goes farther than the whole floor', () => {
+    fc.assert(
+      fc.property(panes, spots, spots, fc.double({ min: 0.8, max: 3, noNaN: true }), (pane, a, b, scale) => {
+        const there = bringing([a, b], { ...a, scale }, pane, floor)
+        const whole = Math.min((pane.width - 24) / floor.width, (pane.height - 24) / floor.height)
+        if (!there) return
+        expect(there.scale).toBeLessThanOrEqual(scale)
+        expect(there.scale).toBeGreaterThanOrEqual(Math.min(scale, whole))
       }),
     )
   })

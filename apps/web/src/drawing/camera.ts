@@ -62,6 +62,28 @@ export function needOf(robot: Point, things: readonly Sight[]): Size {
   return { width: along((near?.x ?? robot.x) - robot.x), height: along((near?.y ?? robot.y) - robot.y) }
 }
 
+/** Px that stay free around what is brought into sight: names, measures and notes stand there. */
+const roomAround = 44
+/** So near to the edge it still is in sight, in px. */
+const seenAround = 40
+
+/**
+ * The camera that has all these points in sight: in the middle of them, at this scale where that suffices, else
+ * farther away. Null where all of them are in sight already.
+ */
+export function bringing(points: readonly Point[], now: Camera, pane: Size, floor: Size): Camera | null {
+  const inside = ({ x, y }: Point) =>
+    x > seenAround && y > seenAround && x < pane.width - seenAround && y < pane.height - seenAround
+  if (points.every((point) => inside(toPane(point, now, pane)))) return null
+  const ends = (along: readonly number[]) => [Math.min(...along), Math.max(...along)] as const
+  const [left, right] = ends(points.map(({ x }) => x))
+  const [low, high] = ends(points.map(({ y }) => y))
+  const fit = (seen: number, length: number) => Math.max(1, seen - 2 * roomAround) / Math.max(1, length)
+  const far = Math.min(now.scale, fit(pane.width, right - left), fit(pane.height, high - low))
+  const scale = Math.max(far, Math.min(now.scale, wholeScale(pane, floor)))
+  return keepOnFloor({ x: (left + right) / 2, y: (low + high) / 2, scale }, pane, floor)
+}
+
 /** Room in cm for several robots with elbow room around them. */
 export function needOfAll(robots: readonly Point[]): Size {
   const along = (places: readonly number[]) => Math.max(...places) - Math.min(...places) + 2 * elbowRoom

@@ -3,6 +3,7 @@ import type { Pose } from '@botgarten/simulation'
 import type { LabUi } from '#lab/ui.svelte.ts'
 import type { LabSession } from '#lab/session.svelte.ts'
 import { Viewport } from '#figures/world/viewport.svelte.ts'
+import { goalsOf } from './goals.ts'
 import { Hand } from './hand.svelte.ts'
 import type { Workshop } from './workshop.ts'
 
@@ -20,10 +21,12 @@ export class BuildMode {
     this.session = session
     this.ui = ui
     this.#loadTools = loadTools
+    const goals = goalsOf(session.opened.card?.card.checks ?? [])
     this.viewport = new Viewport(
       () => this.shop?.world ?? session.lab.document.world,
       () => session.robotId,
       () => session.learns,
+      () => goals,
     )
     this.hand = new Hand((id, pose, phase) => this.place(id, pose, phase))
   }

@@ -1,6 +1,7 @@
 import type { RobotView, View } from '@botgarten/lab'
 import type { Obstacle, Pose, RobotConfig, World } from '@botgarten/simulation'
 import { badgeSides, drawBadge, drawLead, type Badge } from '#drawing/badges.ts'
+import { drawBeyond } from '#drawing/beyond.ts'
 import { partAt, partsOf } from '#drawing/bo.ts'
 import { onFloor } from '#drawing/camera.ts'
 import type { Gap } from '#drawing/gap.ts'
@@ -162,8 +163,7 @@ export class WorldScene {
     return { from: this.#at(gap.from), to: this.#at(gap.to), label: gap.label, labelWidth }
   })
 
-  /** What is written at robots that do not stand there now, a line for each; text, so that it is
-   *  written into the page only when it changes. */
+  /** What is written at robots that do not stand there now, a line for each; text: the page takes it only when it changes. */
   readonly ghostNames = $derived.by(() => this.#ghosts.map(({ label }) => label).join('\n'))
 
   readonly #dots: Dots = $derived.by(() => {
@@ -221,6 +221,7 @@ export class WorldScene {
 
   readonly shapes = $derived.by(() => [
     ...drawWorld(this.now),
+    ...drawBeyond(this.now, this.#viewport.seen),
     ...this.#badges.map(({ badge, box, to }) => drawLead(badge, box, to)),
     ...this.#badges.flatMap(({ badge, box, label }) => drawBadge(badge, box, label)),
   ])

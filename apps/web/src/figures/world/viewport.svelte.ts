@@ -2,6 +2,7 @@ import type { View } from '@botgarten/lab'
 import type { World } from '@botgarten/simulation'
 import {
   aim,
+  bringing,
   floorCorner,
   fromPane,
   keepOnFloor,
@@ -11,6 +12,7 @@ import {
   scaleFor,
   wholeScale,
   type Camera,
+  type Sight,
 } from '#drawing/camera.ts'
 import { clamp, type Point, type Size } from '#drawing/points.ts'
 import { radiusOf } from '#drawing/things.ts'
@@ -42,6 +44,9 @@ export class Viewport {
   #world: () => World
   #chosen: () => string
   #whole: () => boolean
+  #goals: () => readonly Sight[]
+  /** How close the camera was sent to show something. */
+  #sent: number | null = null
   #radii = $derived.by(() => radiiOf(this.#world()))
   /** The floor's top left corner in px of the pane. */
   corner = $derived.by(() => floorCorner(this.#at, this.pane, this.#world().size))
@@ -49,15 +54,27 @@ export class Viewport {
   /**
    * @param followed id of the robot that the camera follows; the first where there is none of this name
    * @param whole is the whole floor the thing, as a map is?
+   * @param goals places on the floor that matter as things do
    */
-  constructor(world: () => World, followed: () => string = () => '', whole: () => boolean = () => false) {
+  constructor(
+    world: () => World,
+    followed: () => string = () => '',
+    whole: () => boolean = () => false,
+    goals: () => readonly Sight[] = () => [],
+  ) {
     this.#world = world
     this.#chosen = followed
     this.#whole = whole
+    this.#goals = goals
   }
 
   get scale(): number {
     return this.#zoom.at
+  }
+
+  /** What is seen of the floor, in px of its box. */
+  get seen(): Size & Point {
+    return { x: -this.corner.x, y: -this.corner.y, ...this.pane }
   }
 
   /** A resting camera is not told of another scale. */
@@ -78,7 +95,7 @@ export class Viewport {
     if (this.#whole() || !robot) return scaleFor(this.pane, size, 'whole')
     // Of several robots none should be out of sight.
     if (robots.length > 1) return scaleFor(this.pane, size, needOfAll(robots.map(({ pose }) => pose)))
-    return scaleFor(this.pane, size, needOf(robot.pose, things))
+    return scaleFor(this.pane, size, needOf(robot.pose, [...things, ...this.#goals()]))
   }
 
   #followed = <Robot extends { id: string }>(robots: readonly Robot[]): Robot | undefined =>
@@ -98,7 +115,8 @@ export class Viewport {
       y: pose.y,
       radius: this.#radii.get(id) ?? (several ? bodyRadius : 0),
     }))
-    return aim(robot.pose, things, this.scale, this.pane, this.#world().size)
+    const goals = several ? [] : this.#goals()
+    return aim(robot.pose, [...things, ...goals], this.scale, this.pane, this.#world().size)
   }
 
   goTo(target: ReturnType<Viewport['target']>, jump: boolean): void {
@@ -133,6 +151,21 @@ export class Viewport {
       scale,
     }
     this.#camera.hold(keepOnFloor(camera, this.pane, this.#world().size))
+  }
+
+  /** Shows these places until `follow`, from farther away where it has to be. */
+  bringInSight(points: readonly Point[]): void {
+    const there = this.open && bringing(points, this.#at, this.pane, this.#world().size)
+    if (!there) return
+    this.#sent = there.scale
+    this.#zoom.ask(there.scale)
+    this.#camera.hold(there)
+  }
+
+  /** Looks at the robot again, as close as before, unless a hand has chosen another view since. */
+  follow(): void {
+    if (this.#sent !== null && this.#sent === this.#zoom.at) this.#zoom.ask(null)
+    this.#sent = null
   }
 
   /** The whole floor in sight. */
