@@ -7,15 +7,19 @@ import { pointsIn } from './work.ts'
 /** What a tap on the plane does to points. */
 export type Tool = 'look' | 'add' | 'remove'
 
-/** What lies under flags and things: areas of the groups, threads to the flags, dots. */
-export interface Drawing {
+/** Points as dots. */
+export interface Dots {
   readonly spots: readonly Spot[]
   readonly labels: readonly number[]
-  readonly flags: readonly Spot[]
   /** Radius of a dot; 0: things are drawn by others. */
   readonly dot: number
   /** By point, the colour a dot is filled with as red, green and blue; its group's where nothing is said. */
   readonly fills: readonly (readonly number[])[] | null
+}
+
+/** What lies under flags and things: areas of the groups, threads to the flags, dots. */
+export interface Drawing extends Dots {
+  readonly flags: readonly Spot[]
   readonly threads: boolean
 }
 
@@ -64,10 +68,15 @@ export class PlaneView {
     if (touched === null || !work.state || touched >= work.table.rows.length) return null
     return distancesOf(pointsIn(work.table), touched, work.state.centres, work.distance)
   })
-  readonly drawing: Drawing = $derived.by(() => {
-    const { spots, flags } = this
+  /** A flag that moves leaves them as they are. */
+  readonly dots: Dots = $derived.by(() => {
+    const { spots } = this
     const dot = this.isThings ? 0 : spots.length > 400 ? 4 : spots.length > 120 ? 6 : 8
-    return { spots, flags, dot, fills: this.#fills, labels: this.#labels, threads: spots.length <= 120 }
+    return { spots, dot, fills: this.#fills, labels: this.#labels }
+  })
+  readonly drawing: Drawing = $derived.by(() => {
+    const { dots, flags } = this
+    return { ...dots, flags, threads: dots.spots.length <= 120 }
   })
 
   get isThings(): boolean {

@@ -1,5 +1,5 @@
 import { hullOf, type Spot } from '../model/geometry.ts'
-import type { Drawing } from '../model/plane.svelte.ts'
+import type { Dots, Drawing } from '../model/plane.svelte.ts'
 
 /** By group: colour of flag and dots, a tint for its area, a shade for words on that tint. */
 export const groupLooks = [
@@ -75,8 +75,14 @@ function drawThreads(
   context.setLineDash([])
 }
 
-/** A dot is drawn once a group and then stamped into memory: thousands fit in a frame. */
-export function drawDots(context: CanvasRenderingContext2D, drawing: Drawing, scale: number): void {
+/** So many dots are stamped before the page gets its turn. */
+export const dotsAtOnce = 500
+
+/**
+ * A dot is drawn once a group and then stamped into memory; the picture is shown when all of them are. Asked for step by
+ * step, thousands keep no frame waiting.
+ */
+export function* drawDots(context: CanvasRenderingContext2D, drawing: Dots, scale: number): Generator<void> {
   const { spots, labels, dot, fills } = drawing
   const { width, height } = context.canvas
   const onto = context.createImageData(width, height)
@@ -84,10 +90,11 @@ export function drawDots(context: CanvasRenderingContext2D, drawing: Drawing, sc
   const inner = dotOf(0, (dot - 1) * scale, false, width)
   const put = (stamp: Stamp, { x, y }: Spot) =>
     stampOnto(onto, stamp, Math.round(x * scale - stamp.width / 2), Math.round(y * scale - stamp.height / 2))
-  spots.forEach((spot, at) => {
+  for (const [at, spot] of spots.entries()) {
     put(dots[(labels[at] ?? -1) + 1]!, spot)
     if (fills) put(coloured(inner, fills[at]!), spot)
-  })
+    if (at % dotsAtOnce === dotsAtOnce - 1) yield
+  }
   context.putImageData(onto, 0, 0)
 }
 
