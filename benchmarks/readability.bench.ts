@@ -17,6 +17,15 @@ const screens = [
   'projects',
   'time',
   'world-building',
+  'training',
+  'map-designer',
+  'inside',
+  'robots',
+  'robot',
+  'help',
+  'class',
+  'share',
+  'files',
 ]
 
 /** The sentences of a file of messages: labels and names of buttons are none. What is filled in is one word. */
