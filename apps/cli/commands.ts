@@ -25,6 +25,7 @@ export const commands: Commands = {
     q: withLab(async () => (await import('./learn.ts')).q),
     net: withLab(async () => (await import('./net/learn-net.ts')).net),
     'q-sweep': withLab(async () => (await import('./sweep/sweep.ts')).sweep),
+    'q-race': withLab(async () => (await import('./sweep/race.ts')).race),
     'q-thesis': withLab(async () => (await import('./sweep/thesis.ts')).thesis),
     kmeans: withLab(async () => (await import('./kmeans.ts')).kMeans),
   },

@@ -178,7 +178,7 @@ describe('botgarten learn q', () => {
   })
 
   it.each([
-    [['p'], 'One of q, net, q-sweep, q-thesis, kmeans'],
+    [['p'], 'One of q, net, q-sweep, q-race, q-thesis, kmeans'],
     [['q'], '--map is needed'],
     [['q', '--map', 'moon'], 'There is no map and no file called "moon"'],
     [['q', '--map', 'railway'], '--start is needed: a station from 0 to 5'],
@@ -287,5 +287,43 @@ describe('botgarten learn q-thesis', () => {
     const said = async (...args: string[]) => (await learn('q-thesis', '--runs', '1', ...args)).stdout
     const parts = [await said('--shard', '1/2'), await said('--shard', '2/2')]
     expect(parts.join('')).toBe(await said('--threads', '1'))
+  })
+})
+
+describe('botgarten learn q-race', () => {
+  it('races on a map by its name, and says it as one line of JSON that fits its schema, the same again', async () => {
+    const asked = ['cliff', '--lanes', 'q:rho=.1,sarsa:rho=.1,best', '--tries', '30', '--runs', '7', '--json']
+    const { status, stdout, json } = await learn('q-race', ...asked)
+    expect(status).toBe(0)
+    expectToFit(json(), 'learn-q-race.json')
+    expect(json()).toMatchObject({
+      map: 'cliff',
+      criterion: 'way',
+      lanes: [{ racer: 'q' }, { racer: 'sarsa' }, {}],
+    })
+    expect((await learn('q-race', ...asked, '--threads', '1')).stdout).toBe(stdout)
+  })
+
+  it('counts what it is asked to, and marks who wins', async () => {
+    const { stdout } = await learn('q-race', 'cliff', '--criterion', 'falls', '--tries', '50', '--runs', '5')
+    const [head, winner, ...others] = stdout.trim().split('\n')
+    expect(head).toContain('fewest falls')
+    expect(winner).toMatch(/^\* 3\. best: falls \d+, moves /)
+    expect(others).toHaveLength(3)
+    for (const line of others) expect(line).toMatch(/^ {2}\d\. /)
+  })
+
+  it.each([
+    [[], 'takes one map'],
+    [['cliff', 'city'], 'city'],
+    [['cliff', '--lanes', 'q'], '2 to 8 learners'],
+    [['cliff', '--lanes', 'q,snail'], 'no learner "snail"'],
+    [['cliff', '--lanes', 'q:rho=7,best'], '"rho=7" in "q:rho=7" is no setting'],
+    [['railway', '--start', '3', '--goal', '1', '--criterion', 'falls'], 'cannot count on this map'],
+    [['cliff', '--tries', '20000'], '10000'],
+  ])('refuses %j', async (args, words) => {
+    const { status, stderr } = await learn('q-race', ...args)
+    expect(status).toBe(2)
+    expect(stderr).toContain(words)
   })
 })

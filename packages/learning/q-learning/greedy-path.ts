@@ -35,7 +35,7 @@ export function greedyPath(learner: QLearner): GreedyPath {
     const action = greedyAction(learner, state)
     if (action < 0) return none('deadEnd')
     if (tries[action] === 0) return none('unknown')
-    state = world.meant[action]!
+    state = world.leads[action]!
     walked.push(state)
     if (world.isGoal[state] === 1) return { states: walked, reason: 'found' }
     if (seen.has(state)) return none('circle')

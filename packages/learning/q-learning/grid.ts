@@ -60,7 +60,7 @@ export function gridMap(rows: readonly string[], options: GridOptions = {}): Gri
     return to
   }
   const arrive = (room: number, probability: number, floor: number): readonly Outcome[] => {
-    if (cells[room] === 'C') return [{ probability, to: start + floor, reward: cliffReward }]
+    if (cells[room] === 'C') return [{ probability, to: start + floor, reward: cliffReward, falls: true }]
     const to = room + (cells[room] === 'P' ? floors.at(-1)! : floor)
     const chance = chances[goals.indexOf(to)] ?? 1
     return [

@@ -35,6 +35,7 @@ interface Last {
   from: number
   teleported: boolean
   explores: boolean
+  fell: boolean
   action: number
   to: number
   reward: number
@@ -51,6 +52,7 @@ const noStep = (): Last => ({
     from: 0,
     teleported: false,
     explores: false,
+    fell: false,
     action: -1,
     to: 0,
     ends: null,

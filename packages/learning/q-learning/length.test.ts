@@ -1,6 +1,6 @@
 import fc from 'fast-check'
 import { expect, test } from 'vitest'
-import { layOutWorld, lengthOf, shortestLength } from './index.ts'
+import { gridMap, layOutWorld, lengthOf, shortestLength, shortestPath } from './index.ts'
 
 const roads = fc.array(
   fc.record({
@@ -45,4 +45,15 @@ test('a way is as long as its roads, and a closed road is none', () => {
   const closed = layOutWorld({ map: { actions: moves }, start: 0, goal: 2, closed: [[1, 2]] })
   expect(() => lengthOf(closed, [0, 1, 2])).toThrow('No open road leads from 1 to 2.')
   expect(shortestLength(closed)).toBeNull()
+})
+
+test('a step off the cliff leads back: the shortest way goes round it, 13 steps; in the wind it has 15 (example 6.5)', () => {
+  const cliff = gridMap(['FFFFFFFFFFFF', 'FFFFFFFFFFFF', 'FFFFFFFFFFFF', 'SCCCCCCCCCCG'], {
+    cliffReward: -99,
+  })
+  expect(shortestPath(layOutWorld(cliff))).toBe(14)
+  const rows = ['F', 'F', 'F', 'S', 'F', 'F', 'F'].map((first, row) =>
+    row === 3 ? 'SFFFFFFGFF' : first.repeat(10),
+  )
+  expect(shortestPath(layOutWorld(gridMap(rows, { wind: [0, 0, 0, 1, 1, 1, 2, 2, 1, 0] })))).toBe(16)
 })

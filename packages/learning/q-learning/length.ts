@@ -10,14 +10,14 @@ export function lengthOf(world: QWorld, states: readonly number[]): number {
   return states.slice(1).reduce((sum, to, index) => {
     const from = states[index]!
     for (let action = world.first[from]!; action < world.first[from + 1]!; action++)
-      if (world.meant[action] === to) return sum + lengthOfAction(world, action)
+      if (world.leads[action] === to) return sum + lengthOfAction(world, action)
     throw new RangeError(`No open road leads from ${from} to ${to}.`)
   }, 0)
 }
 
 /** Length of the shortest way from start to goal, slippery moves as they are meant; null: there is none. Dijkstra 1959. */
 export function shortestLength(world: QWorld): number | null {
-  const { start, isGoal, first, meant, states } = world
+  const { start, isGoal, first, leads, states } = world
   const lengths = new Float64Array(states).fill(Infinity)
   lengths[start] = 0
   const open = new Set(Array.from({ length: states }, (_, state) => state))
@@ -28,7 +28,7 @@ export function shortestLength(world: QWorld): number | null {
     open.delete(next)
     for (let action = first[next]!; action < first[next + 1]!; action++) {
       const length = lengths[next]! + lengthOfAction(world, action)
-      if (length < lengths[meant[action]!]!) lengths[meant[action]!] = length
+      if (length < lengths[leads[action]!]!) lengths[leads[action]!] = length
     }
   }
   return null

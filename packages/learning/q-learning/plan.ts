@@ -54,7 +54,8 @@ export const bestReturn = (world: QWorld, gamma: number): number | null =>
     return best
   })
 
-function reachesGoal(world: QWorld, actions: readonly number[]): number {
+/** Probability that a policy gets from the start to the goal, without a limit of actions. */
+export function reachesGoal(world: QWorld, actions: readonly number[]): number {
   const arrival = (end: number) => (world.isGoal[world.to[end]!]! === 1 ? 1 : 0)
   const terminal = world.terminal.map((ends, state) => (ends === 1 ? 1 : world.isGoal[state]!))
   const share = sweep({ ...world, terminal }, (worth, state) => {

@@ -4,14 +4,14 @@ import { update } from './update.ts'
 import type { QWorld } from './world.ts'
 
 /** States of a shortest path by sections, slippery steps as they are meant; null: there is none. Breadth first. */
-export function shortestPath({ start, isGoal, first, meant, states }: QWorld): number | null {
+export function shortestPath({ start, isGoal, first, leads, states }: QWorld): number | null {
   const depth = new Int32Array(states)
   depth[start] = 1
   const waiting = [start]
   for (const state of waiting) {
     if (isGoal[state] === 1) return depth[state]!
     for (let action = first[state]!; action < first[state + 1]!; action++) {
-      const to = meant[action]!
+      const to = leads[action]!
       if (depth[to] !== 0) continue
       depth[to] = depth[state]! + 1
       waiting.push(to)

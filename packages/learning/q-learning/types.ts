@@ -4,6 +4,8 @@ export interface Outcome {
   readonly probability: number
   readonly to: number
   readonly reward?: number
+  /** It is a fall, off a cliff: counted, and nothing else. */
+  readonly falls?: boolean
 }
 
 /** An action of the state it leaves: on a map, a road to another station. */

@@ -29,6 +29,7 @@ export function update(learner: QLearner): void {
   last.ends = endingAt(learner, to, isStudy)
   const isLast = last.ends !== null && last.ends !== 'limit'
   last.reward = world.reward[end]!
+  last.fell = world.isFall[end] === 1
   last.bestNext = isLast ? 0 : settings.algorithm === 'q' ? bestValue(learner, to) : valueOfNext(learner, to)
 
   const tries = (learner.tries[taken] = learner.tries[taken]! + 1)
@@ -109,7 +110,7 @@ function endingAt(learner: QLearner, to: number, isStudy: boolean): Ending | nul
 function stayStuck(learner: QLearner): void {
   const { last } = learner
   last.action = -1
-  last.explores = false
+  last.explores = last.fell = false
   last.reward = last.before = last.bestNext = last.after = last.alpha = 0
   last.ends = 'deadEnd'
   endEpisode(learner, -1)

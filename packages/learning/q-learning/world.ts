@@ -18,12 +18,16 @@ export interface QWorld {
   readonly from: Int32Array
   /** Where each action is meant to lead. */
   readonly meant: Int32Array
+  /** Where each action leads: for sure, or else where it is meant to. Off a cliff it leads back. */
+  readonly leads: Int32Array
   readonly outcome: Int32Array
   readonly to: Int32Array
   readonly reward: Float64Array
   /** By outcome: probabilities of this one and those before it. */
   readonly upTo: Float64Array
   readonly isSlippery: boolean
+  /** By outcome: 1 where it is a fall, off a cliff or into an end that is no goal. */
+  readonly isFall: Uint8Array
   /** 1 where an episode of the standard rules ends. */
   readonly terminal: Uint8Array
   /** 1 where the goal is, and at every state that counts as one. */
@@ -43,6 +47,7 @@ export function layOutWorld(task: Task): QWorld {
   )
   const outcomes = all.flatMap(({ outcomes: list }) => list)
   const isGoal = marksOf(states, [goal, ...(map.goals ?? [])])
+  const terminals = new Set(map.terminals)
   const ends = [...(map.endless ? [] : [goal, ...(map.goals ?? [])]), ...(map.terminals ?? [])]
   return {
     ...{ task, states, start, goal, isGoal, terminal: marksOf(states, ends) },
@@ -50,6 +55,9 @@ export function layOutWorld(task: Task): QWorld {
     names: all.map(({ from, action }) => `${from}-${action.name ?? action.to}`),
     from: Int32Array.from(all, ({ from }) => from),
     meant: Int32Array.from(all, ({ action }) => action.to),
+    leads: Int32Array.from(all, ({ action, outcomes: list }) =>
+      list.length === 1 ? list[0]!.to : action.to,
+    ),
     outcome: sumsOf(all.map(({ outcomes: { length } }) => length)),
     to: Int32Array.from(outcomes, ({ to }) => to),
     reward: Float64Array.from(
@@ -57,6 +65,9 @@ export function layOutWorld(task: Task): QWorld {
       ({ action, to, reward }) => reward + payFor(task, action, to, isGoal),
     ),
     upTo: Float64Array.from(all.flatMap(({ outcomes: list }) => upTo(list))),
+    isFall: Uint8Array.from(outcomes, ({ to, falls }) =>
+      falls || (terminals.has(to) && isGoal[to] === 0) ? 1 : 0,
+    ),
     isSlippery: all.some(({ outcomes: { length } }) => length > 1),
     open: Int32Array.from(
       open.flatMap(({ length }, state) => (length > 0 && isGoal[state] === 0 ? [state] : [])),
@@ -75,6 +86,7 @@ interface Taken {
   readonly probability: number
   readonly to: number
   readonly reward: number
+  readonly falls?: boolean
   readonly action: Action
 }
 

@@ -1,0 +1,7 @@
+export { pointsOf } from './points.ts'
+export { heatsOf, raceOf, type Heat } from './race.ts'
+export { refuseLanes } from './refuse.ts'
+export { resultOf } from './result.ts'
+export { runLane, settingsOf } from './run.ts'
+export * from './types.ts'
+export { criteriaOn, orderOf, winnersOf } from './winners.ts'
