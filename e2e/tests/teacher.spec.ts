@@ -67,7 +67,7 @@ async function joins(server: Server, words: readonly string[], nickname: string)
 test('a teacher starts a server, leads a lesson and deletes the class', async ({ page, server }) => {
   const teacher = new Teacher(page)
 
-  await test.step('the one-time link makes the account by keys alone, then class and backup', async () => {
+  await test.step('the one-time link makes the account by keys alone, then class, rehearsal and backup', async () => {
     await page.goto(`/teacher/start#${await server.classServer.firstTeacher()}`)
     await teacher.field('username').fill('m.weber')
     await page.keyboard.press('Tab')
@@ -76,6 +76,14 @@ test('a teacher starts a server, leads a lesson and deletes the class', async ({
     await page.keyboard.press('Enter')
     await teacher.field('className').fill('5b')
     await page.keyboard.press('Enter')
+    await teacher.button('rehearseNow').click()
+    await expect(page.getByRole('progressbar')).toBeVisible()
+    await teacher.axe()
+    await teacher.button('stop').click()
+    await expect(teacher.says('rehearsalStopped')).toBeVisible()
+    await page.reload()
+    // Nothing but the class is remembered: it may be rehearsed again, or not.
+    await teacher.button('rehearseSkip').click()
     await teacher.button('backUpNow').click()
     await expect(teacher.link('toClass')).toBeVisible()
     await teacher.axe()

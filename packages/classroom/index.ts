@@ -4,7 +4,17 @@ export { migrate, needsMigration } from './database/migrate.ts'
 export { openPostgres } from './database/postgres.ts'
 export { openSqlite } from './database/sqlite.ts'
 export type { Database } from './database/database.ts'
-export type { Caller, CardOfClass, Host, LogLine, Ports, Tombstone } from './ports.ts'
+export type {
+  Caller,
+  CardOfClass,
+  Host,
+  LogLine,
+  Ports,
+  RehearsalOutcome,
+  RehearsalProgress,
+  RehearsalWish,
+  Tombstone,
+} from './ports.ts'
 export { checkInWorker } from './projects/check-in-worker.ts'
 export { saveQueueOn } from './projects/save-queue.ts'
 export { noBus, type Bus, type Message } from './live/bus.ts'

@@ -28,6 +28,37 @@ export interface CardOfClass {
   readonly title: { readonly [language: string]: string }
 }
 
+/** How far a rehearsal is. */
+export interface RehearsalProgress {
+  readonly pupils: number
+  readonly joined: number
+  readonly saves: number
+  /** The slowest save so far, ms. */
+  readonly slowest: number
+  /** Of the lesson so far, and of all of it, s. */
+  readonly seconds: number
+  readonly of: number
+}
+
+/** How a rehearsal went. */
+export interface RehearsalOutcome {
+  readonly green: boolean
+  readonly pupils: number
+  readonly saves: number
+  /** Acknowledged saves that were not there at the end. */
+  readonly lost: number
+  /** 99 of 100 saves took at most so long, ms; and the slowest. */
+  readonly p99: number
+  readonly slowest: number
+  /** Memory of its server at the most, MB. */
+  readonly rss: number
+}
+
+export interface RehearsalWish {
+  readonly pupils: number
+  readonly seconds: number
+}
+
 /** The machine that the server runs on. */
 export interface Host {
   /** Bytes that the process takes. */
@@ -44,6 +75,16 @@ export interface Host {
   readonly backups: () => { readonly count: number; readonly last: string | null } | null
   /** Makes the copy of today. */
   readonly backUp: () => Promise<void>
+  /**
+   * Plays a lesson on a server of its own beside this one, whose data it never touches.
+   * @param stop ends it early; its outcome is then rejected
+   * @returns null where one is being played already
+   */
+  readonly rehearse: (
+    wish: RehearsalWish,
+    hear: (progress: RehearsalProgress) => void,
+    stop: AbortSignal,
+  ) => Promise<RehearsalOutcome> | null
 }
 
 /** What the class server needs of the outside. */

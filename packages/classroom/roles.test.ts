@@ -30,6 +30,7 @@ const bodies: { readonly [route: string]: unknown } = {
   'POST /classes/:class/handouts': { to: 'all', kind: 'hint', card: 'friendship', hint: 1 },
   'POST /classes/:class/programs': projectText('c'),
   'POST /substitute': { token: 'none' },
+  'POST /rehearsal': { pupils: 2, seconds: 1 },
 }
 
 interface Scene {

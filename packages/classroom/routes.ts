@@ -6,6 +6,7 @@ import type { Method, Route } from './route.ts'
 import { accountRoutes } from './teaching/account-routes.ts'
 import { classRoutes } from './teaching/class-routes.ts'
 import { dataRoutes } from './teaching/data-routes.ts'
+import { rehearsalRoutes } from './teaching/rehearsal-routes.ts'
 import { resultRoutes } from './teaching/results-routes.ts'
 import { substituteRoutes } from './teaching/substitute-routes.ts'
 import { pupilRoutes } from './teaching/pupil-routes.ts'
@@ -22,6 +23,7 @@ export const routes: readonly Route[] = [
   ...substituteRoutes,
   ...resultRoutes,
   ...dataRoutes,
+  ...rehearsalRoutes,
 ]
 
 export interface Found {

@@ -138,6 +138,7 @@ function serverOn(
   const record = new ReachedRecord(folder)
   const { ports, close } = portsOn(database, secret, {
     folder,
+    address,
     publicAddress: publicAddress ?? null,
     teacherMade,
     addresses: () => addresses(),

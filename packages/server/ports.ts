@@ -17,6 +17,7 @@ import {
 } from '@botgarten/classroom'
 import root from '../../package.json' with { type: 'json' }
 import { cardsInWorker } from './cards.ts'
+import { rehearsalsAt } from './rehearsals.ts'
 
 /** The ISO day where this machine stands, so many days from today. */
 function dayHere(offset: number): string {
@@ -31,7 +32,7 @@ function logTrouble({ method, route, status, error = '' }: LogLine): void {
   if (status >= 500) console.error(`${method} ${route} ${status} ${error}`.trim())
 }
 
-function hostOf(database: Database, { folder, addresses, otherDevice }: PortOptions): Host {
+function hostOf(database: Database, { folder, addresses, otherDevice, address }: PortOptions): Host {
   return {
     memory: () => process.memoryUsage.rss(),
     freeSpace: () => {
@@ -47,11 +48,14 @@ function hostOf(database: Database, { folder, addresses, otherDevice }: PortOpti
       return { count: days.length, last: days.at(-1) ?? null }
     },
     backUp: () => nightlyBackup(folder, database, dayHere(0)),
+    rehearse: rehearsalsAt({ data: folder, database: address }),
   }
 }
 
 export interface PortOptions {
   readonly folder: string
+  /** `postgres://…` where the database is no file in the folder. */
+  readonly address?: string | undefined
   readonly publicAddress: string | null
   readonly teacherMade: () => void
   readonly bus?: Bus

@@ -52,6 +52,10 @@ export class Server {
         ...{ memory: () => 1, freeSpace: () => 1, addresses: () => ['http://lab.test'] },
         ...{ otherDevice: () => null, version: '0.1.0' },
         ...{ backups: () => ({ count: 0, last: null }), backUp: () => Promise.resolve() },
+        rehearse: ({ pupils, seconds }, hear) => {
+          hear({ pupils, joined: pupils, saves: 1, slowest: 7, seconds: 1, of: seconds })
+          return Promise.resolve({ green: true, pupils, saves: 2, lost: 0, p99: 7, slowest: 7, rss: 90 })
+        },
       },
       ...changes,
     }

@@ -6,11 +6,14 @@ const pause = 200
 export class Client {
   private readonly jar = new Map<string, string>()
   private readonly url: string
+  private readonly signal: AbortSignal
   /** How often something was sent again. */
   again = 0
 
-  constructor(url: string) {
+  /** @param signal ends everything that is being asked, and all streams */
+  constructor(url: string, signal: AbortSignal = new AbortController().signal) {
     this.url = url
+    this.signal = signal
   }
 
   private headers(body: boolean): Headers {
@@ -32,17 +35,18 @@ export class Client {
   async ask<Answer>(method: string, path: string, body?: unknown): Promise<{ status: number; body: Answer }> {
     const text = body === undefined ? null : typeof body === 'string' ? body : JSON.stringify(body)
     const answer = await fetch(`${this.url}/api/class${path}`, {
-      ...{ method, body: text, headers: this.headers(text !== null) },
+      ...{ method, body: text, headers: this.headers(text !== null), signal: this.signal },
     })
     this.keep(answer)
     const given = await answer.text()
     return { status: answer.status, body: (given === '' ? null : JSON.parse(given)) as Answer }
   }
 
-  /** Asks until somebody has answered: a node may be gone, a disk may be busy. @throws after a minute */
+  /** Asks until somebody has answered: a node may be gone, a disk may be busy. @throws after a minute, or when it is ended */
   async untilDone<Answer>(method: string, path: string, body?: unknown): Promise<Answer> {
     for (let tries = 0; tries < 300; tries++) {
       const answer = await this.ask<Answer>(method, path, body).catch(() => null)
+      this.signal.throwIfAborted()
       if (answer && answer.status < 300) return answer.body
       if (answer && answer.status < 500) throw new Error(`${method} ${path}: ${answer.status}`)
       this.again++
@@ -54,7 +58,7 @@ export class Client {
   /** Holds a stream of events open until it is stopped, opening it again whenever it ends. */
   listen(path: string, hear: (bytes: number) => void = () => {}): () => void {
     const stop = new AbortController()
-    const { signal } = stop
+    const signal = AbortSignal.any([stop.signal, this.signal])
     const once = async () => {
       const answer = await fetch(`${this.url}/api/class${path}`, { headers: this.headers(false), signal })
       for await (const piece of answer.body ?? []) hear((piece as Uint8Array).length)

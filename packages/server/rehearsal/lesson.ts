@@ -1,4 +1,5 @@
 import { setTimeout as wait } from 'node:timers/promises'
+import type { RehearsalProgress } from '@botgarten/classroom'
 import { Client } from './client.ts'
 import { projectOfLesson } from './projects.ts'
 
@@ -10,6 +11,10 @@ export interface LessonOptions {
   readonly seconds: number
   /** Between two saves of a pupil, s. */
   readonly every: number
+  /** Is told every second how it goes. */
+  readonly hear?: (progress: RehearsalProgress) => void
+  /** Ends the lesson early: it is then rejected. */
+  readonly signal?: AbortSignal
 }
 
 export interface Figures {
@@ -52,8 +57,8 @@ async function openClass(teacher: Client, token: string): Promise<{ id: string; 
   return { id, code: words.join(' ') }
 }
 
-async function join(url: string, code: string, at: number): Promise<Child> {
-  const client = new Client(url)
+async function join({ url, signal }: LessonOptions, code: string, at: number): Promise<Child> {
+  const client = new Client(url, signal)
   await client.untilDone('POST', '/join', { code, nickname: `Kind ${at}` })
   return { client, project: `rehearsal-${at}`, acknowledged: 0 }
 }
@@ -83,15 +88,17 @@ async function save(child: Child): Promise<number> {
   return performance.now() - began
 }
 
-async function play(child: Child, at: number, { pupils, every, seconds }: LessonOptions, times: number[]) {
+async function play(child: Child, at: number, options: LessonOptions, times: number[]) {
+  const { pupils, every, seconds, signal } = options
+  const pause = (time: number) => wait(time, undefined, signal && { signal })
   const end = performance.now() + seconds * 1000
   // Children do not save in the same moment.
-  await wait((at / pupils) * every * 1000)
+  await pause((at / pupils) * every * 1000)
   for (let count = 0; performance.now() < end; count++) {
     const began = performance.now()
     times.push(await save(child))
     await child.client.untilDone('PUT', '/me/here', reportOf(count))
-    await wait(Math.max(0, every * 1000 - (performance.now() - began)))
+    await pause(Math.max(0, every * 1000 - (performance.now() - began)))
   }
 }
 
@@ -121,31 +128,64 @@ function watch(teacher: Client, every: number) {
   }
 }
 
+/** Tells every second how far a lesson is. Returns how to stop. */
+function tell(
+  { hear, pupils, seconds }: LessonOptions,
+  children: readonly Child[],
+  times: readonly number[],
+) {
+  if (!hear) return { begins: () => {}, stop: () => {} }
+  let began: number | null = null
+  const now = () => {
+    const played = began === null ? 0 : (performance.now() - began) / 1000
+    const slowest = Math.round(Math.max(0, ...times))
+    const progress = { pupils, joined: children.length, saves: times.length, slowest }
+    hear({ ...progress, seconds: Math.min(seconds, Math.floor(played)), of: seconds })
+  }
+  now()
+  const timer = setInterval(now, 1000)
+  return { begins: () => void (began = performance.now()), stop: () => clearInterval(timer) }
+}
+
+const threeParts = (seen: readonly number[]) => {
+  const third = Math.ceil(seen.length / 3)
+  return {
+    rss: mb(Math.max(0, ...seen)),
+    rssFirst: mb(Math.max(0, ...seen.slice(0, third))),
+    rssLast: mb(Math.max(0, ...seen.slice(-third))),
+  }
+}
+
 /** A lesson through the real routes: pupils join, listen, report, save; the teacher watches. */
 export async function playLesson(options: LessonOptions): Promise<Figures> {
-  const { url, pupils, seconds } = options
-  const teacher = new Client(url)
+  const { url, pupils, seconds, signal } = options
+  const teacher = new Client(url, signal)
   const { id, code } = await openClass(teacher, options.token)
   const children: Child[] = []
-  for (let at = 0; at < pupils; at++) children.push(await join(url, code, at))
-  let heard = 0
-  const stops = [
-    teacher.listen(`/classes/${id}/stream`, (bytes) => void (heard += bytes)),
-    ...children.map(({ client }) => client.listen('/me/stream')),
-  ]
-  const memory = watch(teacher, Math.min(2000, (seconds * 1000) / 12))
   const times: number[] = []
-  await Promise.all(children.map((child, at) => play(child, at, options, times)))
-  memory.stop()
-  for (const stop of stops) stop()
-  const lost = await Promise.all(children.map(lostOf))
-  const third = Math.ceil(memory.seen.length / 3)
-  return {
-    ...{ pupils, saves: times.length, lost: lost.reduce((sum, one) => sum + one, 0) },
-    ...{ p99: Math.round(percentile(times, 0.99) * 10) / 10, slowest: Math.round(Math.max(0, ...times)) },
-    ...{ rss: mb(Math.max(0, ...memory.seen)), rssFirst: mb(Math.max(0, ...memory.seen.slice(0, third))) },
-    rssLast: mb(Math.max(0, ...memory.seen.slice(-third))),
-    again: children.reduce((sum, { client }) => sum + client.again, 0),
-    heard,
+  const telling = tell(options, children, times)
+  const stops: (() => void)[] = [telling.stop]
+  let heard = 0
+  try {
+    for (let at = 0; at < pupils; at++) children.push(await join(options, code, at))
+    stops.push(
+      teacher.listen(`/classes/${id}/stream`, (bytes) => void (heard += bytes)),
+      ...children.map(({ client }) => client.listen('/me/stream')),
+    )
+    const memory = watch(teacher, Math.min(2000, (seconds * 1000) / 12))
+    stops.push(memory.stop)
+    telling.begins()
+    await Promise.all(children.map((child, at) => play(child, at, options, times)))
+    for (const stop of stops.splice(0)) stop()
+    const lost = await Promise.all(children.map(lostOf))
+    return {
+      ...{ pupils, saves: times.length, lost: lost.reduce((sum, one) => sum + one, 0) },
+      ...{ p99: Math.round(percentile(times, 0.99) * 10) / 10, slowest: Math.round(Math.max(0, ...times)) },
+      ...threeParts(memory.seen),
+      again: children.reduce((sum, { client }) => sum + client.again, 0),
+      heard,
+    }
+  } finally {
+    for (const stop of stops) stop()
   }
 }

@@ -148,5 +148,23 @@ export const health = v.object({
 export type Health = v.InferOutput<typeof health>
 export const backedUp = v.object({ backups })
 
+/** How far a rehearsal is; times of saves in ms. */
+export const rehearsalProgress = v.object({
+  pupils: v.number(),
+  joined: v.number(),
+  saves: v.number(),
+  slowest: v.number(),
+  seconds: v.number(),
+  of: v.number(),
+})
+export const rehearsalOutcome = v.object({
+  green: v.boolean(),
+  pupils: v.number(),
+  saves: v.number(),
+  lost: v.number(),
+  p99: v.number(),
+  slowest: v.number(),
+})
+
 export const substituteLink = v.object({ token: v.string(), day: v.string() })
 export const substituteOf = v.object({ id: v.string(), name: v.string() })

@@ -1,4 +1,5 @@
 import * as v from 'valibot'
+import { eventsIn, type Heard } from './events.ts'
 
 /** Why the class server did not do what it was asked. Words for it: `teacher.refused.<code>`. */
 export class Refused extends Error {
@@ -53,12 +54,26 @@ export class ClassApi {
     return read.output
   }
 
-  async #send(method: Method, path: string, body: unknown): Promise<Response> {
+  /** A request whose answer goes on as events. @param signal ends it: the server is told by the broken connection */
+  async *events(path: string, body: unknown, signal: AbortSignal): AsyncGenerator<Heard> {
+    const answer = await this.#send('POST', path, body, signal)
+    try {
+      if (answer.body) yield* eventsIn(answer.body, signal)
+    } catch {
+      throw new Refused('noServer', 0)
+    }
+  }
+
+  async #send(
+    method: Method,
+    path: string,
+    body: unknown,
+    signal = AbortSignal.timeout(longest),
+  ): Promise<Response> {
     const json =
       body === undefined
         ? {}
         : { body: JSON.stringify(body), headers: { 'content-type': 'application/json' } }
-    const signal = AbortSignal.timeout(longest)
     const answer = await this.#fetch(`/api/class${path}`, { method, signal, ...json }).catch(() => null)
     if (!answer) throw new Refused('noServer', 0)
     if (!answer.ok) throw await refusedBy(answer)

@@ -1,21 +1,28 @@
 import { Account } from '../../model/account.svelte.ts'
-import { backedUp, classInFull, health, type ClassInFull, type Health } from '../../model/answers.ts'
-import type { ClassApi } from '../../model/api.ts'
+import { backedUp, classes, classInFull, health, type ClassInFull, type Health } from '../../model/answers.ts'
+import { Refused, type ClassApi } from '../../model/api.ts'
 import { Attempts } from '../../model/attempts.svelte.ts'
+import { Rehearsal } from '../../model/rehearsal.svelte.ts'
+
+/** In ms: so often the health of the server is asked again. */
+const healthEvery = 5000
 
 /** How far a first start has come. */
 export class Starting {
   readonly account: Account
+  readonly rehearsal: Rehearsal
   readonly #api: ClassApi
   #school = $state.raw<ClassInFull | null>(null)
   #health = $state.raw<Health | null>(null)
   #here = $state(0)
+  #withoutRehearsal = $state(false)
   #saved = $state(false)
   readonly #attempts = new Attempts()
 
   constructor(api: ClassApi) {
     this.#api = api
     this.account = new Account(api)
+    this.rehearsal = new Rehearsal(api)
   }
 
   /** Empty until the account is made. */
@@ -45,21 +52,39 @@ export class Starting {
     return this.#attempts.refused
   }
 
-  /** Who was invited does not back up: that is for who runs the server. */
-  get steps(): number {
-    return this.username !== '' && !this.account.operates ? 3 : 4
+  /** Who was invited neither rehearses nor backs up: that is for who runs the server. */
+  get steps(): 2 | 4 {
+    return this.username !== '' && !this.account.operates ? 2 : 4
   }
 
-  /** The step to do: 1 account, 2 class, 3 backup, 4 lesson. */
+  /** The step to do: 1 account, 2 class, 3 rehearsal, 4 backup, 5 lesson. */
   get now(): number {
     if (this.username === '') return 1
     if (!this.#school) return 2
-    return this.#saved || this.steps === 3 ? 4 : 3
+    if (this.steps === 2) return 5
+    if (this.rehearsal.state !== 'green' && !this.#withoutRehearsal) return 3
+    return this.#saved ? 5 : 4
   }
 
   async look(): Promise<void> {
     await this.account.look()
-    if (this.username !== '') await this.#askHealth()
+    if (this.username === '') return
+    await this.#askHealth()
+    // A page that is loaded again goes on with the class that was made.
+    const made = (await this.#api.ask(classes, 'GET', '/classes')).classes.at(-1)
+    if (made) await this.takeClass(made.id)
+  }
+
+  /** Keeps the health of the server as it is now. Returns how to stop, with a rehearsal that is on. */
+  watch(): () => void {
+    const timer = setInterval(() => {
+      if (this.username !== '') void this.#askHealth().catch(quiet)
+    }, healthEvery)
+    return () => (clearInterval(timer), this.rehearsal.stop())
+  }
+
+  skipRehearsal(): void {
+    this.#withoutRehearsal = true
   }
 
   async takeClass(id: string): Promise<void> {
@@ -84,4 +109,9 @@ export class Starting {
     this.#health = await this.#api.ask(health, 'GET', '/health')
     this.#here = Date.now()
   }
+}
+
+/** What the server does not say now it says the next time. */
+function quiet(error: unknown): void {
+  if (!(error instanceof Refused)) throw error
 }
