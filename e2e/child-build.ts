@@ -54,6 +54,18 @@ export class Builder {
     return { x: x!, y: y! }
   }
 
+  /**
+   * Where the only thing of a world rests, in cm. Its name follows a run at most ten times a second: it is waited for.
+   *
+   * @param thing what a hand takes hold of
+   */
+  async restsAt(thing: Locator): Promise<Spot> {
+    const { x, y } = await this.child.page.evaluate(() => globalThis.botgarten!.view()!.obstacles[0]!.pose)
+    const spot = { x: Math.round(x), y: Math.round(y) }
+    await expect.poll(() => this.placeOf(thing)).toEqual(spot)
+    return spot
+  }
+
   async chooses(colour: string) {
     await this.tool('build.colour').first().click()
     await this.tool(`build.colours.${colour}`).click()

@@ -11,7 +11,7 @@ export interface Place extends Spot {
   readonly text?: string
 }
 
-interface Robot {
+interface Placed {
   readonly id: string
   readonly pose: { readonly x: number; readonly y: number; readonly heading: number }
 }
@@ -21,7 +21,8 @@ declare global {
   var botgarten:
     | {
         view(): {
-          readonly robots: readonly Robot[]
+          readonly robots: readonly Placed[]
+          readonly obstacles: readonly Placed[]
           readonly brains: { readonly [network: string]: Brain }
         } | null
         places(): readonly Place[]

@@ -251,7 +251,7 @@ test('taking back a change of a thing that Bo has pushed leaves it where it was 
   const started = await builder.placeOf(thing)
   await child.pressesStart()
   await expect(child.button('lab.start').first()).toBeVisible({ timeout: 60_000 })
-  const pushed = await builder.placeOf(thing)
+  const pushed = await builder.restsAt(thing)
   expect(pushed.x).toBeGreaterThan(started.x + 15)
   // Bo stands so near that a finger would take Bo.
   await thing.focus()

@@ -34,11 +34,12 @@ for (const language of languagesOf(import.meta.filename)) {
     test('a child joins, works, leaves the device to another one and finds its work on a second one', async ({
       child,
       browser,
-      school,
+      school: server,
       contextOptions,
       locale,
       house,
     }) => {
+      const school = await anotherClass(server)
       const first = new Pupil(child, school)
       const pictures = await test.step('the code of the wall leads in', async () => {
         await first.opens()
