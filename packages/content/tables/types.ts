@@ -27,10 +27,13 @@ export type TableProblem =
 export class TableError extends Error {
   readonly problem: TableProblem
   readonly facts: { readonly [name: string]: string | number }
+  /** So many rows would have to be left out, and others would remain; 0: that does not help. */
+  readonly badRows: number
 
-  constructor(problem: TableProblem, facts: TableError['facts']) {
+  constructor(problem: TableProblem, facts: TableError['facts'], badRows = 0) {
     super(`${problem} ${JSON.stringify(facts)}`)
     this.problem = problem
     this.facts = facts
+    this.badRows = badRows
   }
 }

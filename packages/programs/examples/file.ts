@@ -54,14 +54,18 @@ const kindsOf = ({ inputs, outputs }: NetworkOutline) => {
   return { inputs: kinds(inputs), outputs: kinds(outputs) }
 }
 
-/** Examples from a file's text, of which nothing is trusted. @throws {ExamplesError} and nothing else */
-export function parseExamplesFile(text: string): ExamplesFile {
+/**
+ * Examples from a file's text, of which nothing is trusted. `first`: of too many rows or drives the first ones are taken.
+ * @throws {ExamplesError} and nothing else
+ */
+export function parseExamplesFile(text: string, first = false): ExamplesFile {
   if (text.length > mostBytes || bytesIn(text) > mostBytes)
     throw new ExamplesError('tooBig', { most: mostBytes / 1_000_000 })
   const data = dataIn(text)
   const head = v.safeParse(headSchema, data, { abortEarly: true })
   if (!head.success) throw new ExamplesError('notExamples')
-  const { neurons: own, drives, rows } = head.output
+  const { neurons: own, ...given } = head.output
+  const { drives, rows } = first ? firstOf(given.drives, given.rows) : given
   refuseMany(drives, rows)
   const ids = (kinds: readonly Kind[]) => kinds.map(({ id }) => id)
   const table = { version: 1, inputs: ids(own.inputs), outputs: ids(own.outputs), drives, rows }
@@ -94,6 +98,16 @@ function refuseMany(drives: unknown, rows: unknown): void {
   if (most(drives, mostOf.drives)) throw new ExamplesError('manyDrives', { most: mostOf.drives })
 }
 
+/** As many rows of as many drives as there may be; what is no list stays as it is. */
+function firstOf(drives: unknown, rows: unknown): { readonly drives: unknown; readonly rows: unknown } {
+  if (!Array.isArray(drives) || !Array.isArray(rows)) return { drives, rows }
+  const isGone = (row: unknown) => Array.isArray(row) && Number(row[place.drive]) >= mostOf.drives
+  return {
+    drives: drives.slice(0, mostOf.drives),
+    rows: rows.filter((row) => !isGone(row)).slice(0, mostOf.rows),
+  }
+}
+
 function errorOf({ path }: v.BaseIssue<unknown>): ExamplesError {
   const [part, at] = path?.map(({ key }) => key) ?? []
   return part === 'rows' && typeof at === 'number'
@@ -124,11 +138,17 @@ function namesFor(theirs: readonly Kind[], ours: readonly Kind[]): readonly stri
 
 const said = ({ inputs, outputs }: ExamplesFile['neurons']) => `${inputs.length} → ${outputs.length}`
 
+/** How many rows still fit behind these examples; 0: no drive or no row does. */
+export const roomBehind = ({ drives, rows }: Examples): number =>
+  drives.length < mostOf.drives ? Math.max(0, mostOf.rows - rows.length) : 0
+
 /**
- * Examples behind others of the same network. What a drive is called there may be taken here: then it gets a number.
+ * Examples behind others of the same network. What a drive is called there may be taken here: then it gets a number. `fits`: of too
+ * many the first ones are taken.
  * @throws {ExamplesError} where together they are too many
  */
-export function joinExamples(first: Examples, second: Examples): Examples {
+export function joinExamples(first: Examples, added: Examples, fits = false): Examples {
+  const second = fits ? cutTo(added, mostOf.drives - first.drives.length, roomBehind(first)) : added
   const taken = new Set(first.drives.map(({ id }) => id))
   const drives = second.drives.map((drive): Drive => {
     let id = drive.id
@@ -147,3 +167,8 @@ export function joinExamples(first: Examples, second: Examples): Examples {
   refuseMany(joined.drives, joined.rows)
   return joined
 }
+
+const cutTo = ({ drives, rows, ...rest }: Examples, mostDrives: number, mostRows: number): Examples => ({
+  ...{ ...rest, drives: drives.slice(0, mostDrives) },
+  rows: rows.filter((row) => row[place.drive]! < mostDrives).slice(0, mostRows),
+})

@@ -20,17 +20,20 @@ interface Numbers {
 /**
  * Examples from a table of numbers with a heading, its columns in any order. Wishes are cut to ±100; `outside`: how many
  * numbers lay outside of 0..100 for inputs and of ±100 for wishes. Each row without `drive` is a drive of its own up to the
- * limit of drives, then all are one.
+ * limit of drives, then all are one. `first`: of too many rows or drives the first ones are taken.
  * @throws {ExamplesError} and nothing else
  */
 export function examplesFromTable(
-  { columns, rows }: Numbers,
+  { columns, rows: all }: Numbers,
   inputs: readonly string[],
   outputs: readonly string[],
+  first = false,
 ): { readonly examples: Examples; readonly outside: number } {
-  if (rows.length > mostOf.rows) throw new ExamplesError('manyRows', { most: mostOf.rows })
+  if (all.length > mostOf.rows && !first) throw new ExamplesError('manyRows', { most: mostOf.rows })
   const at = placesOf(columns, [...inputs, ...outputs])
-  const driveOf = drivesIn(rows, columns.indexOf('drive'))
+  const column = columns.indexOf('drive')
+  const rows = first ? firstRows(all, column) : all
+  const driveOf = drivesIn(rows, column)
   const isOn = columns.indexOf('on')
   let outside = 0
   const table = rows.map((values, index): Row => {
@@ -58,6 +61,13 @@ function placesOf(columns: readonly string[], ids: readonly string[]): ReadonlyM
   const missing = ids.find((id) => !columns.includes(id))
   if (missing !== undefined) throw new ExamplesError('missingColumn', { column: missing })
   return new Map(ids.map((id) => [id, columns.indexOf(id)]))
+}
+
+/** As many rows of as many drives as there may be. */
+function firstRows(rows: Numbers['rows'], column: number): Numbers['rows'] {
+  if (column < 0) return rows.slice(0, mostOf.rows)
+  const drives = new Set([...new Set(rows.map((row) => row[column]))].slice(0, mostOf.drives))
+  return rows.filter((row) => drives.has(row[column])).slice(0, mostOf.rows)
 }
 
 function drivesIn(rows: readonly (readonly number[])[], column: number) {

@@ -20,6 +20,6 @@ export {
   withChoice,
   type PracticeChoice,
 } from './choice.ts'
-export { afterLesson, beginLesson, errorOn, type Lesson } from './lesson.ts'
+export { afterLesson, beginLesson, errorOn, lossesOn, rightIn, type Lesson } from './lesson.ts'
 export { beginExercise, prepare, type Exercise, type Prepared } from './prepare.ts'
 export { findingsIn, type ExampleFinding, type Table } from './checks/index.ts'

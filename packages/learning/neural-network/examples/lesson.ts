@@ -1,8 +1,9 @@
 import { withWeights } from '../edit.ts'
-import { meanLoss, percentOff, rightRows } from '../train/errors.ts'
+import { lossOf, meanLoss, percentOff, rightRows, type Measured } from '../train/errors.ts'
+import { forwardOver } from '../train/forward.ts'
 import { layOutTraining, parametersIn, weightsIn } from '../train/layout.ts'
 import { beginCurve, type CurvePoint } from '../train/practise.ts'
-import { rowsOf } from '../train/rows.ts'
+import { rowsOf, type Pair } from '../train/rows.ts'
 import type { Practice, Settings } from '../train/types.ts'
 import type { Brain, PracticeNote, Weights } from '../types.ts'
 import { beginExercise, prepare, type Exercise, type Prepared } from './prepare.ts'
@@ -52,11 +53,36 @@ export function errorOn(
   const ids = (layer: Brain['layers'][number] = []) => layer.map(({ id }) => id)
   const { pairs } = shownPairs(examples, ids(layers[0]), ids(layers.at(-1)))
   if (pairs.length === 0) return null
-  const net = layOutTraining(layers)
   const rows = rowsOf(pairs)
-  const [sums, values] = [new Float64Array(net.count), new Float64Array(net.count)]
-  const measured = { net: { ...net, shares: false }, parameters: parametersIn(net, weights), sums, values }
   return choice === null
-    ? percentOff(meanLoss(measured, rows)!)
-    : 100 * (1 - rightRows(measured, rows, choice) / rows.count)
+    ? percentOff(meanLoss(measuredBy(layers, weights), rows)!)
+    : 100 * (1 - rightIn(layers, weights, pairs, choice) / rows.count)
+}
+
+/** How many of these examples a network has right: see `rightRows`. */
+export const rightIn = (
+  layers: Brain['layers'],
+  weights: Weights,
+  pairs: readonly Pair[],
+  choice: 'one' | 'each',
+): number => rightRows(measuredBy(layers, weights), rowsOf(pairs), choice)
+
+/** By example: the mean of the squares by which the network is off, in hundredths. */
+export function lossesOn(
+  layers: Brain['layers'],
+  weights: Weights,
+  pairs: readonly Pair[],
+): readonly number[] {
+  const [measured, rows] = [measuredBy(layers, weights), rowsOf(pairs)]
+  return pairs.map((_, row) => {
+    forwardOver(measured, rows.inputs, row)
+    return lossOf(measured, rows, row)
+  })
+}
+
+/** Outputs that share 100 too are measured by how far they are off. */
+function measuredBy(layers: Brain['layers'], weights: Weights): Measured {
+  const net = layOutTraining(layers)
+  const [sums, values] = [new Float64Array(net.count), new Float64Array(net.count)]
+  return { net: { ...net, shares: false }, parameters: parametersIn(net, weights), sums, values }
 }
