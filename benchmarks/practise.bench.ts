@@ -2,9 +2,10 @@ import { spawnSync } from 'node:child_process'
 import { mkdtempSync } from 'node:fs'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
+import { pathToFileURL } from 'node:url'
 import type { Brain, Weights } from '@botgarten/learning/neural-network'
 import { learner } from '@botgarten/learning/neural-network'
-import { rowsOf, starter } from '@botgarten/learning/neural-network/train'
+import { rowsOf, starter, stepSome } from '@botgarten/learning/neural-network/train'
 import { draw, stream } from '@botgarten/numbers'
 import { median, type Table } from './bench.ts'
 
@@ -59,7 +60,7 @@ function begun(curve: Curve, batch: number, rounds: number) {
 function ours(curve: Curve, batch: number, rounds: number): readonly number[] {
   const practice = begun(curve, batch, rounds)
   const before = process.threadCpuUsage()
-  while (practice.ended === null) learner.step(practice)
+  while (practice.ended === null) stepSome(practice)
   const { user, system } = process.threadCpuUsage(before)
   return [(1e6 * rounds * rows) / (user + system), ...practice.parameters]
 }
@@ -103,10 +104,48 @@ function farthest(work: Work, curve: Curve, batch: number): number {
   return Math.max(...own.map((value, k) => Math.abs(value - theirs[k]!)))
 }
 
+/** What TensorFlow Playground's engine, src/nn.ts, has to know. */
+interface Playground {
+  buildNetwork(
+    shape: number[],
+    hidden: unknown,
+    output: unknown,
+    regularization: null,
+    inputs: string[],
+  ): unknown
+  forwardProp(network: unknown, inputs: number[]): number
+  backProp(network: unknown, target: number, error: unknown): void
+  updateWeights(network: unknown, rate: number, regularizationRate: number): void
+  readonly Activations: { readonly RELU: unknown; readonly TANH: unknown; readonly LINEAR: unknown }
+  readonly Errors: { readonly SQUARE: unknown }
+}
+
+/** Its examples a second: the same rows, one output, no momentum; it has neither more outputs nor that. */
+async function playground(path: string): Promise<Work> {
+  const nn = (await import(pathToFileURL(path).href)) as Playground
+  const table = pairs.map(({ inputs, outputs }) => ({
+    inputs: inputs.map((value) => value / 100),
+    target: outputs[0]! / 100,
+  }))
+  return (curve, batch, rounds) => {
+    const { RELU, TANH, LINEAR } = nn.Activations
+    const network = nn.buildNetwork([4, 8, 1], curve === 'relu' ? RELU : TANH, LINEAR, null, [...'abcd'])
+    const before = process.threadCpuUsage()
+    for (let round = 0; round < rounds; round++)
+      table.forEach(({ inputs, target }, row) => {
+        nn.forwardProp(network, inputs)
+        nn.backProp(network, target, nn.Errors.SQUARE)
+        if ((row + 1) % batch === 0) nn.updateWeights(network, 0.03, 0)
+      })
+    const { user, system } = process.threadCpuUsage(before)
+    return [(1e6 * rounds * rows) / (user + system)]
+  }
+}
+
 const million = (speed: number) => `${(speed / 1e6).toPrecision(3)} M`
 
 /** How fast a network practises beside the same loop in C and beside PyTorch. */
-export default function practise(): Table {
+export default async function practise(): Promise<Table> {
   const c = peer(compiled())
   const torch = peer(process.env['PYTHON'] ?? 'python3', join(here, 'loop.py'))
   const races: [string, Work, Curve, number, number, number][] = [
@@ -115,9 +154,14 @@ export default function practise(): Table {
     ['PyTorch, float64, one thread', torch, 'relu', 16, 20, 10],
     ['PyTorch, float64, one thread', torch, 'relu', 512, 200, 1],
   ]
+  const { PLAYGROUND } = process.env
+  const other = PLAYGROUND === undefined ? null : await playground(PLAYGROUND)
+  if (other)
+    for (const curve of ['relu', 'tanh'] as const)
+      races.push(['TensorFlow Playground, nn.ts', other, curve, 16, 20, 3])
   const lines = races.map(([name, work, curve, batch, rounds, least]) => {
-    const off = farthest(work, curve, batch)
-    if (!(off < 1e-9)) throw new Error(`${name} learned something else: ${off}`)
+    const off = work === other ? null : farthest(work, curve, batch)
+    if (off !== null && !(off < 1e-9)) throw new Error(`${name} learned something else: ${off}`)
     const speeds: [number[], number[]] = [[], []]
     for (let round = 0; round < 5; round++) {
       speeds[0].push(ours(curve, batch, 400)[0]!)
@@ -126,7 +170,7 @@ export default function practise(): Table {
     const [own, theirs] = speeds.map(median)
     return [
       ...[curve, batch, name, million(own!), million(theirs!)],
-      ...[`${(own! / theirs!).toPrecision(3)} ×`, `≥ ${least} ×`, off.toExponential(1)],
+      ...[`${(own! / theirs!).toPrecision(3)} ×`, `≥ ${least} ×`, off?.toExponential(1) ?? '–'],
     ]
   })
   return {
@@ -136,7 +180,7 @@ export default function practise(): Table {
     rows: lines,
     notes: [
       'C has the sizes of the network at compile time, so that its loops are unrolled; ours takes any network.',
-      'PyTorch is taken from the Python that PYTHON names.',
+      'PyTorch is taken from the Python that PYTHON names, TensorFlow Playground’s nn.ts from the path in PLAYGROUND; it has one output and no momentum.',
     ],
   }
 }

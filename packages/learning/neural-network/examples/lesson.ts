@@ -1,7 +1,8 @@
 import { withWeights } from '../edit.ts'
+import { blockFor } from '../train/block.ts'
 import { lossOf, meanLoss, percentOff, rightRows, type Measured } from '../train/errors.ts'
 import { forwardOver } from '../train/forward.ts'
-import { layOutTraining, parametersIn, weightsIn } from '../train/layout.ts'
+import { layOutTraining, parametersIn, sharesIn, weightsIn } from '../train/layout.ts'
 import { beginCurve, type CurvePoint } from '../train/practise.ts'
 import { rowsOf, type Pair } from '../train/rows.ts'
 import type { Practice, Settings } from '../train/types.ts'
@@ -73,7 +74,7 @@ export function lossesOn(
   weights: Weights,
   pairs: readonly Pair[],
 ): readonly number[] {
-  const [measured, rows] = [measuredBy(layers, weights), rowsOf(pairs)]
+  const [measured, rows] = [measuredBy(layers, weights), rowsOf(pairs, { shares: sharesIn(layers) })]
   return pairs.map((_, row) => {
     forwardOver(measured, rows.inputs, row)
     return lossOf(measured, rows, row)
@@ -84,5 +85,6 @@ export function lossesOn(
 function measuredBy(layers: Brain['layers'], weights: Weights): Measured {
   const net = layOutTraining(layers)
   const [sums, values] = [new Float64Array(net.count), new Float64Array(net.count)]
-  return { net: { ...net, shares: false }, parameters: parametersIn(net, weights), sums, values }
+  const parameters = parametersIn(net, weights)
+  return { net: { ...net, shares: false }, parameters, sums, values, block: blockFor(net) }
 }

@@ -1,9 +1,11 @@
 import { exp, ln } from '@botgarten/numbers'
+import { BLOCK, takeRows } from './block.ts'
+import { forwardBlock } from './forward-block.ts'
 import { forwardOver } from './forward.ts'
 import type { Practice, Rows } from './types.ts'
 
 /** What a network is measured with. */
-export type Measured = Pick<Practice, 'net' | 'parameters' | 'sums' | 'values'>
+export type Measured = Pick<Practice, 'net' | 'parameters' | 'sums' | 'values' | 'block'>
 
 /** L of the row that ran last: (1/m) Σ (y − t)², or −Σ t ln y. */
 export function lossOf({ net, sums, values }: Measured, { targets }: Rows, row: number): number {
@@ -34,12 +36,40 @@ function entropy(sums: Float64Array, at: number, count: number, targets: Float64
 /** The mean loss over rows with the weights of now; null where there are none. Writes over the values of the last run. */
 export function meanLoss(practice: Measured, rows: Rows): number | null {
   if (rows.count === 0) return null
+  const sum = practice.net.shares ? lossOneByOne(practice, rows) : lossInBlocks(practice, rows)
+  return sum / rows.count
+}
+
+function lossOneByOne(practice: Measured, rows: Rows): number {
   let sum = 0
   for (let row = 0; row < rows.count; row++) {
     forwardOver(practice, rows.inputs, row)
     sum += lossOf(practice, rows, row)
   }
-  return sum / rows.count
+  return sum
+}
+
+/** The same bits, several rows at once. */
+function lossInBlocks(practice: Measured, rows: Rows): number {
+  const width = practice.net.layers[0]?.inputs ?? 0
+  let sum = 0
+  for (let from = 0; from < rows.count; from += BLOCK) {
+    const size = Math.min(BLOCK, rows.count - from)
+    takeRows(practice.block, rows, width, from, size)
+    forwardBlock(practice, size)
+    for (let r = 0; r < size; r++) sum += lossInBlock(practice, rows, from, r)
+  }
+  return sum
+}
+
+function lossInBlock({ net, block }: Measured, { targets }: Rows, from: number, r: number): number {
+  const { to, outputs } = net.layers[net.layers.length - 1]!
+  let loss = 0
+  for (let j = 0; j < outputs; j++) {
+    const off = block.values[(to + j) * BLOCK + r]! - targets[(from + r) * outputs + j]!
+    loss += off * off
+  }
+  return loss / outputs
 }
 
 /** How far off outputs typically are: the root of the mean square, in percent. Of cross-entropy there is none. */

@@ -24,3 +24,4 @@ export {
 export { rowsOf, type Mirror, type Pair } from './rows.ts'
 export { starter } from './settings.ts'
 export { beginPractice } from './state.ts'
+export { stepSome } from './step.ts'

@@ -1,5 +1,6 @@
 import { fastStream } from '@botgarten/numbers'
 import { refuseOutside } from '../../parameters.ts'
+import { blockFor } from './block.ts'
 import { obstacleTo } from './obstacles.ts'
 import { layOutTraining, parametersIn } from './layout.ts'
 import { beginRound } from './round.ts'
@@ -23,6 +24,7 @@ export function beginPractice(settings: Settings, data: PracticeData, stream: re
     ...numbersOf(net),
     ...{ moves: movesIn(net, settings), decay: decayIn(net, settings) },
     ...{ whole: parameters.slice(), best: parameters.slice() },
+    ...{ block: blockFor(net) },
     order: new Uint32Array(data.practised.count),
     ...{ stream: fastStream(stream), drawn: fastStream(stream) },
     ...{ round: 0, at: 0, inBatch: 0, beta1: 1, beta2: 1, bestRound: 0, bestError: Infinity, ended: null },

@@ -1,5 +1,8 @@
 import { backwardOver } from './backward.ts'
+import { backwardBlock } from './backward-block.ts'
+import { blockSize, takeNext } from './block.ts'
 import { lossOf } from './errors.ts'
+import { forwardBlock } from './forward-block.ts'
 import { forwardOver, slopeOf } from './forward.ts'
 import { eachParameter } from './layout.ts'
 import { biasRow } from '../network.ts'
@@ -24,10 +27,29 @@ export function step(practice: Practice, trace?: (trace: TrainTrace) => void): v
   if (isWhole) finishRound(practice)
 }
 
+/** The next examples, several at once where that is faster: bit for bit what `step` would do. Returns how many they were. */
+export function stepSome(practice: Practice): number {
+  if (practice.ended !== null) return 0
+  const size = blockSize(practice)
+  if (size === 0) {
+    step(practice)
+    return 1
+  }
+  takeNext(practice, size)
+  forwardBlock(practice, size)
+  backwardBlock(practice, size)
+  practice.at += size
+  practice.inBatch += size
+  const isWhole = practice.at === practice.order.length
+  if (isWhole || practice.inBatch === practice.settings.batch) update(practice)
+  if (isWhole) finishRound(practice)
+  return size
+}
+
 /** Practises to the end of this round; does nothing when practice is over. */
 export function finishThisRound(practice: Practice): void {
   const { round } = practice
-  while (practice.ended === null && practice.round === round) step(practice)
+  while (practice.ended === null && practice.round === round) stepSome(practice)
 }
 
 function opened(practice: Practice, row: number, before: Float64Array, examples: number): TrainTrace {

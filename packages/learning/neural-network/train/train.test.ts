@@ -6,7 +6,8 @@ import { biasRow, forward, layOut } from '../network.ts'
 import type { Activation, Brain, Weights } from '../types.ts'
 import { backwardOver } from './backward.ts'
 import { beginningOf } from './beginning.ts'
-import { meanLoss, percentOff, rightRows } from './errors.ts'
+import { blockFor } from './block.ts'
+import { lossOf, meanLoss, percentOff, rightRows } from './errors.ts'
 import { forwardOver } from './forward.ts'
 import { layOutTraining, parametersIn, weightsIn } from './layout.ts'
 import { obstacleTo } from './obstacles.ts'
@@ -45,6 +46,13 @@ function practiceOf(
   const data = { layers, weights, practised: rowsOf(pairs, { shares }), kept: rowsOf(kept, { shares }) }
   return beginPractice(settings, data, order(1))
 }
+
+/** Of each row that is held back, one by one. */
+const lossesOf = (practice: Practice): readonly number[] =>
+  Array.from({ length: practice.kept.count }, (_, row) => {
+    forwardOver(practice, practice.kept.inputs, row)
+    return lossOf(practice, practice.kept, row)
+  })
 
 type Case = readonly [
   sizes: number[],
@@ -188,6 +196,43 @@ describe('practice', () => {
       expect(practice.parameters).toEqual(plain.parameters)
       expect(practice.round).toBe(plain.round)
     }
+  })
+
+  it('several examples at once give the bits of one after the other, curve and all', () => {
+    const size = fc.integer({ min: 1, max: 9 })
+    const kind = fc.constantFrom<Activation>('identity', 'relu', 'sigmoid', 'tanh')
+    fc.assert(
+      fc.property(
+        fc.array(size, { minLength: 2, maxLength: 4 }),
+        ...[kind, kind, fc.integer({ min: 4, max: 40 }), fc.constantFrom('sgd' as const, 'adam' as const)],
+        (sizes, hidden, out, batch, optimizer) => {
+          const pairs = Array.from({ length: 45 }, (_, row) => ({
+            inputs: Array.from({ length: sizes[0]! }, (_, i) => (row * 37 + i * 61) % 101),
+            outputs: Array.from({ length: sizes.at(-1)! }, (_, j) => ((row * 53 + j * 29) % 201) - 100),
+          }))
+          const settings: Settings = {
+            ...quick,
+            order: 'shuffled',
+            batch,
+            optimizer,
+            momentum: 0.9,
+            rounds: 4,
+          }
+          const begun = () => {
+            const { parameters } = layOutTraining(layersOf(sizes, hidden, out))
+            const start = Array.from({ length: parameters }, (_, k) => ((k * 71) % 41) / 40 - 0.5)
+            return practiceOf(layersOf(sizes, hidden, out), pairs, settings, start, pairs.slice(0, 21))
+          }
+          const [slow, fast] = [begun(), begun()]
+          while (slow.ended === null) step(slow)
+          while (fast.ended === null) finishThisRound(fast)
+          expect([...fast.parameters]).toEqual([...slow.parameters])
+          const single = { ...slow, block: blockFor(slow.net) }
+          expect(meanLoss(fast, fast.kept)).toBe(lossesOf(single).reduce((a, b) => a + b) / 21)
+        },
+      ),
+      { seed: 12, numRuns: 60 },
+    )
   })
 
   it('runs the network as the robot does', () => {

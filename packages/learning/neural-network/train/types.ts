@@ -1,5 +1,6 @@
 import type { FastStream } from '@botgarten/numbers'
 import type { Brain, Weights } from '../types.ts'
+import type { Block } from './block.ts'
 
 /** What practice depends on beside its examples and its start. Presets: presets.ts. */
 export interface Settings {
@@ -100,6 +101,8 @@ export interface Practice {
   readonly sums: Float64Array
   readonly values: Float64Array
   readonly deltas: Float64Array
+  /** Of several examples at once. */
+  readonly block: Block
   readonly order: Uint32Array
   /** Where the order of the next round begins. */
   readonly stream: FastStream

@@ -3,12 +3,13 @@ import type { Practice } from './types.ts'
 const BETA1 = 0.9
 const BETA2 = 0.999
 const EPSILON = 1e-8
+/** A movement below it changes no weight, but to go on with it in ever smaller numbers is slow. */
+const TINY = 1e-290
 
 /** Changes the weights by the mean gradient of the batch, which begins anew. */
 export function update(practice: Practice): void {
   if (practice.settings.optimizer === 'adam') adam(practice)
   else descend(practice)
-  practice.gradient.fill(0)
   practice.inBatch = 0
   if (practice.settings.range === 'unit') keepInUnit(practice)
 }
@@ -16,11 +17,17 @@ export function update(practice: Practice): void {
 /** v ← μv + g, w ← w − ηv (Polyak 1964, as PyTorch's SGD). */
 function descend({ settings, parameters, gradient, velocity, moves, decay, inBatch }: Practice): void {
   const { rate, momentum } = settings
-  for (let k = 0; k < parameters.length; k++) {
-    const slope = (gradient[k]! / inBatch + decay[k]! * parameters[k]!) * moves[k]!
-    const v = momentum * velocity[k]! + slope
-    velocity[k] = v
-    parameters[k] = parameters[k]! - rate * v
+  const count = parameters.length
+  // Of 2, 4, 8 … examples the mean is the same to the last bit by a product, which is quicker.
+  const share = 1 / inBatch
+  const isExact = (inBatch & (inBatch - 1)) === 0
+  for (let k = 0; k < count; k++) {
+    const weight = parameters[k]!
+    const mean = isExact ? gradient[k]! * share : gradient[k]! / inBatch
+    const v = momentum * velocity[k]! + (mean + decay[k]! * weight) * moves[k]!
+    velocity[k] = Math.abs(v) < TINY ? 0 : v
+    parameters[k] = weight - rate * v
+    gradient[k] = 0
   }
 }
 
@@ -35,9 +42,10 @@ function adam(practice: Practice): void {
     const slope = (gradient[k]! / inBatch + decay[k]! * parameters[k]!) * moves[k]!
     const first = BETA1 * velocity[k]! + (1 - BETA1) * slope
     const second = BETA2 * squares[k]! + (1 - BETA2) * slope * slope
-    velocity[k] = first
-    squares[k] = second
+    velocity[k] = Math.abs(first) < TINY ? 0 : first
+    squares[k] = second < TINY ? 0 : second
     parameters[k] = parameters[k]! - (rate * first) / (Math.sqrt(second / spread) + EPSILON)
+    gradient[k] = 0
   }
 }
 

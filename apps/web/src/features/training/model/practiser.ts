@@ -3,6 +3,7 @@ import { beginExercise, prepare, type Exercise } from '@botgarten/learning/neura
 import {
   pointOf,
   sleepingIn,
+  stepSome,
   type CurvePoint,
   type Practice,
   type Settings,
@@ -66,8 +67,8 @@ export class Practiser {
   #examples(): void {
     const practice = this.#practice
     const { round } = practice
-    for (let k = 0; k < examplesPerLook && practice.round === round && !practice.ended; k++)
-      learner.step(practice)
+    let done = 0
+    while (done < examplesPerLook && practice.round === round && !practice.ended) done += stepSome(practice)
     if (practice.round === round && !practice.ended) return
     const every = Math.ceil(this.#until / mostPoints)
     if (practice.round % every === 0 || this.isDone) this.#measure()
