@@ -12,6 +12,7 @@ export {
   type ShownPair,
 } from './rows.ts'
 export { columnsFor } from './columns.ts'
+export { withEarlierWishes } from './late.ts'
 export {
   exerciseBy,
   practiceChoice,

@@ -41,8 +41,8 @@ export class Training {
     this.session = session
     this.practice = new Practice(session)
     this.showing = new Showing(this.practice)
-    this.asking = new Asking(this.practice, this.showing)
     this.solo = new Solo(this.practice)
+    this.asking = new Asking(this.practice, this.showing, this.solo)
   }
 
   readonly inputs: readonly Neuron[] = $derived.by(() => this.#drawn('inputs'))

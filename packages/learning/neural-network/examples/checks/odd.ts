@@ -1,31 +1,31 @@
-import type { ShownPair } from '../rows.ts'
+import { gridOf, nearestOthers, type Grid } from './grid.ts'
 import { farApart, type ExampleFinding, type Table } from './types.ts'
 
 const neighbours = 4
 /** In percent: a wish so far from what its neighbours wish is odd. */
 const far = 35
 
+/** Percent: a cell of the grid in which the nearest are looked for. */
+const side = 4
+
 /** Examples whose wish is far from that of their nearest, or that practice cannot learn. It may be wrong: it asks. */
 export function oddOnes({ pairs, errors }: Table): readonly ExampleFinding[] {
   const unlearned = errors ? worstOf(errors) : new Set<number>()
-  return pairs.flatMap((pair, at): ExampleFinding[] =>
-    unlearned.has(at) || isOdd(pair, pairs) ? [{ kind: 'oddOne', row: pair.row }] : [],
+  const grid = gridOf(
+    pairs.map(({ inputs }) => inputs),
+    side,
+  )
+  return pairs.flatMap(({ row }, at): ExampleFinding[] =>
+    unlearned.has(at) || isOdd(at, pairs, grid) ? [{ kind: 'oddOne', row }] : [],
   )
 }
 
-function isOdd(pair: ShownPair, pairs: readonly ShownPair[]): boolean {
+function isOdd(at: number, pairs: Table['pairs'], grid: Grid): boolean {
   if (pairs.length <= neighbours) return false
-  const nearest: { readonly off: number; readonly outputs: readonly number[] }[] = []
-  for (const other of pairs) {
-    if (other === pair) continue
-    const off = farApart(pair.inputs, other.inputs)
-    if (nearest.length === neighbours && off >= nearest[neighbours - 1]!.off) continue
-    const place = nearest.findIndex((one) => one.off > off)
-    nearest.splice(place < 0 ? nearest.length : place, 0, { off, outputs: other.outputs })
-    nearest.length = Math.min(nearest.length, neighbours)
-  }
-  const usual = pair.outputs.map((_, k) => median(nearest.map(({ outputs }) => outputs[k]!)))
-  return farApart(pair.outputs, usual) > far
+  const { outputs } = pairs[at]!
+  const nearest = nearestOthers(grid, at, neighbours).map((other) => pairs[other]!.outputs)
+  const usual = outputs.map((_, k) => median(nearest.map((wished) => wished[k]!)))
+  return farApart(outputs, usual) > far
 }
 
 /** The worst tenth, where it is more than three times the median. */

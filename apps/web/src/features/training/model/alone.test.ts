@@ -12,6 +12,7 @@ function course(solved: boolean) {
   return {
     ...{ document, floor: content.floorOf(document.world), checks: card.checks },
     robot: document.world.robots[0]!.id,
+    network: { id: 'net', inputs: ['eyeLeft', 'eyeRight'] },
   }
 }
 
@@ -45,4 +46,14 @@ test('without a card it has to drive and must not bump', () => {
   const starts = unseenStarts([], world.size, 2, 1)
   const tried = toEnd(driveAlone({ ...course(false), checks: [] }, starts))
   expect(tried.map(({ passed }) => passed)).toEqual([false, false])
+})
+
+test('where a start is missed it is known what Bo read there', () => {
+  const [stood] = toEnd(driveAlone(course(false), unseenStarts(card.starts, world.size, 1, 1)))
+  expect(stood!.passed).toBe(false)
+  expect(stood!.readings).toHaveLength(2)
+  for (const value of stood!.readings!) {
+    expect(value).toBeGreaterThanOrEqual(0)
+    expect(value).toBeLessThanOrEqual(100)
+  }
 })

@@ -1,4 +1,4 @@
-import { createLab, type Check, type Document } from '@botgarten/lab'
+import { createLab, type Check, type Document, type Lab } from '@botgarten/lab'
 import { draw, stream } from '@botgarten/numbers'
 import { TICKS_PER_SECOND, type Floor, type Pose } from '@botgarten/simulation'
 
@@ -18,6 +18,8 @@ export interface Tried {
   /** Id of the check that was missed first; '' for a bump, where there is no card, or standing. */
   readonly missed: string
   readonly start: Pose
+  /** What the network read where Bo bumped first, else where it ended, in percent; null: it did not run. */
+  readonly readings: readonly number[] | null
   /** cm; a few a second. */
   readonly trail: readonly { readonly x: number; readonly y: number }[]
 }
@@ -50,6 +52,7 @@ interface Course {
   readonly floor: Floor
   readonly checks: readonly Check[]
   readonly robot: string
+  readonly network: { readonly id: string; readonly inputs: readonly string[] } | null
 }
 
 /** Lets Bo drive from each of these starts without a picture. Pauses every half second of Bo's time. */
@@ -59,20 +62,19 @@ export function* driveAlone(course: Course, starts: readonly Pose[]): Generator<
   return all
 }
 
-function* tried(
-  { document, floor, checks, robot }: Course,
-  start: Pose,
-  number: number,
-): Generator<undefined, Tried> {
+function* tried(course: Course, start: Pose, number: number): Generator<undefined, Tried> {
+  const { document, floor, checks, robot } = course
   const lab = createLab()
   lab.load(document, floor, { seed: 1, checks })
   const from = lab.place(robot, start)
   lab.start()
   const ticks = Math.max(shortest, ...checks.map(({ seconds }) => seconds)) * TICKS_PER_SECOND
   let bumped = false
+  let readings: readonly number[] | null = null
   for (let tick = 0; tick < ticks; tick += slice) {
     lab.advance(slice)
     const bo = lab.view().robots.find(({ id }) => id === robot)
+    if (!bumped) readings = readIn(lab, course)
     bumped ||= (bo?.touching.length ?? 0) > 0
     if (checks.length === 0 && bumped) break
     yield
@@ -82,7 +84,13 @@ function* tried(
   const open = view.checks.find(({ passed }) => !passed)
   const passed = checks.length > 0 ? !open && !view.problem : !bumped && lengthOf(trail) >= farEnough
   const points = trail.map(({ x, y }) => ({ x, y }))
-  return { number, passed, missed: open?.id ?? '', start: from, trail: points }
+  return { number, passed, missed: open?.id ?? '', start: from, readings, trail: points }
+}
+
+/** What the network reads now. */
+function readIn(lab: Lab, { network }: Course): readonly number[] | null {
+  const outputs = network && lab.view().networks[network.id]?.outputs
+  return outputs ? network.inputs.map((id) => outputs[id] ?? 0) : null
 }
 
 function lengthOf(trail: readonly { readonly x: number; readonly y: number }[]): number {

@@ -1,34 +1,79 @@
-import { findingsIn, shownPairs, type ExampleFinding } from '@botgarten/learning/neural-network/examples'
-import type { Assignment } from './assignment.svelte.ts'
+import {
+  findingsIn,
+  lossesOn,
+  shownPairs,
+  type ExampleFinding,
+  type Table,
+} from '@botgarten/learning/neural-network/examples'
+import { errorsByRow, type ErrorsByRow } from './order.ts'
+import type { Practice } from './practice.svelte.ts'
 import type { Showing } from './showing.svelte.ts'
+import type { Solo } from './solo.svelte.ts'
+
+/** To compare more rows takes longer than a frame: that is done beside the page. */
+const mostAtOnce = 600
+/** ms that a table rests before it is sent there. */
+const rest = 150
 
 /** What Piep asks about the examples: one thing at a time, the gravest first. Nothing is set aside by itself. */
 export class Asking {
-  readonly #assignment: Assignment
+  readonly #practice: Practice
   readonly #showing: Showing
+  readonly #solo: Solo
   /** What a child wants to keep as it is. */
   #kept = $state.raw<readonly string[]>([])
+  #answered = $state.raw<readonly ExampleFinding[]>([])
+  #number = 0
+  #timer: ReturnType<typeof setTimeout> | undefined
 
-  constructor(assignment: Assignment, showing: Showing) {
-    this.#assignment = assignment
+  constructor(practice: Practice, showing: Showing, solo: Solo) {
+    this.#practice = practice
     this.#showing = showing
+    this.#solo = solo
   }
 
-  readonly #all: readonly ExampleFinding[] = $derived.by(() => {
-    const { examples, net, layers, choice, mirror } = this.#assignment
-    if (!examples || !net) return []
+  /** The examples that practise, as the checks look at them; null: there are none. */
+  readonly #table: Table | null = $derived.by(() => {
+    const { examples, net, layers, choice, mirror, outcome, knobs } = this.#practice
+    if (!examples || !net) return null
     const [inputs, outputs] = [net.inputs, net.outputs].map((all) => all.map(({ id }) => id)) as [
       string[],
       string[],
     ]
     const { pairs } = shownPairs(examples, inputs, outputs)
-    if (pairs.length === 0 || pairs.length > mostAsked) return []
-    return findingsIn({
+    if (pairs.length === 0) return null
+    const hasPractised = outcome.round > 0 && knobs.stands
+    return {
       ...{ pairs, inputs, outputs, wheels: this.#showing.drives },
       mirror: choice.settings.mirror ? mirror : null,
       knobs: knobsIn(layers, choice.settings.bias === 'on'),
-    })
+      failed: this.#solo.failed,
+      ...(hasPractised ? { errors: lossesOn(layers, knobs.weights, pairs) } : {}),
+    }
   })
+
+  /** By row of the table: how far off it is after practice, as the mean square; null: nothing was practised. */
+  readonly errors: ErrorsByRow | null = $derived.by(() => this.#table && errorsByRow(this.#table))
+
+  readonly #isLarge = $derived.by(() => (this.#table?.pairs.length ?? 0) > mostAtOnce)
+  readonly #all: readonly ExampleFinding[] = $derived.by(() => {
+    if (this.#isLarge) return this.#answered
+    return this.#table ? findingsIn(this.#table) : []
+  })
+
+  /** Has a large table looked through as soon as it rests. */
+  look(): void {
+    clearTimeout(this.#timer)
+    const [table, isLarge] = [this.#table, this.#isLarge]
+    const number = ++this.#number
+    this.#answered = []
+    if (!table || !isLarge) return
+    this.#timer = setTimeout(() => {
+      this.#practice.ask(number, table, (answer) => {
+        if (answer.number === this.#number) this.#answered = answer.findings
+      })
+    }, rest)
+  }
 
   /** The question of now; null: there is none. */
   readonly now = $derived.by(() => this.#all.find((one) => !this.#kept.includes(nameOf(one))) ?? null)
@@ -37,9 +82,6 @@ export class Asking {
     this.#kept = [...this.#kept, nameOf(finding)]
   }
 }
-
-/** To compare each with each takes a child's patience beyond this. */
-const mostAsked = 1500
 
 /** A question is the same as long as what it asks about is. */
 const nameOf = (finding: ExampleFinding): string =>

@@ -1,6 +1,6 @@
 import { realTime } from './around.ts'
 import { Host } from './host.ts'
-import type { Order, Report } from './messages.ts'
+import type { Ask, Order, Report } from './messages.ts'
 
 /** Practises in a worker; where there is none, on the page in slices of 8 ms. */
 export class Engine {
@@ -9,6 +9,7 @@ export class Engine {
   #host: Host | null = null
   /** What a new one has to be told where the worker dies. */
   #begun: readonly Order[] = []
+  #asked: Ask | null = null
 
   constructor(listen: (report: Report) => void) {
     this.#listen = listen
@@ -20,7 +21,8 @@ export class Engine {
   }
 
   send(order: Order): void {
-    if (order.kind === 'begin') this.#begun = [order]
+    if (order.kind === 'ask') this.#asked = order
+    else if (order.kind === 'begin') this.#begun = [order]
     else if (order.kind !== 'heard' && this.#begun[0]) this.#begun = [this.#begun[0], order]
     this.warm()
     if (this.#host) this.#host.take(order)
@@ -46,6 +48,7 @@ export class Engine {
     this.#worker = null
     this.#host = this.#here()
     for (const order of this.#begun) this.#host.take(order)
+    if (this.#asked) this.#host.take(this.#asked)
   }
 
   close(): void {

@@ -1,3 +1,4 @@
+import { findingsIn } from '@botgarten/learning/neural-network/examples'
 import type { Order, Report } from './messages.ts'
 import { Practiser } from './practiser.ts'
 
@@ -36,6 +37,11 @@ export class Host {
       this.#practiser = new Practiser(order.job, order.exercise, order.settings)
       this.#posted = -Infinity
       this.#isUnheard = false
+      return
+    }
+    if (order.kind === 'ask') {
+      const { number, table } = order
+      this.#around.post({ kind: 'answer', number, findings: findingsIn(table) })
       return
     }
     const practiser = this.#practiser

@@ -1,4 +1,4 @@
-import type { Exercise } from '@botgarten/learning/neural-network/examples'
+import type { Exercise, ExampleFinding, Table } from '@botgarten/learning/neural-network/examples'
 import type { CurvePoint, Ending, Settings, TrainTrace } from '@botgarten/learning/neural-network/train'
 
 /** What the page asks of a practice. `job` numbers its beginnings: reports of an earlier one are not listened to. */
@@ -14,8 +14,23 @@ export type Order =
   | { readonly kind: 'peek' }
   /** Takes the next example. */
   | { readonly kind: 'step' }
+  | Ask
 
-export type Report = Progress | Example
+/** What is to be asked about a table that is too large to look through on the page. */
+export interface Ask {
+  readonly kind: 'ask'
+  readonly number: number
+  readonly table: Table
+}
+
+export type Report = Progress | Example | Answer
+
+/** The findings in the table that was asked about by this number. */
+export interface Answer {
+  readonly kind: 'answer'
+  readonly number: number
+  readonly findings: readonly ExampleFinding[]
+}
 
 /** Rounds have passed, or it has come to rest. */
 export interface Progress {

@@ -1,10 +1,10 @@
-import { exerciseBy, prepare } from '@botgarten/learning/neural-network/examples'
+import { exerciseBy, prepare, type Table } from '@botgarten/learning/neural-network/examples'
 import type { LabEvent } from '#lab/change.ts'
 import type { LabSession } from '#lab/session.svelte.ts'
 import { Assignment } from './assignment.svelte.ts'
 import { Beats } from './beats.svelte.ts'
 import { Engine } from './engine.ts'
-import type { Order, Phase, Progress, Report, Then } from './messages.ts'
+import type { Answer, Order, Phase, Progress, Report, Then } from './messages.ts'
 import { Outcome } from './outcome.svelte.ts'
 import {
   isSamePractice,
@@ -30,6 +30,7 @@ export class Practice extends Assignment {
   /** The round up to which the engine has practised; −1: it has not begun with this. */
   #reached = -1
   #then: Then | null = null
+  #answer: (answer: Answer) => void = () => {}
 
   constructor(session: LabSession) {
     super(session)
@@ -113,7 +114,14 @@ export class Practice extends Assignment {
     if (this.#phase !== 'rest') this.#send({ kind: 'stop' })
   }
 
+  /** Has a large table looked through beside the page. */
+  ask(number: number, table: Table, answer: (answer: Answer) => void): void {
+    this.#answer = answer
+    this.#send({ kind: 'ask', number, table })
+  }
+
   #hear(report: Report): void {
+    if (report.kind === 'answer') return this.#answer(report)
     setTimeout(() => this.#send({ kind: 'heard' }))
     if (report.job !== this.#job || !this.#rehearsal) return
     if (report.kind === 'example') return this.beats.take(report)

@@ -4,6 +4,7 @@ import { choiceIn, wheelsIn } from '@botgarten/programs/examples'
 import type { LabEvent } from '#lab/change.ts'
 import type { LabSession } from '#lab/session.svelte.ts'
 import type { Assignment } from './assignment.svelte.ts'
+import { asShown, type Order } from './order.ts'
 import { lastTicks, shownRows, withoutLast, withoutRows, type ShownRow } from './table.ts'
 
 /** `remember`: one row at a time · `drive`: a hand drives · `coach`: the net drives until a hand takes over · `copy`: a program drives. */
@@ -18,6 +19,7 @@ const byMode: { readonly [mode in Exclude<Mode, 'remember'>]: Drive['by'] } = {
 
 const still: Wheels = { left: 0, right: 0 }
 const fiveSeconds = 300
+const usualRate = 10
 
 /** What a hand shows the network on the screen. */
 export class Showing {
@@ -30,6 +32,10 @@ export class Showing {
   #isHeld = $state(false)
   /** There was no room for another row. */
   #isFull = $state(false)
+  /** Which rows are looked at, and in which order. */
+  order = $state.raw<Order>(asShown)
+  /** Rows a second while a hand drives. */
+  rate = $state(usualRate)
   /** Only what Bo sees is seen. null: as it is usual for the way of showing. */
   #eyes = $state<boolean | null>(null)
 
@@ -142,7 +148,7 @@ export class Showing {
     const { phase } = session.lab.facts
     if (phase === 'paused') session.resume()
     else if (phase !== 'running' && session.start() !== null) return false
-    if (!session.lab.view.recording) session.examples.record(net.id, byMode[this.#mode])
+    if (!session.lab.view.recording) session.examples.record(net.id, byMode[this.#mode], this.rate)
     return session.lab.facts.phase === 'running'
   }
 

@@ -33,6 +33,12 @@ export class Solo {
   get results() {
     return this.#results
   }
+  /** What Bo read where it failed in the last run. */
+  readonly failed: readonly (readonly number[])[] = $derived.by(() =>
+    (this.#results.at(-1)?.tried ?? []).flatMap(({ passed, readings }) =>
+      passed || !readings ? [] : [readings],
+    ),
+  )
   get isGoing() {
     return this.#isGoing
   }
@@ -42,13 +48,14 @@ export class Solo {
 
   go(): void {
     if (this.#isGoing) return
-    const { session, outcome } = this.#assignment
+    const { session, outcome, net } = this.#assignment
     const { round } = outcome
     const { lab, opened, robotId } = session
     const { card } = opened
     const starts = unseenStarts(card?.card.starts ?? [], lab.document.world.size, this.count, 1)
     const checks = card?.card.checks ?? []
-    const course = { document: lab.document, floor: lab.floor, checks, robot: robotId }
+    const network = net && { id: net.id, inputs: net.inputs.map(({ id }) => id) }
+    const course = { document: lab.document, floor: lab.floor, checks, robot: robotId, network }
     this.#isGoing = true
     this.shown = null
     this.#inFrames(driveAlone(course, starts), (tried) => {

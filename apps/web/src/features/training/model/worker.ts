@@ -4,6 +4,7 @@ import { Host } from './host.ts'
 import type { Order, Report } from './messages.ts'
 
 const post = (report: Report) => {
+  if (report.kind === 'answer') return self.postMessage(report)
   const owned = report.kind === 'progress' ? [report.now.buffer, report.stored.buffer] : [report.now.buffer]
   self.postMessage(report, { transfer: owned })
 }

@@ -12,6 +12,13 @@ const listOf = (rows: readonly number[]) =>
     rows.slice(0, mostNamed).map((row) => `${row + 1}`),
   )
 
+/** The rows that a question names, in the order of the table. */
+export function rowsIn(finding: ExampleFinding): readonly number[] {
+  if (!('row' in finding)) return []
+  const others = 'others' in finding ? finding.others.slice(0, 2) : []
+  return [finding.row, ...others].sort((a, b) => a - b)
+}
+
 /** What Piep asks about the examples, in a child's words. */
 export function questionOf(finding: ExampleFinding, { inputs, outputs }: Training): string {
   switch (finding.kind) {
@@ -24,7 +31,11 @@ export function questionOf(finding: ExampleFinding, { inputs, outputs }: Trainin
     case 'oneSided':
       return m['training.ask.oneSided']({ left: finding.left, right: finding.right })
     case 'neverSeen':
-      return m['training.ask.neverSeen']()
+      return m['training.ask.neverSeen']({
+        list: inputs
+          .map((one, k) => `${shortName(one, inputs)} ${number(finding.readings[k] ?? 0, 0)}`)
+          .join(', '),
+      })
     case 'allAlike': {
       const layer = finding.isInput ? inputs : outputs
       const neuron = layer.find(({ id }) => id === finding.column)
