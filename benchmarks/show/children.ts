@@ -10,7 +10,7 @@ import { TICKS_PER_SECOND, type Pose } from '@botgarten/simulation'
 
 const found = content.card('friendship')!
 const program = content.program('friendship', 'start')!
-export const card = found.card
+const card = found.card
 export const network = 'net'
 const robot = found.world.robots[0]!.id
 /** A hand decides ten times a second, and is late by 0.25 s: three of its decisions. */
@@ -36,7 +36,7 @@ function labAt(brain: Brain | null, pose: Pose): Lab {
   return lab
 }
 
-export const dice = (child: number, what: string): StreamState => stream(child, `bench/show/${what}`)
+const dice = (child: number, what: string): StreamState => stream(child, `bench/show/${what}`)
 const between = (state: StreamState, far: number) => (2 * draw(state) - 1) * far
 /** About normal, with deviation 1: the sum of twelve uniform draws (Irwin & Hall). */
 const shake = (state: StreamState) =>

@@ -39,7 +39,7 @@ const cellOf = (point: readonly number[], side: number): readonly [number, numbe
 ]
 
 /** Visits the points in cells exactly so many cells away from that of a point. Returns whether there can be any farther out. */
-export function visitRing(
+function visitRing(
   { side, cells, bounds }: Grid,
   point: readonly number[],
   ring: number,
