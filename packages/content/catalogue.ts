@@ -15,6 +15,8 @@ export interface CardHead extends Pick<Card, 'id' | 'code' | 'group' | 'chapter'
   readonly bed: Playground
   /** Number of its start poses. */
   readonly starts: number
+  /** The asset that its floor lies on, where it lies on one. */
+  readonly floor?: string
   /** The first line of its texts. */
   readonly title: Translated<string>
 }

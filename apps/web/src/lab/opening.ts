@@ -1,11 +1,11 @@
 import type { LoadedCard } from '#content/cards.ts'
-import { floorAddress, loadCard, loadFreeLab } from '#content/cards.ts'
+import { allCards, floorAddress, loadCard, loadFreeLab } from '#content/cards.ts'
 import { keepsAnything } from '#storage/database.ts'
 import { freshId, load } from '#storage/projects.ts'
 import { knowOwnMaps } from '@botgarten/blocks'
 import { cardProject } from '@botgarten/content/document'
 import { parseProject, salvageProject, type Project } from '@botgarten/programs'
-import { pictureIn } from './floor/pictures.ts'
+import { askForPixels, pictureIn } from './floor/pictures.ts'
 import { paintFloor, type Floor, type World } from '@botgarten/simulation'
 
 /** A project that is about to be shown. */
@@ -37,8 +37,10 @@ export interface Packs {
 
 /** What a route of the lab shows: a card, or `free`; null where no card has this name. */
 export async function openLab(name: string, projectId: string | null, packs: Packs): Promise<Opened | null> {
-  // What the device holds is looked up while the card travels.
+  // What the device holds is looked up while the card and its floor travel.
   const stored = load(projectId ?? name)
+  const floorOfCard = allCards.find(({ id }) => id === name)?.floor
+  if (floorOfCard !== undefined) askForPixels({ asset: floorOfCard })
   const card = name === 'free' ? null : await loadCard(name)
   if (name !== 'free' && !card) return null
   const fresh = card ? cardProject(card.world, card.card, card.start, card.card.id) : await loadFreeLab()

@@ -2,6 +2,25 @@ import { pixelsAddress } from '#content/cards.ts'
 import type { Project } from '@botgarten/programs'
 import type { Picture, World } from '@botgarten/simulation'
 
+/** Pixels that were asked for before anybody needs them, by their address. */
+const early = new Map<string, Promise<Response>>()
+
+/** Asks for the pixels of a floor, so that they travel beside what says that they are needed. */
+export function askForPixels(floor: World['floor']): void {
+  const address = pixelsAddress({ floor })
+  if (address === null) return
+  const answer = fetch(address)
+  // Who needs them hears of it.
+  answer.catch(() => undefined)
+  early.set(address, answer)
+}
+
+function pixelsAt(address: string): Promise<Response> {
+  const answer = early.get(address) ?? fetch(address)
+  early.delete(address)
+  return answer
+}
+
 /**
  * The picture that a world lies on, unpacked: a child's own from the project, ours from the pixels that the build has made
  * of it. Null where there is no such picture.
@@ -16,7 +35,7 @@ export async function pictureIn(
     return readPng(Uint8Array.fromBase64(own.base64))
   }
   const address = pixelsAddress(world)
-  return address === null ? null : unpack(await fetch(address))
+  return address === null ? null : unpack(await pixelsAt(address))
 }
 
 /** Width and height, four bytes each, then the pixels; all of it deflated, which the browser undoes itself. */
