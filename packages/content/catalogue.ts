@@ -1,5 +1,7 @@
 import type { Block } from '@botgarten/blocks'
+import type { Cage } from '@botgarten/maps/zoo'
 import type { Alignment } from './schema/alignment.ts'
+import type { CageText } from './schema/cageText.ts'
 import type { Card, CardProgram, CardText, Playground, WorldFile } from './schema/cardTypes.ts'
 import type { Item, ItemText } from './schema/itemTypes.ts'
 import type { Question, QuestionText } from './schema/questionTypes.ts'
@@ -67,6 +69,17 @@ export interface Sets {
   readonly sets: readonly ThingSet[]
 }
 
+/** A cage with its words. */
+export interface LoadedCage {
+  readonly cage: Cage
+  readonly text: Translated<CageText>
+}
+
+export interface Zoo {
+  /** Rewards that cheat. */
+  readonly cages: readonly LoadedCage[]
+}
+
 /** An item and the number of its folder, among those of its kind. */
 export type NumberedItem = Item & { readonly number: number }
 
@@ -89,7 +102,7 @@ export interface ItemTexts {
  * What there is in content/, every list in the order of its folders. Files are read at once, a page loads what it asks
  * for: `Lazy`.
  */
-export interface Catalogue extends Cards, Programs, Worlds, Maps, Sets, Items {
+export interface Catalogue extends Cards, Programs, Worlds, Maps, Sets, Zoo, Items {
   /** Folders of words. */
   readonly languages: readonly string[]
 }

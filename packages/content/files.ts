@@ -9,6 +9,7 @@ import type { Catalogue } from './catalogue.ts'
 import { cardsIn } from './files/cards.ts'
 import { folderAt, idOf, named, once } from './files/folder.ts'
 import { itemsIn } from './files/items.ts'
+import { zooIn } from './files/zoo.ts'
 import { readAlignment } from './schema/alignment.ts'
 import { readReferences } from './schema/references.ts'
 import { readThings } from './schema/things.ts'
@@ -31,6 +32,8 @@ export interface ContentFiles extends Catalogue {
   readonly itemFolder: (id: string) => string
   /** Names of the pictures beside the text of an item. */
   readonly picturesOf: (item: string) => readonly string[]
+  /** Path of the drawing of a cage's map. */
+  readonly mapOfCage: (id: string) => string
   /** Path of the picture of a thing of a set. */
   readonly pictureOf: (set: string, thing: string) => string
   /** The floor of a world whose picture is in content/ or among a project's assets. */
@@ -42,6 +45,7 @@ export function contentIn(root: string): ContentFiles {
   const folder = folderAt(root)
   const cards = cardsIn(folder)
   const items = itemsIn(folder)
+  const zoo = zooIn(folder)
   const maps = once(() => folder.foldersWith('maps/*/map.svg').map(idOf))
   const map = (id: string) => (maps().includes(id) ? folder.text('maps', id, 'map.svg') : null)
   const mapFile = (id: string) => {
@@ -86,6 +90,9 @@ export function contentIn(root: string): ContentFiles {
     get sets() {
       return sets()
     },
+    get cages() {
+      return zoo.cages()
+    },
     get items() {
       return items.items()
     },
@@ -94,9 +101,9 @@ export function contentIn(root: string): ContentFiles {
     },
     ...{ map, mapFile, floorOf, path: folder.path, cardFolder: cards.folderOf },
     ...{ card: cards.card, program: cards.program, world: cards.world },
-    pictureOfCard: cards.pictureOfCard,
+    ...{ pictureOfCard: cards.pictureOfCard, mapOfCage: zoo.mapOf },
     filesBelow: () =>
-      globSync('{cards,free-lab,maps,materials,things,worlds}/**/*.*', { cwd: root }).map((file) =>
+      globSync('{cards,free-lab,maps,materials,things,worlds,zoo}/**/*.*', { cwd: root }).map((file) =>
         folder.path(file),
       ),
     ...{

@@ -26,6 +26,16 @@ declare module 'content:maps' {
   export default part
 }
 
+declare module 'content:zoo' {
+  import type { Zoo } from '@botgarten/content/catalogue'
+  const part: Zoo & {
+    /** Address of the drawing of a cage's map. */
+    readonly addressOf: (cage: string) => string
+    readonly map: (cage: string) => Promise<string>
+  }
+  export default part
+}
+
 declare module 'content:sets' {
   import type { Lazy, Sets } from '@botgarten/content/catalogue'
   const part: Lazy<Sets> & {

@@ -92,6 +92,18 @@ const modules: Parts = {
       }`
   },
 
+  zoo(content) {
+    const files = content.cages.map(({ cage }) => [cage.id, content.mapOfCage(cage.id)] as const)
+    const drawings = addresses('map', files, '?url&no-inline')
+    return `${drawings.imports}
+      const drawings = ${drawings.table}
+      export default {
+        cages: ${data(content.cages)},
+        addressOf: (id) => drawings[id],
+        map: async (id) => (await fetch(drawings[id])).text(),
+      }`
+  },
+
   sets(content) {
     const files = content.sets.flatMap(({ id, things }) =>
       things.map((thing) => [`${id}/${thing.id}`, content.pictureOf(id, thing.id)] as const),
