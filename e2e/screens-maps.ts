@@ -21,6 +21,26 @@ async function draws(child: Child) {
   await expect(child.page.getByRole('group', { name: child.word('design.paper'), exact: true })).toBeVisible()
 }
 
+/** Rewards that cheat: all cages, and one whose Bo was watched. */
+const zoo: readonly Screen[] = [
+  {
+    name: 'zoo',
+    async show(child) {
+      await child.page.goto('/zoo')
+      await expect(child.page.getByRole('heading', { level: 2 }).first()).toBeVisible()
+    },
+  },
+  {
+    name: 'zoo-cage',
+    async show(child) {
+      await child.page.goto('/zoo?cage=fountain')
+      await child.page.locator('.guesses button').last().click()
+      await child.presses('zoo.learn')
+      await child.presses('zoo.pause')
+    },
+  },
+]
+
 /** A map is drawn. */
 const designing: readonly Screen[] = [
   { name: 'maps', show: opens },
@@ -101,4 +121,4 @@ const grids: readonly Screen[] = ['bandit', 'cliff', 'errand', 'lake', 'lake-8',
   },
 ])
 
-export const mapScreens = [...designing, ...grids]
+export const mapScreens = [...designing, ...grids, ...zoo]

@@ -32,6 +32,11 @@ export const settings = {
   ),
   sound: v.boolean(),
   tour: v.literal('seen'),
+  /** Cages of the reward zoo: what was guessed, and whether it was mended. */
+  zoo: v.record(
+    v.pipe(v.string(), v.maxLength(60)),
+    v.strictObject({ guess: v.picklist(['wish', 'other', 'never']), mended: v.boolean() }),
+  ),
 } satisfies { readonly [name: string]: v.GenericSchema }
 
 /** How the device is set up for whoever uses it; all else is a pupil's own where there is one. */

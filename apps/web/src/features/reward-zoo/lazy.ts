@@ -1,0 +1,4 @@
+// What shows the cages, and learns in them.
+export { openCage } from './model/open.ts'
+export { default as CageScreen } from './view/CageScreen.svelte'
+export { default as Overview } from './view/Overview.svelte'
