@@ -22,6 +22,8 @@ export function placesOf(chosen: Chosen): readonly string[] {
 export class Marked {
   #road = $state.raw<readonly [number, number] | null>(null)
   chosen = $state.raw<Chosen | null>(null)
+  /** Own rewards were found on the map: they may be changed at every level, back from 0 as well. */
+  pays = $state(false)
 
   get road() {
     return this.#road
