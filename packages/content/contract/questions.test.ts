@@ -1,4 +1,6 @@
+import { readFileSync } from 'node:fs'
 import { outcomeOf, type Given } from '@botgarten/experiments'
+import { readMap } from '@botgarten/maps'
 import { learningIn } from '@botgarten/programs'
 import { describe, expect, it } from 'vitest'
 import { content } from '../files.ts'
@@ -20,8 +22,14 @@ function thingsOf(set: ThingSet, features: readonly string[]): Given {
   return { kind: 'things', things: new Map(rows) }
 }
 
+function cageGiven(id: string): Given {
+  const { cage } = content.cages.find((one) => one.cage.id === id)!
+  return { kind: 'cage', cage, map: readMap(readFileSync(content.mapOfCage(id), 'utf8')).map! }
+}
+
 function givenFor(run: QuestionRun): Given {
   if (run.observe === 'group') return thingsOf(setNamed(run.set), run.features)
+  if (run.observe === 'cage') return cageGiven(run.cage)
   const { card, world } = content.card(run.card)!
   const program = content.program(run.card, run.file)!
   const document = cardDocument(world, card, program, 'start' in run ? run.start : 0)

@@ -64,6 +64,8 @@ const embed = v.variant('kind', [
   v.strictObject({ kind: v.literal('questions'), module: count }),
   /** What modules and cards cover of the frameworks. */
   v.strictObject({ kind: v.literal('alignment') }),
+  /** All cages of the zoo as a table: to be filled in, or with what value iteration says of each. */
+  v.strictObject({ kind: v.literal('cages'), filled: v.optional(v.picklist(['yes', 'no']), 'no') }),
   /** What others made and materials lead to, with its licence and where that was looked up. */
   v.strictObject({ kind: v.literal('references') }),
 ])

@@ -14,6 +14,7 @@ const run: v.GenericSchema<unknown, QuestionRun> = v.variant('observe', [
     seconds: v.pipe(v.number(), v.minValue(0.5), v.maxValue(60)),
   }),
   v.strictObject({ observe: v.literal('way'), ...card }),
+  v.strictObject({ observe: v.literal('cage'), cage: id, setting: v.number() }),
   v.strictObject({
     observe: v.literal('group'),
     set: id,

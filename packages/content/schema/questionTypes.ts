@@ -23,6 +23,8 @@ export type QuestionRun =
       readonly seconds: number
     }
   | { readonly observe: 'way'; readonly card: string; readonly file: string }
+  /** A cage of the zoo, at a setting of its mend. */
+  | { readonly observe: 'cage'; readonly cage: string; readonly setting: number }
   /** Flags stand at things; with which of them does another thing end? */
   | {
       readonly observe: 'group'

@@ -1,6 +1,7 @@
 import type { Document } from '@botgarten/lab'
 import { cluster, pointsOf } from '@botgarten/learning/k-means'
 import { courseOf, type MapFile } from '@botgarten/maps'
+import { learnIn, type Cage } from '@botgarten/maps/zoo'
 import { learningIn } from '@botgarten/programs'
 import type { Floor, Pose, Seconds } from '@botgarten/simulation'
 import { rideOf } from './ride.ts'
@@ -9,12 +10,14 @@ import { rideOf } from './ride.ts'
 export type Asked =
   | { readonly observe: 'moves' | 'meets' | 'lamp' | 'tone'; readonly seconds: Seconds }
   | { readonly observe: 'way' }
+  | { readonly observe: 'cage'; readonly setting: number }
   | { readonly observe: 'group'; readonly flags: readonly string[]; readonly thing: string }
 
 /** What is needed to find out. `things`: where each lies, by its name. */
 export type Given =
   | { readonly kind: 'lab'; readonly document: Document; readonly floor: Floor }
   | { readonly kind: 'learning'; readonly document: Document; readonly map: MapFile }
+  | { readonly kind: 'cage'; readonly cage: Cage; readonly map: MapFile }
   | { readonly kind: 'things'; readonly things: ReadonlyMap<string, readonly number[]> }
 
 type AskedOfRobot = Extract<Asked, { seconds: Seconds }>
@@ -32,11 +35,14 @@ const SAME = 10
  * - `moves`: `stands`, `straight`, `left`, `right` · `meets`: `touches` (at any time), `stops`, `drives` (at the end)
  * - `lamp` at the end: `off`, `green`, `orange`, `red` · `tone` from first to last: `silent`, `higher`, `lower`, `same`
  * - `way`: its stations, `3-5-0-1`, or `none` · `group`: the thing at whose flag it ends
+ * - `cage`: what is learned there: `wish`, `other`, `never`
  * @throws TypeError where what is given does not fit what is asked; RangeError for a thing that is not there
  */
 export function outcomeOf(asked: Asked, given: Given): string {
   if (asked.observe === 'group' && given.kind === 'things') return groupOf(asked, given.things)
   if (asked.observe === 'way' && given.kind === 'learning') return wayOf(given.document, given.map)
+  if (asked.observe === 'cage' && given.kind === 'cage')
+    return learnIn(given.cage, given.map, asked.setting, 1).outcome
   if ('seconds' in asked && given.kind === 'lab') return robotOutcome(asked, given.document, given.floor)
   throw new TypeError(`"${asked.observe}" cannot be seen in "${given.kind}".`)
 }

@@ -13,7 +13,7 @@ export { default as Deck } from './slides/Deck.svelte'
 /** Cards, lessons, slides and sheets to read, to show and to print. What draws with the lab's own hands comes later. */
 export const materials = {
   id: 'materials',
-  words: ['materials', 'network', 'q-learning', 'sorting', 'worlds'],
+  words: ['materials', 'network', 'q-learning', 'sorting', 'worlds', 'reward-zoo'],
   route: 'materials',
   load: () => import('./lazy.ts'),
   budget: { page: 206_000, part: 60_000 },
