@@ -31,6 +31,7 @@ const all: HomeSettings = {
   sorting: { source: 'points', rows: [[1, 2]] },
   sound: false,
   tour: 'seen',
+  zoo: { fountain: { guess: 'never', mended: true } },
 }
 
 test('every setting that any page writes goes home', () => {

@@ -29,6 +29,7 @@ const good: { readonly [name in keyof typeof settings]: unknown } = {
   sorting: { rows: [[1, 2]] },
   sound: false,
   tour: 'seen',
+  zoo: { fountain: { guess: 'never', mended: true } },
 }
 const names = Object.keys(settings) as (keyof typeof settings)[]
 

@@ -15,8 +15,8 @@ export async function fetchItems(locale: Locale = language.locale): Promise<void
   if (!texts.has(locale)) texts.set(locale, await materials.itemTexts(locale))
 }
 
-/** What materials say, and what they show: networks, tables of trials, groups, worlds. */
-const wordsShown = ['materials', 'network', 'q-learning', 'sorting', 'worlds'] as const
+/** What materials say, and what they show: networks, tables of trials, groups, worlds, cages. */
+const wordsShown = ['materials', 'network', 'q-learning', 'sorting', 'worlds', 'reward-zoo'] as const
 
 /** All that a page of learning materials needs before it says anything. */
 export const fetchMaterials = async (): Promise<void> => {
