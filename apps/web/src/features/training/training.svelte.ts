@@ -4,6 +4,7 @@ import type { NetView } from '@botgarten/lab'
 import type { LabSession } from '#lab/session.svelte.ts'
 import { drawn, type Neuron } from '#figures/network/neurons.ts'
 import { Asking } from './model/asking.svelte.ts'
+import { Comparing } from './model/comparing.svelte.ts'
 import { Practice } from './model/practice.svelte.ts'
 import { Solo } from './model/solo.svelte.ts'
 import { Showing } from './model/showing.svelte.ts'
@@ -34,6 +35,7 @@ export class Training {
   readonly showing: Showing
   readonly asking: Asking
   readonly solo: Solo
+  readonly comparing: Comparing
   /** null: knobs are turned by hand. */
   way = $state<Way | null>(null)
 
@@ -42,6 +44,7 @@ export class Training {
     this.practice = new Practice(session)
     this.showing = new Showing(this.practice)
     this.solo = new Solo(this.practice)
+    this.comparing = new Comparing(this.practice)
     this.asking = new Asking(this.practice, this.showing, this.solo)
   }
 
@@ -101,6 +104,7 @@ export class Training {
 
   close(): void {
     this.solo.close()
+    this.comparing.close()
     this.practice.close()
   }
 }

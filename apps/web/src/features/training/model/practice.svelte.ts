@@ -21,6 +21,8 @@ export class Practice extends Assignment {
   readonly beats: Beats
   readonly #engine = new Engine((report) => this.#hear(report))
   #phase = $state<Phase>('rest')
+  /** A hand wants it to rest; the last whole round is on its way. */
+  #isPausing = $state(false)
   readonly outcome = new Outcome()
   /** Rounds a second; Infinity: as fast as it can. */
   pace = $state(Infinity)
@@ -44,6 +46,10 @@ export class Practice extends Assignment {
   }
   get isGoing() {
     return this.#phase === 'going'
+  }
+  /** Does it rest, or will it as soon as its last round is here? */
+  get rests() {
+    return this.#phase === 'rest' || this.#isPausing
   }
   /** Practises as many rounds as are chosen, from the round that is shown on. */
   practise(): void {
@@ -111,7 +117,9 @@ export class Practice extends Assignment {
 
   pause(): void {
     if (this.#phase === 'again') this.#then = null
-    if (this.#phase !== 'rest') this.#send({ kind: 'stop' })
+    if (this.#phase === 'rest') return
+    this.#isPausing = true
+    this.#send({ kind: 'stop' })
   }
 
   /** Has a large table looked through beside the page. */
@@ -135,15 +143,18 @@ export class Practice extends Assignment {
 
   #hearAgain({ isGoing }: Progress): void {
     if (isGoing) return
+    this.#isPausing = false
     this.#phase = 'rest'
     const then = this.#then
     if (then) this.#now(then)
   }
 
   #hearRounds({ now, round, isGoing, ended, sleeping }: Progress): void {
+    if (isGoing && this.#isPausing) return
     this.outcome.show(ended?.kind === 'noBetter' ? ended.best : round)
     this.write(now)
     if (isGoing) return
+    this.#isPausing = false
     this.#phase = 'rest'
     this.outcome.end(ended ?? (round > 0 ? { kind: 'rounds' } : null), sleeping)
     if (ended) this.#reached = -1
@@ -228,6 +239,7 @@ export class Practice extends Assignment {
     this.#send({ kind: 'stop' })
     this.#job++
     this.#reached = -1
+    this.#isPausing = false
     this.#phase = 'rest'
     this.commit()
   }

@@ -1,6 +1,7 @@
 import 'fake-indexeddb/auto'
 import { weightsOf, type Weights } from '@botgarten/learning/neural-network'
 import { noExamples, withDrive } from '@botgarten/learning/neural-network/examples'
+import { withHidden } from '@botgarten/programs/examples'
 import { afterEach, describe, expect, it, vi } from 'vitest'
 import { closeSessions, screen, sessionOf } from '#lab/testing/session.ts'
 import { Practice } from './practice.svelte.ts'
@@ -146,6 +147,57 @@ describe('practice', () => {
     session.start()
     expect(practice.outcome.marks).toEqual([60])
     session.lab.stop()
+  })
+
+  it('rests for the eye as soon as a hand pauses it, and at a whole round', async () => {
+    const straight = practising()
+    const { practice, rest, weights } = practising()
+    practice.choose({ rounds: 1000 })
+    practice.pace = 60
+    practice.practise()
+    await vi.waitFor(() => expect(practice.outcome.round).toBeGreaterThan(1))
+    practice.pause()
+    expect(practice.rests).toBe(true)
+    await rest()
+    straight.practice.choose({ rounds: practice.outcome.round })
+    await straight.practised()
+    expect(weights()).toEqual(straight.weights())
+  })
+
+  it('stops at once where the network changes, and practises the new one', async () => {
+    const { session, network, practice, practised } = practising()
+    practice.pace = 10
+    practice.practise()
+    await vi.waitFor(() => expect(practice.outcome.round).toBeGreaterThan(1))
+    const { main } = session.project.programs
+    const after = withHidden(main!, network, [{ neurons: 2, activation: 'tanh' }])
+    session.apply({ kind: 'program', program: 'main', after })
+    expect(practice.phase).toBe('rest')
+    practice.pace = Infinity
+    await practised()
+    expect(practice.layers.map((layer) => layer.length)).toEqual([2, 2, 2])
+    expect(practice.outcome.round).toBe(60)
+    expect(practice.outcome.curve.map(({ round }) => round)).toEqual(Array.from({ length: 61 }, (_, k) => k))
+  })
+
+  it('practises where all wishes are equal and one reading never changes', async () => {
+    const { session, network, practice, practised } = practising()
+    const examples = session.examples.now(network)!
+    const alike = examples.rows.map((row) => [...row.slice(0, 7), 50, 40, 40])
+    session.examples.replace(network, { ...examples, rows: alike })
+    await practised()
+    expect(practice.outcome.ending).toEqual({ kind: 'rounds' })
+    expect(practice.outcome.point!.practised).toBeLessThan(practice.outcome.curve[0]!.practised)
+  })
+
+  it('is off where every row is set aside, and on again with one', () => {
+    const { session, practice, network } = practising()
+    const examples = session.examples.now(network)!
+    const aside = examples.rows.map((row) => row.with(5, 0))
+    session.examples.replace(network, { ...examples, rows: aside })
+    expect(practice.obstacle).toEqual({ kind: 'noRows' })
+    session.examples.replace(network, { ...examples, rows: [examples.rows[0]!, ...aside.slice(1)] })
+    expect(practice.obstacle).toBeNull()
   })
 
   it('says why it cannot practise', () => {

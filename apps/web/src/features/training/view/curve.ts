@@ -55,7 +55,7 @@ export function plotOf(
 }
 
 /** The next of 1, 2, 4, 6, 10, 20, … above a number. */
-function niceTop(value: number): number {
+export function niceTop(value: number): number {
   for (let power = 0.1; ; power *= 10)
     for (const step of [1, 2, 4, 6]) if (step * power >= value) return Number((step * power).toFixed(6))
 }
