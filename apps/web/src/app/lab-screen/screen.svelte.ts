@@ -47,6 +47,8 @@ export class LabScreenState {
   chosen = $state<string | null>(null)
   /** What the blocks can be asked to do, once they are there. */
   blocks = $state.raw<Blocks>()
+  /** Have they stood on the screen? */
+  blocksStand = $state(false)
   /** The network that a hand holds. */
   held = $state<Held>(null)
   /** The playground for learning by trying, once a program learns so. */
