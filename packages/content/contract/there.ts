@@ -44,7 +44,12 @@ export const there = (): Nameable => ({
   worlds: new Set(content.worlds),
   sets: new Set(content.sets.map(({ id }) => id)),
   blocks: new Set(Object.keys(definitions)),
-  questions: new Set(content.questions.map(({ module }: Question) => module)),
+  questions: new Map(
+    [...Map.groupBy(content.questions, ({ module }: Question) => module)].map(([module, all]) => [
+      module,
+      new Set(all.map(({ id }) => id)),
+    ]),
+  ),
 })
 
 function cardThere(id: string): NameableCard {

@@ -12,8 +12,8 @@ export interface Nameable {
   readonly worlds: ReadonlySet<string>
   readonly sets: ReadonlySet<string>
   readonly blocks: ReadonlySet<string>
-  /** Modules that have questions. */
-  readonly questions: ReadonlySet<number>
+  /** Questions of each module. */
+  readonly questions: ReadonlyMap<number, ReadonlySet<string>>
 }
 
 export interface NameableCard {
@@ -71,10 +71,19 @@ function missing(embed: Embed, nameable: Nameable): readonly string[] {
     case 'qr':
       return missingTarget(embed.to, nameable)
     case 'questions':
-      return unless(nameable.questions.has(embed.module), `Module ${embed.module} has no questions.`)
+      return missingQuestions(embed, nameable)
     default:
       return []
   }
+}
+
+function missingQuestions(
+  { module, only = [] }: Extract<Embed, { kind: 'questions' }>,
+  { questions }: Nameable,
+): readonly string[] {
+  const there = questions.get(module)
+  if (!there) return [`Module ${module} has no questions.`]
+  return only.filter((id) => !there.has(id)).map((id) => `Module ${module} has no question "${id}".`)
 }
 
 function missingTarget(target: string, { items, cards }: Nameable): readonly string[] {

@@ -9,6 +9,11 @@ const roads = v.pipe(
   v.regex(/^\d+-\d+(,\d+-\d+)*$/),
   v.transform((text) => text.split(',')),
 )
+const ids = v.pipe(
+  v.string(),
+  v.regex(/^[a-z0-9-]+(,[a-z0-9-]+)*$/),
+  v.transform((text) => text.split(',')),
+)
 /** A program of a card's folder, without `.json`. */
 const file = v.optional(v.pipe(v.string(), v.regex(/^(start|solution|wrong\/[a-z0-9-]+)$/)), 'start')
 
@@ -60,8 +65,8 @@ const embed = v.variant('kind', [
   v.strictObject({ kind: v.literal('page') }),
   /** A clock that says when to swap. On paper: its minutes. */
   v.strictObject({ kind: v.literal('timer'), minutes: count }),
-  /** What will Bo do? Questions of a module. */
-  v.strictObject({ kind: v.literal('questions'), module: count }),
+  /** What will Bo do? Questions of a module: all of them, or those that `only` names. */
+  v.strictObject({ kind: v.literal('questions'), module: count, only: v.optional(ids) }),
   /** What modules and cards cover of the frameworks. */
   v.strictObject({ kind: v.literal('alignment') }),
   /** All cages of the zoo as a table: to be filled in, or with what value iteration says of each. */

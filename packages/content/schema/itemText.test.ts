@@ -50,7 +50,7 @@ const there: Nameable = {
   worlds: new Set(['rally']),
   sets: new Set(['vessels']),
   blocks: new Set(['ai_neural_network']),
-  questions: new Set([2]),
+  questions: new Map([[2, new Set(['all-zero'])]]),
 }
 
 const missing = (embed: string) => missingIn(readItemText(`# Titel\n\n${embed}\n`), there, new Set())
@@ -143,6 +143,7 @@ describe('what an item names and is not there', () => {
     ['::sort{set=spoons}', 'There is no set "spoons".'],
     ['::block{type=fly}', 'There is no block "fly".'],
     ['::questions{module=3}', 'Module 3 has no questions.'],
+    ['::questions{module=2 only=all-zero,nobody}', 'Module 2 has no question "nobody".'],
     ['::qr{to=card:friends}', 'There is no card "friends".'],
     ['[x](item:nothing)', 'There is no item "nothing".'],
     ['![](a.svg)', 'The picture "a.svg" has no words.'],

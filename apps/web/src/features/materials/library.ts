@@ -26,6 +26,9 @@ export const fetchMaterials = async (): Promise<void> => {
 /** All learning materials, in the order of their folders. */
 export const allItems = materials.items
 export const allQuestions: readonly Question[] = materials.questions
+/** Questions of a module: all of them, or these. */
+export const questionsOf = (module: number, only?: readonly string[]): readonly Question[] =>
+  allQuestions.filter((one) => one.module === module && (only?.includes(one.id) ?? true))
 
 export const itemNamed = (id: string) => allItems.find((item) => item.id === id)
 
