@@ -49,8 +49,7 @@ function addGradient({ block, gradient }: Practice, layer: Layer, size: number):
     const d = (to + j) * BLOCK
     for (let i = 0; i < inputs; i += 4)
       addEight(gradient, deltas, values, weights + j * inputs + i, inputs, d, (from + i) * BLOCK, size)
-    addBias(gradient, deltas, biases + j, d, size)
-    addBias(gradient, deltas, biases + j + 1, d + BLOCK, size)
+    addTwoBiases(gradient, deltas, biases + j, d, size)
   }
   for (; j < outputs; j++) {
     const d = (to + j) * BLOCK
@@ -147,6 +146,23 @@ function addOne(
   let sum = gradient[at]!
   for (let r = 0; r < size; r++) sum += deltas[d + r]! * values[x + r]!
   gradient[at] = sum
+}
+
+function addTwoBiases(
+  gradient: Float64Array,
+  deltas: Float64Array,
+  at: number,
+  d: number,
+  size: number,
+): void {
+  let one = gradient[at]!
+  let other = gradient[at + 1]!
+  for (let r = d; r < d + size; r++) {
+    one += deltas[r]!
+    other += deltas[r + BLOCK]!
+  }
+  gradient[at] = one
+  gradient[at + 1] = other
 }
 
 function addBias(gradient: Float64Array, deltas: Float64Array, at: number, d: number, size: number): void {
