@@ -48,7 +48,7 @@ const timed = (page: Page) =>
     return { first, all: performance.now() - began }
   })
 
-/** Milliseconds from a press on Pause until it rests. */
+/** Milliseconds from a press on Pause until the button says so, and until the last whole round is shown and can be dragged. */
 const paused = (page: Page) =>
   page.evaluate(async () => {
     const button = document.querySelector<HTMLElement>('.practise .bar .button.network')!
@@ -56,8 +56,13 @@ const paused = (page: Page) =>
     await new Promise((next) => setTimeout(next, 400))
     const began = performance.now()
     button.click()
-    while (button.textContent.includes('Pause')) await new Promise((next) => setTimeout(next, 1))
-    return performance.now() - began
+    const slider = document.querySelector('.curve [role=slider]')!
+    const until = async (reached: () => boolean) => {
+      while (!reached()) await new Promise((next) => setTimeout(next, 1))
+      return performance.now() - began
+    }
+    const said = await until(() => !button.textContent.includes('Pause'))
+    return { said, rests: await until(() => slider.ariaDisabled !== 'true') }
   })
 
 async function opened(page: Page): Promise<Child> {
@@ -76,7 +81,8 @@ export default async function practisePage(): Promise<Table> {
   const server = await startServer({ port: 0, host: '127.0.0.1' })
   const browser = await launchBrowser()
   try {
-    const [firsts, alls, pauses, frames] = [[], [], [], []] as [
+    const [firsts, alls, pauses, rests, frames] = [[], [], [], [], []] as [
+      number[],
       number[],
       number[],
       number[],
@@ -89,7 +95,9 @@ export default async function practisePage(): Promise<Table> {
       firsts.push(first)
       alls.push(all)
       await page.locator('.settings select').nth(1).selectOption({ label: '1000' })
-      pauses.push(await paused(page))
+      const pause = await paused(page)
+      pauses.push(pause.said)
+      rests.push(pause.rests)
       await page.locator('.settings select').nth(2).selectOption({ index: 2 })
       await child.presses('training.fieldView')
       await child.pressesStart()
@@ -112,7 +120,8 @@ export default async function practisePage(): Promise<Table> {
       rows: [
         ['first change after the tap', ...figures(firsts)],
         ['60 rounds, all drawn', ...figures(alls)],
-        ['pause after the tap', ...figures(pauses)],
+        ['pause after the tap: it says so', ...figures(pauses)],
+        ['pause after the tap: the last whole round is shown', ...figures(rests)],
         ['60 rounds a second, field, curve and Bo moving', frameCells(frames).join(' · '), ''],
       ],
     }
