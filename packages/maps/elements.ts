@@ -20,7 +20,7 @@ const MOST_ELEMENTS = 5_000
 const MOST_ATTRIBUTES = 200
 const DEEPEST = 100
 
-const SVG = 'http://www.w3.org/2000/svg'
+export const SVG = 'http://www.w3.org/2000/svg'
 /** What drawing programs note for themselves; it draws nothing. */
 const notes = new Set([
   'http://www.inkscape.org/namespaces/inkscape',
@@ -31,7 +31,7 @@ const notes = new Set([
 ])
 
 /** Drawing elements that a map may hold; none of them runs or reaches outside. */
-const harmless = new Set([
+export const harmless = new Set([
   'svg',
   'g',
   'path',
@@ -52,10 +52,15 @@ const harmless = new Set([
   'stop',
   'pattern',
   'clipPath',
+  'image',
 ])
 const reachesOut = /url\((?!\s*["']?#)|javascript:|data:/i
 /** A style that could hide an address (an escape, a comment) or load one. */
 const unclearStyle = /[\\@]|\/\*|expression|binding/i
+
+/** A picture that stands in the file itself. A drawing in a drawing is none: it could hold anything again. */
+export const isPicture = (address: string) =>
+  /^data:image\/(?:png|jpe?g|gif|webp);base64,[a-z0-9+/=\s]*$/i.test(address)
 
 export type Elements =
   { readonly elements: readonly Element[]; readonly unsafe: string | null } | { readonly problem: MapProblem }
@@ -124,7 +129,7 @@ export function elementsOf(text: string): Elements {
 }
 
 /** By prefix; the one without a prefix is ''. */
-const namespacesIn = (attributes: Element['attributes']): Open['namespaces'] =>
+export const namespacesIn = (attributes: Element['attributes']): Open['namespaces'] =>
   new Map(
     Object.entries(attributes).flatMap(([name, value]) => {
       const found = /^xmlns(?::(.*))?$/.exec(name)
@@ -132,9 +137,9 @@ const namespacesIn = (attributes: Element['attributes']): Open['namespaces'] =>
     }),
   )
 
-function isUnsafe(name: string, value: string): boolean {
+export function isUnsafe(name: string, value: string): boolean {
+  if (/href$/i.test(name)) return !value.startsWith('#') && !isPicture(value)
   if (/^(?:.*:)?on|^filter$/i.test(name) || reachesOut.test(value)) return true
-  if (/href$/i.test(name)) return !value.startsWith('#')
   return /^style$/i.test(name) && unclearStyle.test(value)
 }
 

@@ -2,7 +2,7 @@ import { type Action } from '@botgarten/learning/q-learning'
 import { elementsOf, type Element } from './elements.ts'
 import { gridIn } from './grid.ts'
 import { numbersIn } from './path.ts'
-import { keep, numberIn, problem } from './read-number.ts'
+import { keep, numberIn, problem, sizeOf } from './read-number.ts'
 import { distance, type Point } from './point.ts'
 import { dataOf, roadIn, type ReadRoad } from './road.ts'
 import { placeOf, type Place } from './station.ts'
@@ -102,12 +102,6 @@ function numbersOf({ attributes }: Element, problems: MapProblem[]) {
     ...keep('goalReward', read('data-goal-reward')),
     ...keep('stepCost', read('data-step-cost')),
   }
-}
-
-function sizeOf({ attributes }: Element) {
-  const [, , width, height] = numbersIn(attributes['viewBox'] ?? '') ?? []
-  const length = (name: 'width' | 'height') => Number((attributes[name] ?? '').replace(/px$/, '')) || 0
-  return { width: width ?? length('width'), height: height ?? length('height') }
 }
 
 function roadsIn(ids: ReadonlyMap<string, Element>, problems: MapProblem[]): readonly Between[] {

@@ -64,5 +64,6 @@ export interface MapProblem {
     | 'tooManyRoads'
     | 'gridToDraw'
     | 'grid'
+    | 'removed'
   readonly facts: { readonly [name: string]: string | number }
 }

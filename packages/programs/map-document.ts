@@ -3,8 +3,8 @@ interface Place {
   readonly y: number
 }
 
-/** What a map looks like. */
-export const dresses = ['meadow', 'town', 'railway', 'mars', 'sea', 'paper'] as const
+/** What a map looks like. `photo`: a picture of its own lies under the roads. */
+export const dresses = ['meadow', 'town', 'railway', 'mars', 'sea', 'paper', 'photo'] as const
 export type Dress = (typeof dresses)[number]
 
 /** What lies on the roads, and opens as they turn out to be good. */
@@ -15,7 +15,7 @@ export type Cover = (typeof covers)[number]
 export const paper = { width: 1600, height: 1000, cmPerUnit: 0.2 } as const
 
 /** At most; a map is refused where it is made and where it is read. */
-export const mostOfMap = { maps: 20, stations: 40, roads: 120, bends: 4, name: 60 } as const
+export const mostOfMap = { maps: 20, stations: 40, roads: 120, bends: 4, name: 60, photo: 600_000 } as const
 
 /** A map that somebody has drawn. Places are in units of its paper, y downwards. */
 export interface MapDocument {
@@ -23,6 +23,8 @@ export interface MapDocument {
   readonly name: string
   readonly dress: Dress
   readonly cover?: Cover
+  /** The picture of the dress `photo`: a JPEG of the whole paper, base64, at most `mostOfMap.photo` letters. */
+  readonly photo?: string
   /** Their numbers are their places in this list. */
   readonly stations: readonly MapStation[]
   readonly roads: readonly MapRoad[]

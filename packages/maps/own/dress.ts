@@ -80,6 +80,12 @@ const looks: { readonly [dress in Dress]: Look } = {
     ],
     things: [],
   },
+  photo: {
+    ground: '#FFFDF8',
+    patches: '',
+    road: [{ colour: ink, width: 50 }, { colour: '#F7E6C8', width: 40 }, { colour: '#C9A976', width: 4, dash: '16 20' }], // prettier-ignore
+    things: [],
+  },
 }
 
 /** What lies on a road that nobody has found good yet. */
@@ -96,10 +102,14 @@ const GRID = 130
 /** So far from a road and from a station, at least. */
 const CLEAR = { road: 82, station: 120 }
 
+/** The photo of a map as an address. */
+export const photoAddress = (photo: string): string => `data:image/jpeg;base64,${photo}`
+
 /** Ground and all that stands beside the roads, as markup. The same map has the same scenery. */
 export function sceneryOf(map: MapDocument, roads: readonly string[]): string {
   const { ground, patches, things } = looks[map.dress]
   const size = `width="${paper.width}" height="${paper.height}"`
+  if (map.photo !== undefined) return `<image ${size} href="${photoAddress(map.photo)}"/>`
   const taken = roads.flatMap((line) => (segmentsOf(line) ?? []).flatMap((one) => pointsAlong(one, 40)))
   const stands = things.length === 0 ? [] : placesFor(map.stations, taken)
   const all = stands.map(

@@ -1,6 +1,7 @@
 import {
   mostOfMap as most,
   paper,
+  type Dress,
   type MapDocument,
   type MapRoad,
   type MapStation,
@@ -98,6 +99,11 @@ export const moveBend = (map: MapDocument, road: number, bend: number, at: Point
 
 export const removeBend = (map: MapDocument, road: number, bend: number): MapDocument =>
   setRoad(map, road, { bends: map.roads[road]!.bends.toSpliced(bend, 1) })
+
+/** Another look; a photo goes with the look `photo`. */
+export function setDress({ photo: _, ...map }: MapDocument, dress: Exclude<Dress, 'photo'>): MapDocument {
+  return { ...map, dress }
+}
 
 /** Start and goal are never one: where the start becomes a goal they change places. */
 export function setStart(map: MapDocument, station: number): MapDocument {

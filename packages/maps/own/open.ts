@@ -1,29 +1,46 @@
 import { isMap, mostOfMap as most, paper, type MapDocument, type MapRoad } from '@botgarten/programs'
+import { cleanDrawing } from '../clean.ts'
 import { elementsOf, type Element } from '../elements.ts'
 import { numbersIn } from '../path.ts'
 import { distance, type Point } from '../point.ts'
 import { readMap } from '../readMap.ts'
 import type { MapFile, MapProblem } from '../types.ts'
-import { MARGIN } from './edit.ts'
+import { photoAddress } from './dress.ts'
+import { emptyMap, MARGIN } from './edit.ts'
 import { sampled } from './write.ts'
 
 export type OpenedMap =
-  | { readonly map: MapDocument; readonly warnings: readonly MapProblem[] }
+  | {
+      readonly map: MapDocument
+      /** What was left out, and what looks like a station or a road and is none. */
+      readonly warnings: readonly MapProblem[]
+      /** What else was drawn there, as an SVG to lie under the roads; null: nothing. */
+      readonly picture: string | null
+    }
   | { readonly map: null; readonly problems: readonly MapProblem[]; readonly warnings: readonly MapProblem[] }
 
 /**
  * A map to draw on, from an SVG. One that `writeMap` wrote becomes the same document; of another one the stations and
- * roads are taken, fitted to the paper. Everything that is wrong is named.
+ * roads are taken, fitted to the paper, and all the rest is a picture under them. A drawing without names of stations and
+ * roads is a picture alone. Everything that is wrong is named.
  */
 export function openMap(text: string, name: string): OpenedMap {
-  const read = readMap(text)
-  if (read.map === null) return read
-  const { map: file, warnings } = read
   const own = ownIn(text)
-  if (own !== null) return { map: own, warnings }
-  const tooMany = tooManyIn(file)
-  if (tooMany) return { map: null, problems: [tooMany], warnings }
-  return { map: drawnFrom(file, name), warnings }
+  if (own !== null) return { map: own, warnings: [], picture: null }
+  const cleaned = cleanDrawing(text)
+  if ('problem' in cleaned) return { map: null, problems: [cleaned.problem], warnings: [] }
+  const { plan, picture, removed } = cleaned
+  const { map: file, problems, warnings: strange } = readMap(plan)
+  const warnings = [...strange, ...removed.map((name): MapProblem => ({ kind: 'removed', facts: { name } }))]
+  if (file !== null) {
+    const tooMany = tooManyIn(file)
+    if (tooMany) return { map: null, problems: [tooMany], warnings }
+    return { map: drawnFrom(file, name), warnings, picture }
+  }
+  const isPicture =
+    picture !== null && strange.length === 0 && problems.every(({ kind }) => kind === 'noStations')
+  if (isPicture) return { map: emptyMap(name.slice(0, most.name)), warnings, picture }
+  return { map: null, problems: [...problems, ...strange], warnings: [] }
 }
 
 function tooManyIn({ stations, grid, map }: MapFile): MapProblem | null {
@@ -37,6 +54,8 @@ function tooManyIn({ stations, grid, map }: MapFile): MapProblem | null {
 // ---- our own ----
 
 function ownIn(text: string): MapDocument | null {
+  if (!text.includes(' data-dress="')) return null
+  if (readMap(text).map === null) return null
   const read = elementsOf(text)
   const elements = 'elements' in read ? read.elements : []
   const root = elements[0]?.attributes
@@ -58,6 +77,7 @@ function documentFrom(elements: readonly Element[], root: Element['attributes'])
   return {
     ...{ kind: 'roads', name: root['data-name'] ?? '', dress: root['data-dress'] },
     ...given(root, 'cover', String),
+    ...photoIn(elements),
     stations: nodes.map(({ attributes }) => ({
       ...placeIn(attributes['transform'] ?? ''),
       ...given(attributes, 'name', String),
@@ -79,6 +99,11 @@ function documentFrom(elements: readonly Element[], root: Element['attributes'])
     ...(root['data-endless'] === undefined ? {} : { endless: true }),
     ...given(root, 'step-cost'),
   }
+}
+
+function photoIn(elements: readonly Element[]) {
+  const address = elements.find(({ name }) => name === 'image')?.attributes['href'] ?? ''
+  return address.startsWith(photoAddress('')) ? { photo: address.slice(photoAddress('').length) } : {}
 }
 
 /** Elements of these ids in the order of their numbers; those without a number are left out. */

@@ -57,11 +57,17 @@ const maps: fc.Arbitrary<MapDocument> = fc
         },
         roads: fc.array(road, { maxLength: 12 }),
         ...{ start: index, goals: fc.uniqueArray(index, { minLength: 1 }) },
+        ...{ photo: fc.base64String({ minLength: 4 }).map((rest) => `/9j/${rest}`) },
         ...{ cover: fc.constantFrom(...covers), endless: fc.constant(true), stepCost: reward },
       },
       { requiredKeys: ['kind', 'name', 'dress', 'stations', 'roads', 'start', 'goals'] },
     )
   })
+  .map(({ photo, ...map }) =>
+    map.dress === 'photo' && photo
+      ? { ...map, photo }
+      : { ...map, dress: map.dress === 'photo' ? 'sea' : map.dress },
+  ) // prettier-ignore
   .filter(isMap)
 
 describe('a drawn map', () => {
@@ -69,7 +75,7 @@ describe('a drawn map', () => {
     fc.assert(
       fc.property(maps, (map) => {
         const text = writeMap(map, 'mine')
-        expect(openMap(text, 'other')).toEqual({ map, warnings: [] })
+        expect(openMap(text, 'other')).toEqual({ map, warnings: [], picture: null })
       }),
       { numRuns: 500, seed: 2026 },
     )

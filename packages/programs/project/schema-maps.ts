@@ -10,6 +10,9 @@ const y = v.pipe(finite, v.minValue(0), v.maxValue(paper.height))
 const reward = v.exactOptional(v.pipe(finite, v.minValue(-100), v.maxValue(100)))
 const index = v.pipe(v.number(), v.integer(), v.minValue(0), v.maxValue(most.stations - 1))
 
+/** A JPEG begins with FF D8 FF. */
+const photo = v.pipe(v.string(), v.maxLength(most.photo), v.regex(/^\/9j\/[A-Za-z0-9+/]*={0,2}$/))
+
 const station = v.object({ x, y, name: v.exactOptional(name), reward })
 const road = v.object({
   ...{ from: index, to: index },
@@ -23,6 +26,7 @@ const road = v.object({
 const parts = v.object({
   ...{ kind: v.literal('roads'), name, dress: v.picklist(dresses) },
   cover: v.exactOptional(v.picklist(covers)),
+  photo: v.exactOptional(photo),
   stations: v.pipe(v.array(station), v.maxLength(most.stations)),
   roads: v.pipe(v.array(road), v.maxLength(most.roads)),
   start: index,
@@ -31,8 +35,8 @@ const parts = v.object({
   stepCost: v.exactOptional(v.pipe(finite, v.minValue(-100), v.maxValue(100))),
 })
 
-/** Two roads may join the same stations only where each leads one way. */
-const isSound = ({ stations, roads, start, goals }: v.InferOutput<typeof parts>) => {
+/** Two roads may join the same stations only where each leads one way. A photo lies under the dress `photo`, and no other. */
+const isSound = ({ stations, roads, start, goals, dress, photo }: v.InferOutput<typeof parts>) => {
   const inside = (station: number) => station < Math.max(1, stations.length)
   const ways = roads.flatMap(({ from, to, oneWay }) => [
     `${from}-${to}`,
@@ -41,13 +45,17 @@ const isSound = ({ stations, roads, start, goals }: v.InferOutput<typeof parts>)
   return (
     [start, ...goals, ...roads.flatMap(({ from, to }) => [from, to])].every(inside) &&
     roads.every(({ from, to }) => from !== to) &&
-    new Set(ways).size === ways.length
+    new Set(ways).size === ways.length &&
+    (dress === 'photo') === (photo !== undefined)
   )
 }
 
 const mapSchema: v.GenericSchema<unknown, MapDocument> = v.pipe(
   parts,
-  v.check(isSound, 'A road, the start or a goal of the map leads to a station that is not there.'),
+  v.check(
+    isSound,
+    'A road, the start or a goal of the map leads to a station that is not there, or its photo is missing.',
+  ),
 )
 
 export const mapsSchema = v.pipe(

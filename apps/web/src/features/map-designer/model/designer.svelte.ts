@@ -1,5 +1,6 @@
 import { faultsOf, lineOf, reachOf, setStation, type Changed } from '@botgarten/maps/own'
 import type { MapDocument } from '@botgarten/programs'
+import { refusalOf } from '@botgarten/programs/project'
 import { ProjectAutosave } from '#lab/autosave.svelte.ts'
 import { learningOn, withMap, type OpenedDrawing } from './projects.ts'
 import { RoadTries } from './tries.svelte.ts'
@@ -63,6 +64,11 @@ export class Designer {
     return alone && this.#map.name.trim() !== '' ? { ...project, name: this.#map.name.trim() } : project
   }
 
+  /** The project, whose programs learn on this map. */
+  get learning() {
+    return learningOn(this.project, this.mapId)
+  }
+
   readonly lines = $derived(this.map.roads.map((road) => lineOf(this.map, road)))
   readonly faults = $derived(faultsOf(this.map))
   readonly reach = $derived(reachOf(this.map))
@@ -115,9 +121,17 @@ export class Designer {
     this.change(setStation(this.#map, station, change))
   }
 
+  /** A photo under the roads. Returns why it cannot be: the project would be larger than any may be. */
+  layPhoto(photo: string): 'room' | null {
+    const map: MapDocument = { ...this.#map, dress: 'photo', photo }
+    if (refusalOf(withMap(this.#opened.project, this.#opened.mapId, map)) !== null) return 'room'
+    this.change(map)
+    return null
+  }
+
   /** The program learns on this map. Resolves when that is saved. */
   async learnHere(): Promise<boolean> {
-    const project = learningOn(this.project, this.mapId)
+    const project = this.learning
     this.autosave.changed(() => project)
     await this.autosave.flush()
     return this.autosave.state === 'saved'

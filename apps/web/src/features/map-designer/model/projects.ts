@@ -1,9 +1,11 @@
 import maps from 'content:maps'
 import { knowMaps, type Block } from '@botgarten/blocks'
-import { emptyMap, openMap, ownId, type OpenedMap } from '@botgarten/maps/own'
+import type { MapProblem } from '@botgarten/maps'
+import { emptyMap, openMap, ownId } from '@botgarten/maps/own'
 import { versionOf, type MapDocument, type Program, type Project } from '@botgarten/programs'
 import { newProject } from '#content/new-project.ts'
 import { freshId, list, open, save } from '#storage/projects.ts'
+import { photoOfDrawing } from './photo.ts'
 
 /** A map of a project that is about to be drawn on. */
 export interface OpenedDrawing {
@@ -49,8 +51,26 @@ export async function startFrom(id: string, name: string): Promise<MapDocument |
   return text === null ? null : openMap(text, name).map
 }
 
-/** A drawing of a child's own, or of a friend. */
-export const openDrawing = (text: string, name: string): OpenedMap => openMap(text, name)
+/** What an opened drawing has become. */
+export type ReadDrawing =
+  | {
+      readonly map: MapDocument
+      readonly warnings: readonly MapProblem[]
+      /** Its picture could not be taken along. */
+      readonly pictureLost: boolean
+    }
+  | { readonly map: null; readonly problems: readonly MapProblem[] }
+
+/** A drawing of a child's own, or of a friend; what is drawn beside its stations and roads lies under them as a photo. */
+export async function openDrawing(text: string, name: string): Promise<ReadDrawing> {
+  const opened = openMap(text, name)
+  if (opened.map === null) return opened
+  const { map, warnings, picture } = opened
+  if (picture === null) return { map, warnings, pictureLost: false }
+  const read = await photoOfDrawing(picture)
+  if (!('photo' in read)) return { map, warnings, pictureLost: true }
+  return { map: { ...map, dress: 'photo', photo: read.photo }, warnings, pictureLost: false }
+}
 
 function freeId({ maps = {} }: Project): string {
   for (let k = 1; ; k++) {

@@ -1,5 +1,5 @@
 import { readMap } from '@botgarten/maps'
-import { writeMap } from '@botgarten/maps/own'
+import { setDress, writeMap } from '@botgarten/maps/own'
 import type { MapDocument } from '@botgarten/programs'
 import { newWorker } from './new-worker.ts'
 import type { Asked, Tried } from './tries-worker.ts'
@@ -28,7 +28,7 @@ export class RoadTries {
   }
 
   follow(map: MapDocument): void {
-    const text = writeMap(map, 'tried')
+    const text = writeMap(setDress(map, 'paper'), 'tried')
     this.#lines = [...text.matchAll(/<path id="path-\d+-\d+" d="([^"]*)"/g)].map(([, line]) => line!)
     clearTimeout(this.#timer)
     if (this.#lines.every((line) => line in this.#driven)) return

@@ -1,7 +1,7 @@
 import { sha256, writeProject, type Project } from '@botgarten/programs'
 import type { Picture } from '@botgarten/simulation'
 import { readPng } from '@botgarten/simulation/png'
-import { readPictureHead } from './picture-file.ts'
+import { readPictureHead } from '#parts/picture-file.ts'
 
 /** A picture for the floor, as it is kept. */
 export interface FloorPicture {

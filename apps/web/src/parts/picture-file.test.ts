@@ -1,6 +1,6 @@
 import fc from 'fast-check'
 import { expect, test } from 'vitest'
-import { picture } from '../../../../../../e2e/png.ts'
+import { picture } from '../../../../e2e/png.ts'
 import { readPictureHead } from './picture-file.ts'
 
 const bytes = (hex: string) => new Uint8Array(Buffer.from(hex.replace(/\s/g, ''), 'hex'))
