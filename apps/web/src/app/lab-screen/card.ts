@@ -28,9 +28,30 @@ export type NextStep =
   | { readonly kind: 'card'; readonly href: string; readonly name: string }
   | { readonly kind: 'none' }
 
-/** What is to be done, which checks are green, and which ones were in a run before. */
-export function taskOf(card: LoadedCard | null, green: readonly string[], earned: readonly string[]): Task {
+/** Another map than the card's, on which a child has its robot learn. */
+interface Elsewhere {
+  readonly map: string
+  readonly start: number
+  readonly goal: number
+}
+
+/**
+ * What is to be done, which checks are green, and which ones were in a run before. On another map the card's goals are
+ * nowhere: the sentence follows the map.
+ */
+export function taskOf(
+  card: LoadedCard | null,
+  green: readonly string[],
+  earned: readonly string[],
+  elsewhere: Elsewhere | null = null,
+): Task {
   if (!card) return { title: m['session.freeCall'](), sentence: m['session.freeSentence'](), goals: [] }
+  if (elsewhere)
+    return {
+      title: m['session.otherMapCall'](elsewhere),
+      sentence: m['session.otherMapSentence'](elsewhere),
+      goals: [],
+    }
   const { goal, checks } = textOf(card)
   const goals = card.card.checks.map(({ id }) => ({
     id,

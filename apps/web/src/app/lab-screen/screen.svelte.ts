@@ -141,7 +141,9 @@ export class LabScreenState {
   }
 
   /** What is to be done, and which goals are reached. */
-  readonly task = $derived.by(() => taskOf(this.card, this.#facts.green.split(' '), this.ui.earned))
+  readonly task = $derived.by(() =>
+    taskOf(this.card, this.#facts.green.split(' '), this.ui.earned, this.learner?.learning.task.elsewhere),
+  )
   /** All hints of the card, and how many the child has asked for; null where there are none. */
   readonly hints = $derived.by(() =>
     this.card ? { list: textOf(this.card).hints, shown: this.session.progress.hints } : null,

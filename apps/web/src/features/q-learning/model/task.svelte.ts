@@ -1,9 +1,14 @@
 import { learningKey } from '@botgarten/maps'
 import { learningIn } from '@botgarten/programs'
 import type { LabSession } from '#lab/session.svelte.ts'
+import { mapName } from '#figures/map/names.ts'
 import { loadStage, type Stage } from '#figures/map/stage.ts'
 import { type Blocks, BlockEdits } from './block-edits.ts'
 import { taskKey } from './guess.ts'
+
+/** The map that a card begins with; undefined where it learns on none. */
+const mapOfCard = (card: LabSession['opened']['card']): string | undefined =>
+  Object.values(card?.start.programs ?? {}).flatMap((program) => learningIn(program)?.map ?? [])[0]
 
 /** What the blocks want learned, and the map that they name. */
 export class Task {
@@ -15,6 +20,15 @@ export class Task {
   readonly key = $derived(this.outline ? learningKey(this.outline) : '')
   /** Map, start, goal and closed roads: what a guess is about. */
   readonly question = $derived(this.outline ? taskKey(this.outline) : '')
+
+  /** The map that is learned on instead of that of the card, with its start and goal; null: it is the card's. */
+  readonly elsewhere = $derived.by(() => {
+    const { outline } = this
+    const ours = mapOfCard(this.#session.opened.card)
+    if (!outline || ours === undefined || outline.map === ours) return null
+    const { map, start, goal } = outline
+    return { map: mapName(map, this.#session.maps), start, goal }
+  })
 
   constructor(session: LabSession, blocks: Blocks) {
     this.#session = session
