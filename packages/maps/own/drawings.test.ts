@@ -1,16 +1,19 @@
 import { readdirSync, readFileSync } from 'node:fs'
 import { join } from 'node:path'
-import { isMap } from '@botgarten/programs'
+import { content } from '@botgarten/content/files'
+import { isLong } from '@botgarten/numbers/testing'
+import { isMap, type RoadMap } from '@botgarten/programs'
+import fc from 'fast-check'
 import { describe, expect, test } from 'vitest'
 import { cleanDrawing } from '../clean.ts'
-import { openMap } from './index.ts'
+import { addStation, emptyMap, openMap, writeMap, type OpenedMap } from './index.ts'
 
 const folder = join(import.meta.dirname, '..', 'reference', 'drawings')
 const drawing = (program: string) => readFileSync(join(folder, `${program}.svg`), 'utf8')
 const opened = (program: string) => {
   const { map, ...rest } = openMap(drawing(program), 'mine')
   if (map === null) throw new Error(JSON.stringify(rest))
-  return { map, ...rest } as Extract<ReturnType<typeof openMap>, { picture: unknown }>
+  return { map: map as RoadMap, ...rest } as Extract<OpenedMap, { picture: unknown }> & { map: RoadMap }
 }
 const roads = (program: string) =>
   opened(program).map.roads.map(({ from, to, oneWay }) => `${from}${oneWay ? '→' : '–'}${to}`)
@@ -84,4 +87,45 @@ test('a drawing with names that are nearly right is refused, and each is named',
   expect(rest).toMatchObject({
     problems: [{ kind: 'noStations' }, { kind: 'strangeId', facts: { name: 'node_0' } }],
   })
+})
+
+describe('a drawing of which some letters have changed', () => {
+  const own = writeMap([{ x: 200, y: 200 }, { x: 700, y: 300 }].reduce(addStation, emptyMap('own')), 'own') // prettier-ignore
+  const files = [...readdirSync(folder).filter((file) => file.endsWith('.svg')).map((file) => drawing(file.replace('.svg', ''))), own] // prettier-ignore
+  const bits = fc.constantFrom('<', '>', '"', '&', '/', '=', '9e9', '-', '<g>', '</svg>', 'node-1', '<!--', '\u0000', '<use href="#node-0"/>') // prettier-ignore
+  const change = fc.record({
+    at: fc.nat(9999),
+    length: fc.nat(40),
+    put: fc.oneof(bits, fc.string({ maxLength: 6 })),
+  })
+  const mutated = fc
+    .record({ file: fc.constantFrom(...files), changes: fc.array(change, { minLength: 1, maxLength: 4 }) })
+    .map(({ file, changes }) =>
+      changes.reduce((text, { at, length, put }) => {
+        const from = Math.floor((at / 10_000) * text.length)
+        return text.slice(0, from) + put + text.slice(from + length)
+      }, file),
+    )
+  const said = (language: string) =>
+    (
+      JSON.parse(readFileSync(content.path('words', language, 'map-designer.json'), 'utf8')) as {
+        design: { problem: object }
+      }
+    ).design.problem
+
+  test('is read, or refused in a sentence, within 200 ms of work', () => {
+    for (const text of fc.sample(mutated, { numRuns: isLong ? 2000 : 20, seed: 2026 })) {
+      const before = process.threadCpuUsage()
+      const opened = openMap(text, 'mine')
+      const { user, system } = process.threadCpuUsage(before)
+      expect((user + system) / 1000, text).toBeLessThan(200)
+      if (opened.map !== null) expect(isMap(opened.map), text).toBe(true)
+      else expect(opened.problems.length, text).toBeGreaterThan(0)
+      const kinds = [...(opened.map === null ? opened.problems : []), ...opened.warnings].map(
+        ({ kind }) => kind,
+      )
+      for (const language of ['de', 'en'])
+        expect(Object.keys(said(language))).toEqual(expect.arrayContaining(kinds))
+    }
+  }, 600_000)
 })
