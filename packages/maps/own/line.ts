@@ -1,4 +1,4 @@
-import type { MapDocument, MapRoad } from '@botgarten/programs'
+import type { RoadMap, MapRoad } from '@botgarten/programs'
 import { paper } from '@botgarten/programs'
 import { readPath } from '../path.ts'
 import { distance, type Point } from '../point.ts'
@@ -22,8 +22,20 @@ export interface RoadLine {
   readonly radii: readonly number[]
 }
 
+/** Documents never change, so that a road between the same two stations runs where it ran. */
+const known = new WeakMap<MapRoad, { readonly from: Point; readonly to: Point; readonly line: RoadLine }>()
+
 /** Where a road runs. The stations of a document that is being edited are there: the schema sees to it. */
-export function lineOf({ stations }: Pick<MapDocument, 'stations'>, road: MapRoad): RoadLine {
+export function lineOf({ stations }: Pick<RoadMap, 'stations'>, road: MapRoad): RoadLine {
+  const [from, to] = [stations[road.from]!, stations[road.to]!]
+  const before = known.get(road)
+  if (before?.from === from && before.to === to) return before.line
+  const line = drawn(stations, road)
+  known.set(road, { from, to, line })
+  return line
+}
+
+function drawn(stations: RoadMap['stations'], road: MapRoad): RoadLine {
   const points = [stations[road.from]!, ...road.bends, stations[road.to]!]
   const arcs = points.slice(1, -1).map((_, index) => arcAt(points, index + 1))
   const there = pathOf(points, arcs)
@@ -96,7 +108,7 @@ export interface RoadFault {
 }
 
 /** All roads that the robot could not drive, and why: of each the first reason. */
-export function faultsOf(map: Pick<MapDocument, 'stations' | 'roads'>): readonly RoadFault[] {
+export function faultsOf(map: Pick<RoadMap, 'stations' | 'roads'>): readonly RoadFault[] {
   return map.roads.flatMap((one, road): RoadFault[] => {
     const { length, radii } = lineOf(map, one)
     const bend = radii.findIndex((radius) => radius < TIGHTEST)
