@@ -129,7 +129,7 @@ describe('a broken map', () => {
     [
       'an odd grid',
       svg(two, 'data-grid="SX"'),
-      { kind: 'grid', facts: { why: 'A grid has no cell X: S G F H C W P.' } },
+      { kind: 'grid', facts: { why: 'A grid has no cell X: S G F H C W P I.' } },
     ],
   ])('%s is named', (_, text, problem) => {
     expect(problemsIn(text)).toEqual([problem])

@@ -17,8 +17,14 @@ export const paper = { width: 1600, height: 1000, cmPerUnit: 0.2 } as const
 /** At most; a map is refused where it is made and where it is read. */
 export const mostOfMap = { maps: 20, stations: 40, roads: 120, bends: 4, name: 60, photo: 600_000 } as const
 
-/** A map that somebody has drawn. Places are in units of its paper, y downwards. */
-export interface MapDocument {
+/** Rooms of a grid, on each side. */
+export const mostOfRooms = { side: 12, wind: 2 } as const
+
+/** A map that somebody has made. */
+export type MapDocument = RoadMap | RoomMap
+
+/** Stations and roads. Places are in units of its paper, y downwards. */
+export interface RoadMap {
   readonly kind: 'roads'
   readonly name: string
   readonly dress: Dress
@@ -35,6 +41,16 @@ export interface MapDocument {
   readonly endless?: true
   /** Charged for every move. */
   readonly stepCost?: number
+}
+
+/** Rooms in a grid. */
+export interface RoomMap {
+  readonly kind: 'rooms'
+  readonly name: string
+  /** One letter a room: S start, G goal (a treasure), F floor, W wall, H trap, I ice (see `gridMap`). Equally long. */
+  readonly rows: readonly string[]
+  /** By column how far the wind pushes upwards: 0..2. */
+  readonly wind?: readonly number[]
 }
 
 export interface MapStation extends Place {
@@ -57,10 +73,12 @@ export interface MapRoad {
   readonly slip?: number
 }
 
+const placesIn = (map: MapDocument) => (map.kind === 'rooms' ? map.rows.join('').length : map.stations.length)
+
 /** Stations of a project's own maps, by their ids: what the check of its blocks asks for. */
 export const stationsOf = ({
   maps = {},
 }: {
   readonly maps?: { readonly [id: string]: MapDocument }
 }): { readonly [id: string]: number } =>
-  Object.fromEntries(Object.entries(maps).map(([id, { stations }]) => [id, stations.length]))
+  Object.fromEntries(Object.entries(maps).map(([id, map]) => [id, placesIn(map)]))

@@ -30,10 +30,13 @@ const directions = [
   { name: 'up', x: 0, y: -1 },
 ] as const
 
+/** Probability that a step off the ice leads where it is meant. */
+const ICE = 1 / 3
+
 /**
  * A grid world, read by rows from the upper left: S start, G goal (each of several), F floor, H hole (an attempt ends),
  * C cliff (back to the start), W wall, P a parcel: a robot that enters carries it from then on, in states of their own behind
- * the others, and the goal is one for carriers alone. Who walks against a wall or the border stays. The worlds of
+ * the others, and the goal is one for carriers alone; I ice: who leaves it gets where it is meant by 1/3, as in frozen_lake.py. Who walks against a wall or the border stays. The worlds of
  * Gymnasium's toy_text: frozen_lake.py, cliffwalking.py; its order of actions: left, down, right, up. Wind: Sutton &
  * Barto, 2nd edition, example 6.5. A single row has no up and down.
  * @throws RangeError for rows of unequal length, unknown letters, no start or goal, a wind that is no whole number
@@ -69,10 +72,11 @@ export function gridMap(rows: readonly string[], options: GridOptions = {}): Gri
     ]
   }
   const action = (from: number, turn: number, floor: number): Action => {
-    const sides = (1 - surefooted) / 2
+    const firm = cells[from] === 'I' ? ICE : surefooted
+    const sides = (1 - firm) / 2
     const odds = [
       ...arrive(target(from, turn - 1), sides, floor),
-      ...arrive(target(from, turn), surefooted, floor),
+      ...arrive(target(from, turn), firm, floor),
       ...arrive(target(from, turn + 1), sides, floor),
     ]
     const outcomes = odds.filter(({ probability }) => probability > 0)
@@ -103,8 +107,8 @@ function refuseNonsense(
   { wind = [], chances = [] }: GridOptions,
 ): readonly string[] {
   const cells = [...rows.join('')]
-  const odd = cells.find((letter) => !'SGFHCWP'.includes(letter))
-  if (odd !== undefined) throw new RangeError(`A grid has no cell ${odd}: S G F H C W P.`)
+  const odd = cells.find((letter) => !'SGFHCWPI'.includes(letter))
+  if (odd !== undefined) throw new RangeError(`A grid has no cell ${odd}: S G F H C W P I.`)
   if (rows.some(({ length }) => length !== rows[0]!.length))
     throw new RangeError('The rows of a grid are equally long.')
   const count = (letter: string) => cells.filter((cell) => cell === letter).length

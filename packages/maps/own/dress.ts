@@ -1,4 +1,4 @@
-import { paper, type Cover, type Dress, type MapDocument } from '@botgarten/programs'
+import { paper, type Cover, type Dress, type RoadMap } from '@botgarten/programs'
 import { pointsAlong, segmentsOf } from '../path.ts'
 import { distance, type Point } from '../point.ts'
 
@@ -106,7 +106,7 @@ const CLEAR = { road: 82, station: 120 }
 export const photoAddress = (photo: string): string => `data:image/jpeg;base64,${photo}`
 
 /** Ground and all that stands beside the roads, as markup. The same map has the same scenery. */
-export function sceneryOf(map: MapDocument, roads: readonly string[]): string {
+export function sceneryOf(map: RoadMap, roads: readonly string[]): string {
   const { ground, patches, things } = looks[map.dress]
   const size = `width="${paper.width}" height="${paper.height}"`
   if (map.photo !== undefined) return `<image ${size} href="${photoAddress(map.photo)}"/>`

@@ -5,4 +5,18 @@ export { faultsOf, lineOf, SHORTEST, TIGHTEST, type RoadFault, type RoadLine } f
 export { openMap, type OpenedMap } from './open.ts'
 export { openRoads, reachOf, type Reach } from './reach.ts'
 export { crossingsOf, icy, sampled, writeMap } from './write.ts'
+export {
+  colourOf,
+  emptyRooms,
+  endsOf,
+  furniture,
+  kindOf,
+  letterOf,
+  resizeRooms,
+  roomKinds,
+  roomsDrawn,
+  setRoom,
+  windArrows,
+  type RoomKind,
+} from './rooms.ts'
 export { ownId } from './own-id.ts'

@@ -1,4 +1,11 @@
-import { isMap, mostOfMap as most, paper, type MapDocument, type MapRoad } from '@botgarten/programs'
+import {
+  isMap,
+  mostOfMap as most,
+  paper,
+  type MapDocument,
+  type MapRoad,
+  type RoadMap,
+} from '@botgarten/programs'
 import { cleanDrawing } from '../clean.ts'
 import { elementsOf, type Element } from '../elements.ts'
 import { numbersIn } from '../path.ts'
@@ -54,14 +61,22 @@ function tooManyIn({ stations, grid, map }: MapFile): MapProblem | null {
 // ---- our own ----
 
 function ownIn(text: string): MapDocument | null {
-  if (!text.includes(' data-dress="')) return null
+  if (!/ data-(?:dress|rooms)="/.test(text)) return null
   if (readMap(text).map === null) return null
   const read = elementsOf(text)
   const elements = 'elements' in read ? read.elements : []
   const root = elements[0]?.attributes
-  if (root?.['data-dress'] === undefined || root['data-goals'] === undefined) return null
-  const map = documentFrom(elements, root)
+  if (!root) return null
+  const map = root['data-rooms'] === undefined ? documentFrom(elements, root) : roomsFrom(root)
   return isMap(map) ? map : null
+}
+
+function roomsFrom(root: Element['attributes']): unknown {
+  const wind = root['data-wind']
+  return {
+    ...{ kind: 'rooms', name: root['data-name'] ?? '', rows: (root['data-grid'] ?? '').split('/') },
+    ...(wind !== undefined && { wind: numbersIn(wind) }),
+  }
 }
 
 const given = (attributes: Element['attributes'], name: string, as: (text: string) => unknown = Number) => {
@@ -132,7 +147,7 @@ function pointsIn(text: string): Point[] {
 
 // ---- that of another ----
 
-function drawnFrom(file: MapFile, name: string): MapDocument {
+function drawnFrom(file: MapFile, name: string): RoadMap {
   const fit = fitted(file)
   const { actions } = file.map
   const roads = actions.flatMap((list, from) =>

@@ -6,7 +6,7 @@ import {
   writeProject,
   stationsOf,
   versionOf,
-  type MapDocument,
+  type RoadMap,
 } from '@botgarten/programs'
 import { project as everyPart } from '../../programs/testing/every-part.ts'
 import fc from 'fast-check'
@@ -35,7 +35,7 @@ const name = fc
   .filter((text) => !/[\p{Cc}\p{Cs}\uFFFE\uFFFF]/u.test(text))
 
 /** Maps of every kind that the schema lets through. */
-const maps: fc.Arbitrary<MapDocument> = fc
+const maps: fc.Arbitrary<RoadMap> = fc
   .array(fc.record({ ...place, name, reward }, { requiredKeys: ['x', 'y'] }), { minLength: 2, maxLength: 8 })
   .chain((stations) => {
     const index = fc.integer({ min: 0, max: stations.length - 1 })

@@ -1,4 +1,4 @@
-import type { MapDocument } from '@botgarten/programs'
+import type { RoadMap } from '@botgarten/programs'
 
 /** What can be said of a map before anybody learns on it. */
 export interface Reach {
@@ -13,7 +13,7 @@ export interface Reach {
 }
 
 /** By station, to which others open roads lead, in the order of their numbers. */
-export function openRoads({ stations, roads }: Pick<MapDocument, 'stations' | 'roads'>): readonly number[][] {
+export function openRoads({ stations, roads }: Pick<RoadMap, 'stations' | 'roads'>): readonly number[][] {
   const exits: number[][] = stations.map(() => [])
   for (const { from, to, oneWay, closed } of roads) {
     if (closed !== 'both' && closed !== 'there') exits[from]!.push(to)
@@ -23,7 +23,7 @@ export function openRoads({ stations, roads }: Pick<MapDocument, 'stations' | 'r
 }
 
 /** Can the robot get there? */
-export function reachOf(map: MapDocument): Reach {
+export function reachOf(map: RoadMap): Reach {
   const exits = openRoads(map)
   const before = searchFrom(exits, map.start)
   const goals = map.goals.filter((goal) => before.has(goal)).map((goal) => wayTo(before, goal))
@@ -49,7 +49,7 @@ function wayTo(before: ReadonlyMap<number, number>, goal: number): number[] {
   return way
 }
 
-function deadEndsOf({ goals, start }: MapDocument, exits: readonly (readonly number[])[]): Reach['deadEnds'] {
+function deadEndsOf({ goals, start }: RoadMap, exits: readonly (readonly number[])[]): Reach['deadEnds'] {
   return exits.flatMap((list, station) => {
     const entries = exits.flatMap((others, from) => (others.includes(station) ? [from] : []))
     const around = new Set([...list, ...entries])

@@ -1,17 +1,21 @@
-import { paper, type MapDocument, type MapRoad } from '@botgarten/programs'
+import { paper, type MapDocument, type MapRoad, type RoadMap } from '@botgarten/programs'
 import { pointsAlong, segmentsOf } from '../path.ts'
 import { distance, type Point } from '../point.ts'
 import { coverStrokes, sceneryOf, strokesOf, type Stroke } from './dress.ts'
+import { attributes, coinAt, ink, layer, round, stationDrawn } from './layers.ts'
 import { lineOf, STRAIGHT } from './line.ts'
 import { ownId } from './own-id.ts'
+import { writeRooms } from './rooms.ts'
 
-const ink = '#4A3428'
+/** A map as an SVG that opens again as the same document. */
+export const writeMap = (map: MapDocument, id: string): string =>
+  map.kind === 'rooms' ? writeRooms(map, id) : writeRoads(map, id)
 
 /**
  * A map as the SVG of the maps that everybody has: layers, stations `node-i`, a path `path-i-j` for every move. What only
  * the document knows stands in attributes `data-…`; `openMap` makes the same document of it.
  */
-export function writeMap(map: MapDocument, id: string): string {
+function writeRoads(map: RoadMap, id: string): string {
   const lines = map.roads.map((road) => lineOf(map, road))
   const drawn = map.roads.map((road, index) => roadDrawn(map, road, lines[index]!.there))
   const font = `font-family="'Baloo 2', Nunito, sans-serif" font-weight="800" font-size="44" text-anchor="middle"`
@@ -40,24 +44,15 @@ export function writeMap(map: MapDocument, id: string): string {
       map.roads.flatMap((road, index) => pathsOf(road, index, lines[index]!)),
       'fill="none"',
     ),
-    layer('stations', map.stations.map(stationDrawn), font),
+    layer(
+      'stations',
+      map.stations.map((station, number) => stationDrawn(station, number)),
+      font,
+    ),
     map.cover === 'fog' ? layer('fog', map.stations.map(fogOn)) : '',
     '</svg>',
     '',
   ].join('\n')
-}
-
-const layer = (id: string, content: readonly string[], more = '') =>
-  `<g id="${id}"${more && ` ${more}`}>\n${content.filter(Boolean).join('\n')}\n</g>`
-
-const escapes: { readonly [sign: string]: string } = { '&': '&amp;', '<': '&lt;', '>': '&gt;', '"': '&quot;' }
-const escaped = (text: string) =>
-  text.replace(/[&<>"]/g, (sign) => escapes[sign]!).replace(/[\n\r\t]/g, (sign) => `&#${sign.charCodeAt(0)};`)
-
-/** `data-…` of what is there. */
-function attributes(of: { readonly [name: string]: string | number | undefined }): string {
-  const said = Object.entries(of).filter(([, value]) => value !== undefined)
-  return said.map(([name, value]) => ` data-${name}="${escaped(String(value))}"`).join('')
 }
 
 // ---- what is drawn ----
@@ -65,7 +60,7 @@ function attributes(of: { readonly [name: string]: string | number | undefined }
 const stroke = (line: string, { colour, width, dash }: Stroke) =>
   `<path d="${line}" stroke="${colour}" stroke-width="${width}"${dash ? ` stroke-dasharray="${dash}" stroke-linecap="butt"` : ''}/>`
 
-const roadDrawn = ({ dress }: MapDocument, road: MapRoad, line: string) =>
+const roadDrawn = ({ dress }: RoadMap, road: MapRoad, line: string) =>
   strokesOf(dress)
     .map((one) => stroke(line, road.slip ? { ...one, colour: icy(one.colour) } : one))
     .join('')
@@ -74,7 +69,7 @@ const roadDrawn = ({ dress }: MapDocument, road: MapRoad, line: string) =>
 export const icy = (colour: string) => (colour === ink ? '#3E7D8E' : '#DDF1F6')
 
 /** Where a road crosses one that was drawn before it leads over it: with rails on both sides. */
-function bridges({ dress }: MapDocument, lines: readonly string[]): string[] {
+function bridges({ dress }: RoadMap, lines: readonly string[]): string[] {
   const points = lines.map((line) => sampled(line))
   return crossingsOf(points).map(({ upper, at }) => {
     const near = points[upper]!.filter((point) => distance(point, at) < 46)
@@ -87,8 +82,6 @@ function bridges({ dress }: MapDocument, lines: readonly string[]): string[] {
     return `<g stroke-linecap="butt">${[...rails, ...strokesOf(dress)].map((one) => stroke(line, one)).join('')}</g>`
   })
 }
-
-const round = (value: number) => Number(value.toFixed(1))
 
 /** A road in points about 8 units apart. */
 export function sampled(line: string): Point[] {
@@ -158,10 +151,7 @@ function signAt({ x, y }: Point, points: readonly Point[] | null): string {
   return points === null ? plate : arrowAt(points, 0.64) + plate
 }
 
-const coinAt = ({ x, y }: Point, reward: number) =>
-  `<g transform="translate(${round(x)} ${round(y)})"><circle r="30" fill="${reward > 0 ? '#FFC83D' : '#FBE1DA'}" stroke="${ink}" stroke-width="5"/><text y="9" text-anchor="middle" font-family="'Baloo 2', Nunito, sans-serif" font-weight="800" font-size="26" fill="#3A2A20" stroke="none">${reward > 0 ? '+' : '−'}${Math.abs(reward)}</text></g>`
-
-function coversOf({ cover, roads }: MapDocument, lines: readonly string[]): string[] {
+function coversOf({ cover, roads }: RoadMap, lines: readonly string[]): string[] {
   if (cover === undefined) return []
   const { colour, width } = coverStrokes[cover]
   const names = roads.map(({ from, to }) => `${Math.min(from, to)}-${Math.max(from, to)}`)
@@ -191,15 +181,4 @@ function pathsOf(road: MapRoad, index: number, { there, back }: { there: string;
     `<path id="path-${from}-${to}" d="${there}"${own}${both}${shut('there')}/>`,
     oneWay ? '' : `<path id="path-${to}-${from}" d="${back}"${both}${shut('back')}/>`,
   ]
-}
-
-function stationDrawn({ x, y, name, reward }: MapDocument['stations'][number], number: number): string {
-  const coin = reward ? coinAt({ x: -46, y: 46 }, reward) : ''
-  return [
-    `<g id="node-${number}" class="station" transform="translate(${x} ${y})"${attributes({ name, reward })}>`,
-    `<circle class="shade" cy="5" r="44" fill="#3A2A20" fill-opacity=".25"/>`,
-    `<circle class="disc" r="44" fill="#C23A30" stroke="${ink}" stroke-width="6"/>`,
-    `<circle class="ring" r="35" fill="none" stroke="#FFFFFF" stroke-width="4" stroke-dasharray="10 8"/>`,
-    `<text class="number" y="15" fill="#FFFFFF">${number}</text>${coin}</g>`,
-  ].join('')
 }

@@ -1,5 +1,13 @@
 import * as v from 'valibot'
-import { covers, dresses, mostOfMap as most, paper, type MapDocument } from '../map-document.ts'
+import {
+  covers,
+  dresses,
+  mostOfMap as most,
+  mostOfRooms,
+  paper,
+  type MapDocument,
+  type RoadMap,
+} from '../map-document.ts'
 import { finite } from './schema-program.ts'
 
 /** Also a part of an address and of a block's field. */
@@ -50,13 +58,44 @@ const isSound = ({ stations, roads, start, goals, dress, photo }: v.InferOutput<
   )
 }
 
-const mapSchema: v.GenericSchema<unknown, MapDocument> = v.pipe(
+const roadSchema: v.GenericSchema<unknown, RoadMap> = v.pipe(
   parts,
   v.check(
     isSound,
     'A road, the start or a goal of the map leads to a station that is not there, or its photo is missing.',
   ),
 )
+
+const rooms = v.object({
+  ...{ kind: v.literal('rooms'), name },
+  rows: v.pipe(
+    v.array(v.pipe(v.string(), v.regex(/^[SGFWHI]+$/))),
+    v.minLength(2),
+    v.maxLength(mostOfRooms.side),
+  ),
+  wind: v.exactOptional(
+    v.array(v.pipe(v.number(), v.integer(), v.minValue(0), v.maxValue(mostOfRooms.wind))),
+  ),
+})
+
+/** Rows are equally long; there is one start, and a goal at least. */
+const isGrid = ({ rows, wind }: v.InferOutput<typeof rooms>) => {
+  const columns = rows[0]!.length
+  const letters = rows.join('')
+  return (
+    columns >= 2 &&
+    columns <= mostOfRooms.side &&
+    rows.every(({ length }) => length === columns) &&
+    letters.split('S').length === 2 &&
+    letters.includes('G') &&
+    (wind === undefined || wind.length === columns)
+  )
+}
+
+const mapSchema: v.GenericSchema<unknown, MapDocument> = v.union([
+  roadSchema,
+  v.pipe(rooms, v.check(isGrid, 'The rooms of the map are no grid with one start and a treasure.')),
+])
 
 export const mapsSchema = v.pipe(
   v.record(mapId, mapSchema),

@@ -8,7 +8,7 @@ import {
   setRoad,
   type Reach,
 } from '@botgarten/maps/own'
-import type { MapDocument, MapRoad } from '@botgarten/programs'
+import type { RoadMap, MapRoad } from '@botgarten/programs'
 import type { Designer } from './designer.svelte.ts'
 
 export interface At {
@@ -100,7 +100,7 @@ function newBendPull(designer: Designer, road: number, begin: At): Pull {
 }
 
 /** Between which of its corners a point of a road lies: the index of a bend that is put in there. */
-function partOf({ stations, roads }: MapDocument, index: number, { x, y }: At): number {
+function partOf({ stations, roads }: RoadMap, index: number, { x, y }: At): number {
   const { from, to, bends } = roads[index]!
   const corners = [stations[from]!, ...bends, stations[to]!]
   const gaps = corners.slice(1).map((b, k) => {
@@ -139,5 +139,5 @@ function turnSign(designer: Designer, road: number): void {
 }
 
 /** Is there anything to learn: two stations, and a way? */
-export const canLearn = (map: MapDocument, { way }: Reach): boolean =>
+export const canLearn = (map: RoadMap, { way }: Reach): boolean =>
   map.stations.length > 1 && !map.goals.includes(map.start) && way !== null

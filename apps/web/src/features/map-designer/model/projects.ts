@@ -1,8 +1,9 @@
 import maps from 'content:maps'
 import { knowMaps, type Block } from '@botgarten/blocks'
 import type { MapProblem } from '@botgarten/maps'
-import { emptyMap, openMap, ownId } from '@botgarten/maps/own'
-import { versionOf, type MapDocument, type Program, type Project } from '@botgarten/programs'
+import { emptyMap, endsOf, openMap, ownId } from '@botgarten/maps/own'
+import { stationsOf, versionOf, type MapDocument, type Program, type Project } from '@botgarten/programs'
+import type { ProjectAutosave } from '#lab/autosave.svelte.ts'
 import { newProject } from '#content/new-project.ts'
 import { freshId, list, open, save } from '#storage/projects.ts'
 import { photoOfDrawing } from './photo.ts'
@@ -69,7 +70,8 @@ export async function openDrawing(text: string, name: string): Promise<ReadDrawi
   if (picture === null) return { map, warnings, pictureLost: false }
   const read = await photoOfDrawing(picture)
   if (!('photo' in read)) return { map, warnings, pictureLost: true }
-  return { map: { ...map, dress: 'photo', photo: read.photo }, warnings, pictureLost: false }
+  const drawn: MapDocument = map.kind === 'roads' ? { ...map, dress: 'photo', photo: read.photo } : map
+  return { map: drawn, warnings, pictureLost: false }
 }
 
 function freeId({ maps = {} }: Project): string {
@@ -90,8 +92,10 @@ const triesBlock = 'ai_q_apply_learning_rule'
 /** The project's programs learn on this map from now on, from its start to its first goal. */
 export function learningOn(project: Project, id: string): Project {
   const map = project.maps![id]!
-  const fields = { MAP: ownId(id), START: String(map.start), FINISH: String(map.goals[0]) }
-  const tries = String(Math.max(100, 20 * map.stations.length))
+  const { start, goals } = map.kind === 'rooms' ? endsOf(map) : map
+  const fields = { MAP: ownId(id), START: String(start), FINISH: String(goals[0]) }
+  const places = stationsOf({ maps: { [id]: map } })[id]!
+  const tries = String(Math.max(100, 20 * places))
   const changed = (block: Block): Block => {
     if (block.type === mapBlock) {
       const { OBSTACLE: _, ...values } = block.values ?? {}
@@ -114,3 +118,14 @@ const mapped = <From, To>(all: { readonly [key: string]: From }, change: (one: F
   Object.fromEntries(Object.entries(all).map(([key, one]) => [key, change(one)]))
 
 knowMaps(maps)
+
+/** What the bar and the paper have to know of a map that is made, of whichever kind. */
+export interface Drawing {
+  readonly id: string
+  readonly mapId: string
+  readonly settled: MapDocument
+  readonly project: Project
+  readonly autosave: ProjectAutosave
+  rename(name: string): void
+  learnHere(): Promise<boolean>
+}

@@ -1,5 +1,5 @@
 import type { MapProblem } from '@botgarten/maps'
-import type { MapDocument, MapRoad } from '@botgarten/programs'
+import type { RoadMap, MapRoad } from '@botgarten/programs'
 import { language } from '#words/language.svelte.ts'
 import { m, message } from '#words/message.ts'
 import type { Tool } from '../model/designer.svelte.ts'
@@ -16,7 +16,7 @@ export const signed = (reward: number): string =>
 export const hintOf = (tool: Tool): string => m[`design.hint.${tool}`]()
 
 /** Names of stations where they have some. */
-export const stationName = ({ stations }: MapDocument, station: number): string => {
+export const stationName = ({ stations }: RoadMap, station: number): string => {
   const { name } = stations[station]!
   return name ? `${station} · ${name}` : m['design.station']({ station })
 }

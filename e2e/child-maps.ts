@@ -1,0 +1,113 @@
+import { expect, type Locator } from '@playwright/test'
+import { Learner } from './child-learning.ts'
+import type { Child } from './child.ts'
+
+/** A map of three stations, as shares of the paper. */
+const places = [
+  [0.15, 0.7],
+  [0.5, 0.25],
+  [0.85, 0.7],
+] as const
+const roads = [
+  [0, 1],
+  [1, 2],
+] as const
+
+/** What a child does in the designer of maps. */
+export class MapMaker {
+  readonly child: Child
+  readonly #learner: Learner
+
+  constructor(child: Child) {
+    this.child = child
+    this.#learner = new Learner(child)
+  }
+
+  get paper(): Locator {
+    return this.child.page.getByRole('group', { name: this.child.word('design.paper'), exact: true })
+  }
+
+  /** From home on to empty paper. */
+  async begins(press: (thing: Locator) => Promise<void>, what: 'design.new' | 'rooms.new' = 'design.new') {
+    const { child } = this
+    await child.opensHome()
+    await press(child.page.getByRole('link', { name: child.word('home.maps'), exact: true }))
+    await press(child.button(what))
+  }
+
+  /** Sets three stations by tapping and pulls roads between them. */
+  async draws(press: (thing: Locator) => Promise<void>) {
+    const { child } = this
+    const box = (await this.paper.boundingBox())!
+    const at = ([x, y]: readonly [number, number]) => ({
+      x: box.x + x * box.width,
+      y: box.y + y * box.height,
+    })
+    for (const place of places) {
+      const { x, y } = at(place)
+      await this.paper.tap({ position: { x: x - box.x, y: y - box.y } })
+    }
+    await press(child.button('design.tool.road'))
+    for (const [from, to] of roads) await child.drags(at(places[from]), at(places[to]))
+  }
+
+  /** The same with the list beside the map. */
+  async lists(press: (thing: Locator) => Promise<void>) {
+    const { child } = this
+    await press(child.button('design.asList'))
+    for (const _ of places) await press(child.button('design.addStation'))
+    for (const [from, to] of roads) {
+      await this.#chooses('design.from', from)
+      await this.#chooses('design.to', to)
+      await press(child.button('design.addRoad'))
+    }
+    await press(child.button('design.asAnswers'))
+  }
+
+  /** Types the number of a station into a list. */
+  async #chooses(list: 'design.from' | 'design.to', station: number) {
+    const { child } = this
+    const box = child.page.getByRole('combobox', { name: child.word(list), exact: true })
+    await child.tabsTo(box)
+    await child.types(String(station))
+    await expect(box).toHaveValue(String(station))
+  }
+
+  async seesReached(count: number) {
+    const { child } = this
+    const said = child.word('design.reached', { start: 0, goal: count, count })
+    await expect(child.page.getByText(said, { exact: true })).toBeVisible()
+  }
+
+  /** Bo has driven all roads, both ways. */
+  async seesAllTried() {
+    const { child } = this
+    const all = 2 * roads.length
+    await expect(child.page.getByText(child.word('design.triedCount', { count: all, all }))).toBeVisible({
+      timeout: 30_000,
+    })
+  }
+
+  /** On A3. What a printer would be given is looked at on the screen. */
+  async prints(press: (thing: Locator) => Promise<void>) {
+    const { child } = this
+    await child.page.evaluate(() => (window.print = () => (document.title = 'printed')))
+    await press(child.button('design.print'))
+    await press(child.button('design.paper_a3'))
+    await expect(child.page).toHaveTitle('printed')
+    await child.page.emulateMedia({ media: 'print' })
+    await expect(child.page.locator('.printed-map.a3 img')).toBeVisible()
+    await child.page.emulateMedia({ media: 'screen' })
+  }
+
+  /** Bo learns on the map, and drives what it has learned. */
+  async learnsAndDrives(press: (thing: Locator) => Promise<void>, ...way: readonly number[]) {
+    const { child } = this
+    await press(child.button('design.learn'))
+    await this.#learner.sees()
+    await press(child.button('q.turbo'))
+    await press(child.button('lab.start').first())
+    await this.#learner.seesWay(...way)
+    await expect(this.#learner.floor).toBeVisible()
+  }
+}
