@@ -27,7 +27,7 @@ export const windArrows = (strength: number): string =>
 export const colourOf = (letter: string): string => colours[letter] ?? colours['F']!
 
 /** Where the rooms of a map lie: sides and middles in units of its drawing, row by row. */
-export function placesOf({ rows }: Pick<RoomMap, 'rows'>) {
+function placesOf({ rows }: Pick<RoomMap, 'rows'>) {
   const columns = rows[0]!.length
   const side = rows.length * 1.2 > columns ? 1000 / rows.length : 1600 / columns
   const places = [...rows.join('')].map((_, room) => ({
