@@ -8,6 +8,7 @@ import { TimeHands } from './child-time.ts'
 import { projectFile, sayingProject } from './projects.ts'
 import { lookingIn } from './screens-looking-in.ts'
 import { mapScreens } from './screens-maps.ts'
+import { raceScreens } from './screens-races.ts'
 import { trainingScreens } from './screens-training.ts'
 
 /** One picture: how a child gets there. `phone`: one part of the lab at a time. */
@@ -203,4 +204,5 @@ export const screens: readonly Screen[] = [
   ...lookingIn,
   ...trainingScreens,
   ...mapScreens,
+  ...raceScreens,
 ]

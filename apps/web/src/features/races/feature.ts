@@ -1,0 +1,12 @@
+import type { Feature } from '#parts/feature.ts'
+
+export { default as RacePage } from './view/RacePage.svelte'
+
+/** Races of learners on one map, and a child who walks it against Bo. */
+export const races = {
+  id: 'races',
+  words: ['races', 'blocks-q-learning'],
+  route: 'race',
+  load: () => import('./lazy.ts'),
+  budget: { page: 150_000, part: 60_000 },
+} satisfies Feature

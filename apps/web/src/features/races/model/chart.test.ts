@@ -1,0 +1,52 @@
+import type { Band, LaneResult } from '@botgarten/experiments/race'
+import fc from 'fast-check'
+import { expect, test } from 'vitest'
+import { apart, lineOf, scaleOf, ticksOf } from './chart.ts'
+
+const flat = (value: number): Band => ({ low: value, middle: value, high: value })
+const laneWith = (...values: number[]): LaneResult => ({
+  ...{ runs: 1, ways: [] },
+  curves: { falls: values.map(flat), moves: [], stars: [], pace: [] },
+  bill: { tries: 1, moves: 0, stars: 0, falls: 0, first: null, found: 0, reaches: null },
+})
+
+test('who would press all others flat leaves the picture', () => {
+  const lanes = [laneWith(1, 46), laneWith(2, 30), laneWith(40, 8234)]
+  expect(scaleOf(lanes, 'falls')).toEqual({ low: 0, high: 46, outside: [2] })
+  expect(scaleOf(lanes.slice(0, 2), 'falls').outside).toEqual([])
+})
+
+test('the picture has room for everyone who is alike, and for what is less than nothing', () => {
+  expect(scaleOf([laneWith(-10, -200), laneWith(-5, -100)], 'falls')).toEqual({
+    low: -200,
+    high: 1,
+    outside: [],
+  })
+  expect(scaleOf([laneWith(0), laneWith(0)], 'falls')).toEqual({ low: 0, high: 1, outside: [] })
+})
+
+test('ticks are round, within the picture, and not many', () => {
+  expect(ticksOf(0, 60)).toEqual([0, 20, 40, 60])
+  fc.assert(
+    fc.property(fc.integer({ min: -1e6, max: 0 }), fc.integer({ min: 1, max: 1e6 }), (low, high) => {
+      const ticks = ticksOf(low, high)
+      expect(ticks.length).toBeGreaterThanOrEqual(1)
+      expect(ticks.length).toBeLessThanOrEqual(5)
+      for (const tick of ticks) expect(tick >= low && tick <= high).toBe(true)
+    }),
+  )
+})
+
+test('labels keep their order and are never nearer than their height', () => {
+  fc.assert(
+    fc.property(fc.array(fc.integer({ min: 0, max: 300 }), { minLength: 1, maxLength: 8 }), (wanted) => {
+      const sorted = apart(wanted, 19).toSorted((a, b) => a - b)
+      sorted.slice(1).forEach((y, index) => expect(y - sorted[index]!).toBeGreaterThanOrEqual(19))
+    }),
+  )
+})
+
+test('a line goes through the middle of every band', () => {
+  const paper = { x: (at: number) => 10 * at, y: (value: number) => 100 - value }
+  expect(lineOf([flat(0), flat(20)], paper)).toBe('M0.0 100.0L10.0 80.0')
+})

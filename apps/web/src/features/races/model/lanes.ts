@@ -1,0 +1,45 @@
+import type { Lane, Racer } from '@botgarten/experiments/race'
+
+/** What a racer is set to, in a child's words: the values of the blocks. */
+export const choices = {
+  alpha: [
+    { value: 0.1, word: 'slowly' },
+    { value: 0.5, word: 'medium' },
+    { value: 0.9, word: 'fast' },
+  ],
+  gamma: [
+    { value: 0.2, word: 'aLittle' },
+    { value: 0.8, word: 'aLot' },
+    { value: 1, word: 'all' },
+  ],
+  rho: [
+    { value: 0.9, word: 'rarely' },
+    { value: 0.5, word: 'sometimes' },
+    { value: 0.1, word: 'often' },
+  ],
+  nu: [
+    { value: 0, word: 'never' },
+    { value: 0.1, word: 'rarely' },
+    { value: 0.9, word: 'often' },
+  ],
+} as const
+export type Setting = keyof typeof choices
+
+/** What can be set: who throws dice alone, or always takes the best, has nothing to choose there. */
+export const settingsOf = (racer: Racer): readonly Setting[] =>
+  racer === 'q' || racer === 'sarsa' ? ['rho', 'alpha', 'gamma', 'nu'] : ['alpha', 'gamma', 'nu']
+
+const usual = { alpha: 0.5, gamma: 0.8, nu: 0, rho: 0.1 }
+export const laneOf = (racer: Racer): Lane => ({ racer, ...usual })
+
+/** Colour and shape of a lane: no lane is told by its colour alone. */
+export const looks = [
+  { colour: '#1F67B3', mark: 'M0 -9a9 9 0 1 0 .01 0z' },
+  { colour: '#C2335F', mark: 'M0 -10L10 8H-10z' },
+  { colour: '#5B7A12', mark: 'M-8 -8H8V8H-8z' },
+  { colour: '#8C6A00', mark: 'M0 -11L11 0 0 11 -11 0z' },
+  { colour: '#6F55C4', mark: 'M0 10L-10 -8H10z' },
+  { colour: '#B25A00', mark: 'M-3.5 -10h7v6.5h6.500v7h-6.500v6.500h-7v-6.500h-6.500v-7h6.500z' },
+  { colour: '#0B7C88', mark: 'M-5 -9H5L10 0 5 9H-5L-10 0z' },
+  { colour: '#3A2A20', mark: 'M0 -11l3 7.500 8 .5-6 5 2 8-7-4.500-7 4.500 2-8-6-5 8-.5z' },
+] as const

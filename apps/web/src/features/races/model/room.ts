@@ -1,0 +1,26 @@
+import type { Door } from './walk.svelte.ts'
+
+/** Where a door stands, in shares of the room: none is told to be where it is on the map, but those of a grid are. */
+export interface Place {
+  readonly x: number
+  readonly y: number
+}
+
+const sides: { readonly [side: string]: Place } = {
+  ...{ left: { x: 0.15, y: 0.5 }, right: { x: 0.85, y: 0.5 } },
+  ...{ up: { x: 0.5, y: 0.12 }, down: { x: 0.5, y: 0.88 } },
+}
+
+/** Doors of a place in a ring, the first on the upper left, as Bo has them: in the order of their numbers. */
+export function placesOf(doors: readonly Door[]): readonly Place[] {
+  return doors.map(({ side }, index) => {
+    if (side && sides[side]) return sides[side]
+    const turn = (2 * Math.PI * (index + 0.5)) / doors.length - Math.PI
+    return { x: 0.5 + 0.33 * Math.sin(turn), y: 0.5 - 0.38 * Math.cos(turn) }
+  })
+}
+
+export const arrows: { readonly [side: string]: string } = { left: '←', right: '→', up: '↑', down: '↓' }
+
+/** Each once, in the order they first come. */
+export const distinct = (values: readonly number[]): readonly number[] => [...new Set(values)]

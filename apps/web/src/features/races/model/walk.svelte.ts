@@ -1,0 +1,193 @@
+import {
+  createLearner,
+  learnedPath,
+  step,
+  type LearnedPath,
+  type QLearner,
+  type QWorld,
+} from '@botgarten/learning/q-learning'
+import { fastDraw, fastStream, stream } from '@botgarten/numbers'
+import { settingsOf } from '@botgarten/experiments/race'
+import { laneOf } from './lanes.ts'
+import { distinct } from './room.ts'
+import type { Track } from './track.ts'
+import type { Tried } from './walked.ts'
+
+/** Tries of the child, and of Bo before its table is shown. */
+const TRIES = 3
+/** How far Bo goes on when it is let. */
+export const MORE = 20
+const SEED = 1
+
+/** Where the child stands. */
+interface Here {
+  readonly state: number
+  readonly from: number | null
+  readonly fell: boolean
+}
+
+/** A door of a room: an action of its state. */
+export interface Door {
+  readonly action: number
+  readonly to: number
+  /** Of a room of a grid: `left`. */
+  readonly side: string | null
+}
+
+/** What of Bo is shown after the last try. */
+export interface Learned {
+  readonly tries: readonly Tried[]
+  readonly way: LearnedPath
+  readonly q: readonly number[]
+}
+
+/** A child walks a map and sees of it what Bo sees: its room, the doors of it, and its own notes. Bo learns beside it. */
+export class WalkModel {
+  readonly track: Track
+  here = $state.raw<Here>({ state: 0, from: null, fell: false })
+  /** Tries that are over. */
+  tries = $state.raw<readonly Tried[]>([])
+  /** The try that goes on. */
+  now = $state.raw<Tried>(nothing(0))
+  /** 0..5 stars by action. */
+  notes = $state.raw<readonly number[]>([])
+  /** Actions in the order they were first taken. */
+  taken = $state.raw<readonly number[]>([])
+  /** The action that the stars are asked for. */
+  asked = $state<number | null>(null)
+  answer = $state('')
+  learned = $state.raw<Learned | null>(null)
+  #dice = fastStream(stream(SEED, 'race/me/1'))
+  #bo: QLearner
+  #boTries: Tried[] = []
+
+  constructor(track: Track) {
+    this.track = track
+    this.#bo = this.#learner()
+    this.begin()
+  }
+
+  get isOver() {
+    return this.tries.length >= TRIES
+  }
+  get count() {
+    return TRIES
+  }
+  /** Rooms that were seen. */
+  get rooms(): readonly number[] {
+    const { from, leads } = this.track.world
+    const known = this.taken.flatMap((action) => [from[action]!, leads[action]!])
+    return distinct([this.track.world.start, ...known, ...this.now.states]).toSorted((a, b) => a - b)
+  }
+
+  doorsOf(state: number): readonly Door[] {
+    const { first, meant, names } = this.track.world
+    return Array.from({ length: first[state + 1]! - first[state]! }, (_, index) => {
+      const action = first[state]! + index
+      const side = names[action]!.slice(`${state}-`.length)
+      return { action, to: meant[action]!, side: /^\d+$/.test(side) ? null : side }
+    })
+  }
+
+  /** From the beginning, with empty notes. */
+  begin(): void {
+    const { world } = this.track
+    this.#dice = fastStream(stream(SEED, 'race/me/1'))
+    this.#bo = this.#learner()
+    this.#boTries = []
+    this.tries = []
+    this.taken = []
+    this.notes = world.names.map(() => 0)
+    this.asked = null
+    this.learned = null
+    this.answer = ''
+    this.#return()
+  }
+
+  #learner(): QLearner {
+    const settings = settingsOf(laneOf('q'))
+    return createLearner(this.track.world, settings, stream(SEED, 'race/bo/1'))
+  }
+
+  #return(): void {
+    const { start } = this.track.world
+    this.now = nothing(start)
+    this.here = { state: start, from: null, fell: false }
+  }
+
+  /** Through a door. */
+  take(action: number): void {
+    if (this.isOver) return
+    const { world } = this.track
+    const end = outcomeOf(world, action, this.#dice)
+    const [to, fell] = [world.to[end]!, world.isFall[end] === 1]
+    this.taken = distinct([...this.taken, action])
+    this.asked = action
+    this.now = {
+      states: [...this.now.states, to],
+      stars: this.now.stars + world.reward[end]!,
+      falls: this.now.falls + (fell ? 1 : 0),
+      atGoal: world.isGoal[to] === 1,
+    }
+    this.here = { state: to, from: world.from[action]!, fell }
+    if (this.#ends(to)) this.#finish()
+  }
+
+  /** As an attempt of the standard rules ends: at a goal, in a hole, at a dead end, or after 20 × stations moves. */
+  #ends(to: number): boolean {
+    const { terminal, first, states } = this.track.world
+    return terminal[to] === 1 || first[to] === first[to + 1] || this.now.states.length > 20 * states
+  }
+
+  #finish(): void {
+    this.tries = [...this.tries, this.now]
+    this.#boTries.push(oneTry(this.#bo))
+    if (this.isOver) this.#show()
+    else this.#return()
+  }
+
+  #show(): void {
+    this.learned = {
+      ...{ tries: [...this.#boTries], way: learnedPath(this.#bo), q: [...this.#bo.q] },
+    }
+  }
+
+  /** Bo has some more tries than the child. */
+  letBoGoOn(): void {
+    for (let count = 0; count < MORE; count++) this.#boTries.push(oneTry(this.#bo))
+    this.#show()
+  }
+
+  note(action: number, stars: number): void {
+    this.notes = this.notes.with(action, stars)
+    this.asked = action
+  }
+}
+
+const nothing = (start: number): Tried => ({ states: [start], stars: 0, falls: 0, atGoal: false })
+
+function outcomeOf(world: QWorld, action: number, dice: ReturnType<typeof fastStream>): number {
+  let end = world.outcome[action]!
+  const last = world.outcome[action + 1]! - 1
+  if (end === last) return end
+  const drawn = fastDraw(dice)
+  while (end < last && drawn >= world.upTo[end]!) end++
+  return end
+}
+
+/** The next try of a learner, written down as the child's is. */
+function oneTry(learner: QLearner): Tried {
+  let tried: Tried | null = null
+  const { episodes } = learner
+  while (learner.episodes === episodes) {
+    const { from, to, reward } = step(learner)
+    tried ??= nothing(from)
+    tried = {
+      states: [...tried.states, to],
+      stars: tried.stars + reward,
+      falls: tried.falls + (learner.last.fell ? 1 : 0),
+      atGoal: learner.world.isGoal[to] === 1,
+    }
+  }
+  return tried ?? nothing(learner.world.start)
+}
