@@ -97,4 +97,4 @@ function said(race: Race, criterion: Criterion, lanes: readonly LaneResult[]): s
 const wayOf = (first: number | null, found: number, runs: number) =>
   first === null ? message('race.noWay', { found, runs }) : message('race.way', { first, found, runs })
 
-const reachesOf = (share: number) => message('race.reaches', { percent: (100 * share).toFixed(1) })
+const reachesOf = (share: number) => message('race.getsThere', { percent: (100 * share).toFixed(1) })

@@ -1,7 +1,7 @@
 import type { Band, LaneResult } from '@botgarten/experiments/race'
 import fc from 'fast-check'
 import { expect, test } from 'vitest'
-import { apart, lineOf, scaleOf, ticksOf } from './chart.ts'
+import { apart, lineOf, marksAt, scaleOf, ticksOf, timesOf } from './chart.ts'
 
 const flat = (value: number): Band => ({ low: value, middle: value, high: value })
 const laneWith = (...values: number[]): LaneResult => ({
@@ -49,4 +49,11 @@ test('labels keep their order and are never nearer than their height', () => {
 test('a line goes through the middle of every band', () => {
   const paper = { x: (at: number) => 10 * at, y: (value: number) => 100 - value }
   expect(lineOf([flat(0), flat(20)], paper)).toBe('M0.0 100.0L10.0 80.0')
+})
+
+test('a race of one try or of three names no point twice', () => {
+  expect([0, 2, 99].map(marksAt)).toEqual([[0], [1], [30, 64]])
+  expect(timesOf([1])).toEqual([0])
+  expect(timesOf([1, 2, 3])).toEqual([0, 1, 2])
+  expect(timesOf(Array.from({ length: 100 }, (_, at) => at + 1))).toEqual([0, 24, 49, 74, 99])
 })

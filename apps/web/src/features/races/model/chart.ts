@@ -69,3 +69,15 @@ export function apart(wanted: readonly number[], gap: number): readonly number[]
   for (const { y, lane } of order) found[lane] = y
   return found
 }
+
+const distinct = (places: readonly number[]) => [...new Set(places)]
+
+/** Points of a line that have the mark of its lane, beside its end; a short race has one. */
+export const marksAt = (last: number): readonly number[] =>
+  distinct([0.3, 0.65].map((share) => Math.round(share * last)))
+
+/** Points that are named below the curves: the first, the last, and where quarters of all tries are done. */
+export function timesOf(points: readonly number[]): readonly number[] {
+  const all = points.at(-1) ?? 0
+  return distinct([0, 0.25, 0.5, 0.75, 1].map((share) => points.findIndex((tries) => tries >= share * all)))
+}
