@@ -1,6 +1,8 @@
 // Rooms: map-designer, q-learning
+import type { Locator } from '@playwright/test'
 import { axeFindings } from '../axe.ts'
 import { Learner } from '../child-learning.ts'
+import { MapMaker } from '../child-maps.ts'
 import { expect, test } from '../house.ts'
 import { languagesOf } from '../words.ts'
 
@@ -50,6 +52,21 @@ for (const language of languagesOf(import.meta.filename)) {
       await page.reload()
       await learner.sees()
       await expect(learner.station(2)).toBeVisible()
+    })
+
+    test('is made by keys alone, from the list to the print, and driven', async ({ child }) => {
+      const maker = new MapMaker(child)
+      const press = async (thing: Locator) => {
+        await child.tabsTo(thing)
+        await child.types('Enter')
+      }
+      await maker.begins(press)
+      await maker.lists(press)
+      await child.tabsTo(child.button('design.station', { station: 2 }))
+      await press(child.button('design.goalHere'))
+      await maker.seesReached(2)
+      await maker.prints(press)
+      await maker.learnsAndDrives(press, 0, 1, 2)
     })
   })
 }
