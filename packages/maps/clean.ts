@@ -106,7 +106,7 @@ function treeOf(text: string, removed: Set<string>): Node | null {
   } catch (error) {
     throw error instanceof Refused ? error : broken()
   }
-  return (root.inside.find((one) => typeof one !== 'string') as Node | undefined) ?? null
+  return root.inside.find((one) => typeof one !== 'string') ?? null
 }
 
 /** Fonts and shadows are left out without a word, and what a program notes for itself. */

@@ -7,5 +7,5 @@ export const python = {
   id: 'python',
   words: ['python', 'expert'],
   load: () => import('./lazy.ts'),
-  budget: { part: 74_000 },
+  budget: { part: 80_000 },
 } satisfies Feature

@@ -5,5 +5,5 @@ export const share = {
   id: 'share',
   words: ['share'],
   load: () => import('./ShareDialog.svelte'),
-  budget: { part: 9_000 },
+  budget: { part: 11_000 },
 } satisfies Feature
