@@ -54,3 +54,44 @@ test('three cards of each bed are reached by keys, and the free lab begins empty
   await expect(page.getByRole('heading', { level: 1 })).toHaveText('Maze')
   await expect(child.canvas.locator('.blocklyDraggable')).toHaveCount(1)
 })
+
+const sizes = [
+  { width: 1366, height: 768 },
+  { width: 1024, height: 768 },
+  { width: 390, height: 844 },
+]
+/** What home leads to besides the cards of its beds. */
+const places = { maps: 'maps', race: 'race', zoo: 'zoo', sorting: 'sorting' }
+
+for (const viewport of sizes)
+  test.describe(`at ${viewport.width} px`, () => {
+    test.use({ hasTouch: true, viewport })
+
+    test('maps, races, the zoo and sorting are a tap away, and a key', async ({ child, page }) => {
+      await child.opensHome()
+      for (const [name, address] of Object.entries(places))
+        for (const way of ['finger', 'keys']) {
+          const place = page.getByRole('link', { name: child.word(`home.${name}`), exact: true })
+          if (way === 'finger') await place.tap()
+          else {
+            await child.tabsTo(place)
+            await child.types('Enter')
+          }
+          await expect(page).toHaveURL(new RegExp(`/${address}$`))
+          await child.seesTitle()
+          await page.goBack()
+          await expect(place).toBeVisible()
+        }
+    })
+
+    if (viewport.width >= 1024)
+      for (const language of ['en', 'de'] as const)
+        test(`everything is in sight without scrolling, in ${language}`, async ({ child, page }) => {
+          await child.opensHome()
+          await child.speaks(language)
+          for (const place of await page.getByRole('main').locator('a, button').all()) {
+            const box = (await place.boundingBox())!
+            expect(box.y + box.height).toBeLessThanOrEqual(viewport.height)
+          }
+        })
+  })

@@ -43,6 +43,12 @@ export interface BedCard {
   readonly closed?: boolean
 }
 
+/** A place without goals that a bed leads to. */
+export const place = (href: string, label: string, picture: string): BedCard => ({
+  ...{ href, label, picture, number: '', goal: '', group: null },
+  level: { passed: 0, of: 0 },
+})
+
 /** What each card is about, by its id. */
 export type Goals = { readonly [card: string]: Translated<string> | undefined }
 
