@@ -8,7 +8,7 @@ const seen = { x: 100, y: 50, width: 500, height: 200 }
 const signs = (...places: readonly (readonly [number, number])[]) => {
   const robots = places.map(([x, y], index) => ({ id: `r${index}`, pose: { x, y: 400 - y, heading: 0 } }))
   const view = { robots } as unknown as View
-  return drawBeyond({ view, floor, scale: 1, colours: ['#F28C45', '#5AA9DE'] }, seen)
+  return drawBeyond({ view, things: [], floor, scale: 1, colours: ['#F28C45', '#5AA9DE'], seen })
 }
 
 describe('robots beyond the edge', () => {
@@ -25,5 +25,18 @@ describe('robots beyond the edge', () => {
     const arrow = (above as { shapes: readonly { points?: readonly { x: number; y: number }[] }[] })
       .shapes[0]!
     expect(arrow.points![1]).toEqual({ x: 0, y: -27 })
+  })
+
+  test('a thing has a sign where none of them is seen: the nearest one, small', () => {
+    const at = (x: number, y: number) => ({
+      pose: { x, y: 400 - y, heading: 0 },
+      thing: { id: 'square', shape: { kind: 'rectangle', width: 50, height: 50 }, colour: 'blue' } as never,
+    })
+    const view = { robots: [{ id: 'bo', pose: { x: 350, y: 250, heading: 0 } }] } as unknown as View
+    const draw = (...things: ReturnType<typeof at>[]) =>
+      drawBeyond({ view, things, floor, scale: 1, colours: ['#F28C45'], seen })
+    expect(draw(at(350, 390), at(20, 390))).toMatchObject([{ kind: 'group', x: 350, y: 220 }])
+    expect(draw(at(350, 260), at(20, 390))).toEqual([])
+    expect(draw()).toEqual([])
   })
 })

@@ -1,7 +1,10 @@
+import type { Obstacle } from '@botgarten/simulation'
 import { onFloor } from './camera.ts'
 import type { Command } from './commands.ts'
 import { clamp, type Point, type Size } from './points.ts'
-import type { Scene } from './world.ts'
+import { drawThing } from './thing-looks.ts'
+import { radiusOf } from './things.ts'
+import type { Placed, Scene } from './world.ts'
 
 const paper = '#FFFDF8'
 const ink = '#4A3428'
@@ -12,22 +15,62 @@ const radius = 15
 const taken = 60
 
 /**
- * Signs at the edge for robots that stand beyond it: each points to where its robot is. None for one that is seen.
- * @param seen what is seen of the floor, in px of its box
+ * Signs at the edge for robots that stand beyond it, and for the nearest thing where none is seen: each points to
+ * where that is. None for what is seen.
  */
 export const drawBeyond = (
-  { view, floor, scale, colours }: Pick<Scene, 'view' | 'floor' | 'scale' | 'colours'>,
-  seen: Size & Point,
-): readonly Command[] =>
-  view.robots.flatMap(({ pose }, index) => {
-    const at = onFloor(pose, floor, scale)
-    return isSeen(at, seen) ? [] : [sign(at, seen, colours[index % colours.length]!, index + 1)]
-  })
+  scene: Pick<Scene, 'view' | 'things' | 'floor' | 'scale' | 'seen' | 'colours'>,
+): readonly Command[] => {
+  const { view, floor, scale, seen, colours } = scene
+  const thing = nearestBeyond(scene)
+  return [
+    ...view.robots.flatMap(({ pose }, index) => {
+      const at = onFloor(pose, floor, scale)
+      const face = numbered(colours[index % colours.length]!, index + 1)
+      return isSeen(at, seen, 0) ? [] : [sign(at, seen, face)]
+    }),
+    ...(thing ? [sign(onFloor(thing.pose, floor, scale), seen, small(thing.thing))] : []),
+  ]
+}
 
-const isSeen = ({ x, y }: Point, seen: Size & Point): boolean =>
-  x > seen.x && y > seen.y && x < seen.x + seen.width && y < seen.y + seen.height
+const isSeen = ({ x, y }: Point, seen: Size & Point, radius: number): boolean =>
+  x > seen.x - radius &&
+  y > seen.y - radius &&
+  x < seen.x + seen.width + radius &&
+  y < seen.y + seen.height + radius
 
-function sign({ x, y }: Point, seen: Size & Point, colour: string, number: number): Command {
+/** The thing that is nearest to the first robot, where nothing is seen of any. */
+function nearestBeyond({
+  view,
+  things,
+  floor,
+  scale,
+  seen,
+}: Pick<Scene, 'view' | 'things' | 'floor' | 'scale' | 'seen'>): Placed | null {
+  const shown = ({ pose, thing }: Placed) =>
+    isSeen(onFloor(pose, floor, scale), seen, radiusOf(thing.shape) * 0.6 * scale)
+  const robot = view.robots[0]
+  if (!robot || things.length === 0 || things.some(shown)) return null
+  const away = ({ pose }: Placed) => Math.hypot(pose.x - robot.pose.x, pose.y - robot.pose.y)
+  return things.reduce((best, one) => (away(one) < away(best) ? one : best))
+}
+
+/** The number of a robot on its colour. */
+const numbered = (fill: string, number: number): readonly Command[] => [
+  { kind: 'circle', x: 0, y: 0, r: radius, fill, stroke: ink, lineWidth: 3 },
+  {
+    ...{ kind: 'text', text: String(number), x: 0, y: 5.5, size: 16, font: 'title', align: 'middle' },
+    fill: ink,
+  },
+]
+
+/** A thing as large as fits into a sign. */
+const small = (thing: Obstacle): readonly Command[] => [
+  { kind: 'circle', x: 0, y: 0, r: radius, fill: paper, stroke: ink, lineWidth: 3 },
+  { kind: 'group', scale: (radius - 4) / radiusOf(thing.shape), shapes: drawThing(thing) },
+]
+
+function sign({ x, y }: Point, seen: Size & Point, face: readonly Command[]): Command {
   const at = {
     x: clamp(x, seen.x + inset, seen.x + seen.width - inset),
     y: clamp(y, seen.y + inset, seen.y + seen.height - inset),
@@ -51,11 +94,7 @@ function sign({ x, y }: Point, seen: Size & Point, colour: string, number: numbe
         stroke: paper,
         lineWidth: 2,
       },
-      { kind: 'circle', x: 0, y: 0, r: radius, fill: colour, stroke: ink, lineWidth: 3 },
-      {
-        ...{ kind: 'text', text: String(number), x: 0, y: 5.5, size: 16, font: 'title', align: 'middle' },
-        fill: ink,
-      },
+      ...face,
     ],
   }
 }

@@ -98,6 +98,14 @@ describe('the camera', () => {
     expect(scaleFor({ width: 150, height: 150 }, track, 'whole')).toBe(0.8)
   })
 
+  test('leans towards a thing that is a little too far away to be seen, and not towards one that is far away', () => {
+    const robot = { x: 310, y: 330 }
+    const y = (below: number) =>
+      aim(robot, [{ x: 310, y: robot.y - below, radius: 25 }], 2.05, low, { width: 600, height: 900 }).y
+    expect(y(125)).toBeLessThan(315)
+    expect(y(260)).toBe(robot.y)
+  })
+
   test('keeps the robot in sight wherever it is', () => {
     const things = fc.array(
       fc.record({

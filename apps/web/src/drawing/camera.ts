@@ -103,24 +103,28 @@ export function keepOnFloor(camera: Camera, pane: Size, floor: Size): Camera {
   }
 }
 
+// Cm: so far beyond what can be seen, a thing no longer draws the camera to it.
+const longing = 80
+
 /**
- * Where the camera wants to be: so that the robot and the thing nearest to it are both in sight, else on the robot.
- * The robot always keeps its elbow room.
+ * Where the camera wants to be: so that the robot and the thing nearest to it are both in sight, towards it where it is
+ * a little too far away, else on the robot. The robot always keeps its elbow room.
  */
 export function aim(robot: Point, things: readonly Sight[], scale: number, pane: Size, floor: Size): Camera {
   const near = nearestTo(robot, things)
-  const x = near ? leaning(near.x - robot.x, near.radius, pane.width / scale) : 0
-  const y = near ? leaning(near.y - robot.y, near.radius, pane.height / scale) : 0
-  const seen = x !== null && y !== null
-  return keepOnFloor({ scale, x: robot.x + (seen ? x : 0), y: robot.y + (seen ? y : 0) }, pane, floor)
+  if (!near) return keepOnFloor({ scale, x: robot.x, y: robot.y }, pane, floor)
+  const x = leaning(near.x - robot.x, near.radius, pane.width / scale)
+  const y = leaning(near.y - robot.y, near.radius, pane.height / scale)
+  const share = Math.max(0, 1 - Math.hypot(x.beyond, y.beyond) / longing)
+  return keepOnFloor({ scale, x: robot.x + x.lean * share, y: robot.y + y.lean * share }, pane, floor)
 }
 
-/** How far to look past the robot along one axis to see a thing `away` from it; null where that cannot be. */
-function leaning(away: number, radius: number, seen: number): number | null {
+/** How far to look past the robot along one axis to see a thing `away` from it, and how far beyond that the thing is. */
+function leaning(away: number, radius: number, seen: number): { lean: number; beyond: number } {
   const free = Math.max(0, seen / 2 - elbowRoom)
   const middle = (away + Math.sign(away) * (radius - elbowRoom)) / 2
   const lean = Math.abs(away) < elbowRoom ? away / 2 : clamp(middle, -free, free)
-  return Math.abs(away - lean) - radius < seen / 2 ? lean : null
+  return { lean, beyond: Math.max(0, Math.abs(away - lean) - radius - seen / 2) }
 }
 
 function nearestTo(robot: Point, things: readonly Sight[]): Sight | undefined {

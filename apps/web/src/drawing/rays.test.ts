@@ -40,11 +40,12 @@ describe('distance labels', () => {
   const robot = { x: 0, y: 0 }
   const length = fc.integer({ min: 1, max: 400 })
   const turn = fc.double({ min: -3.2, max: 3.2, noNaN: true })
+  const everywhere = { x: -500, y: -500, width: 1000, height: 1000 }
 
   test('keep clear of the robot', () => {
     fc.assert(
       fc.property(length, turn, (far, angle) => {
-        const [place] = labelPlaces(robot, [beam(far * Math.cos(angle), far * Math.sin(angle))])
+        const [place] = labelPlaces(robot, [beam(far * Math.cos(angle), far * Math.sin(angle))], everywhere)
         expect(Math.hypot(place!.x, place!.y)).toBeGreaterThan(43.9)
       }),
     )
@@ -53,11 +54,28 @@ describe('distance labels', () => {
   test('two never lie on each other', () => {
     fc.assert(
       fc.property(length, length, turn, (one, two, angle) => {
-        const [a, b] = labelPlaces(robot, [
-          beam(one * Math.cos(angle), one * Math.sin(angle)),
-          beam(two * Math.cos(angle + 0.1), two * Math.sin(angle + 0.1)),
-        ])
+        const [a, b] = labelPlaces(
+          robot,
+          [
+            beam(one * Math.cos(angle), one * Math.sin(angle)),
+            beam(two * Math.cos(angle + 0.1), two * Math.sin(angle + 0.1)),
+          ],
+          everywhere,
+        )
         expect(Math.hypot((a!.x - b!.x) / 54, (a!.y - b!.y) / 33)).toBeGreaterThan(0.999)
+      }),
+    )
+  })
+
+  test('are never cut off by the edge of what is seen', () => {
+    fc.assert(
+      fc.property(length, length, turn, (one, two, angle) => {
+        const seen = { x: -200, y: -60, width: 400, height: 120 }
+        const beams = [one, two].map((far) => beam(far * Math.cos(angle), far * Math.sin(angle)))
+        for (const { x, y } of labelPlaces(robot, beams, seen)) {
+          expect(Math.abs(x)).toBeLessThanOrEqual(173)
+          expect(Math.abs(y)).toBeLessThanOrEqual(43.5)
+        }
       }),
     )
   })

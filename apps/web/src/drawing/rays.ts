@@ -1,5 +1,4 @@
-import type { Point } from './points.ts'
-import { clamp } from './points.ts'
+import { clamp, type Point, type Size } from './points.ts'
 
 /** One distance ray from the sensor to where it ends, with its length. Any unit. */
 export interface Beam {
@@ -43,14 +42,21 @@ export const nearestBeam = (beams: readonly Beam[]): Beam | undefined =>
 /** How far from the robot labels stand, and how much room each takes, in px. */
 const label = { nearest: 44, farthest: 84, width: 54, height: 33 }
 
-/** Middles of the distance labels: on their lines, near the robot, clear of it and of each other. Px. */
-export function labelPlaces(robot: Point, beams: readonly Beam[]): readonly Point[] {
+/**
+ * Middles of the distance labels: on their lines, near the robot, clear of it and of each other. Px.
+ * @param seen none of them is cut off by its edge
+ */
+export function labelPlaces(robot: Point, beams: readonly Beam[], seen: Size & Point): readonly Point[] {
+  const inSight = ({ x, y }: Point): Point => ({
+    x: clamp(x, seen.x + label.width / 2, seen.x + seen.width - label.width / 2),
+    y: clamp(y, seen.y + label.height / 2, seen.y + seen.height - label.height / 2),
+  })
   const places = beams.map(({ from, to }) => {
     const dx = to.x - from.x
     const dy = to.y - from.y
     const length = Math.hypot(dx, dy) || 1
     const out = clamp(length / 2, 0, label.farthest)
-    return clearOf(robot, { x: from.x + (dx / length) * out, y: from.y + (dy / length) * out })
+    return inSight(clearOf(robot, { x: from.x + (dx / length) * out, y: from.y + (dy / length) * out }))
   })
   for (let i = 0; i < places.length; i++)
     for (let j = i + 1; j < places.length; j++) {
@@ -58,7 +64,7 @@ export function labelPlaces(robot: Point, beams: readonly Beam[]): readonly Poin
       places[i] = a
       places[j] = b
     }
-  return places
+  return places.map(inSight)
 }
 
 function clearOf(robot: Point, place: Point): Point {

@@ -2,9 +2,10 @@ import type { RobotView } from '@botgarten/lab'
 import type { RobotConfig } from '@botgarten/simulation'
 import { onFloor } from './camera.ts'
 import type { Command } from './commands.ts'
-import type { Point, Size } from './points.ts'
+import type { Point } from './points.ts'
 import { labelPlaces } from './rays.ts'
 import { sightsOf, type Sight } from './sights.ts'
+import type { Scene } from './world.ts'
 
 const ink = '#3A2A20'
 
@@ -17,27 +18,25 @@ export interface Reading extends Sight {
 export function readingsOf(
   robot: RobotView,
   config: RobotConfig,
-  floor: Size,
-  scale: number,
+  { floor, scale, seen }: Pick<Scene, 'floor' | 'scale' | 'seen'>,
 ): readonly Reading[] {
   const sights = sightsOf(robot, config, floor, scale)
   const places = labelPlaces(
     onFloor(robot.pose, floor, scale),
     sights.map(({ near }) => near),
+    seen,
   )
   return sights.map((sight, i) => ({ ...sight, label: places[i]! }))
 }
 
-/** What the distance sensors see: a cone each, a line to the nearest thing and what they read of it. In px of the floor's box. @param strong for the wall */
+/** What the distance sensors see: a cone each, a line to the nearest thing and what they read of it. In px of the floor's box. */
 export function drawSenses(
   robot: RobotView,
   config: RobotConfig,
-  floor: Size,
-  scale: number,
-  strong: boolean,
+  scene: Pick<Scene, 'floor' | 'scale' | 'seen' | 'strong'>,
 ): readonly Command[] {
-  const all = readingsOf(robot, config, floor, scale)
-  return [...all.flatMap((one) => cone(one, strong)), ...all.flatMap(reading)]
+  const all = readingsOf(robot, config, scene)
+  return [...all.flatMap((one) => cone(one, scene.strong)), ...all.flatMap(reading)]
 }
 
 const own = ({ infrared }: Sight) => (infrared ? '#B8391C' : '#2F9C95')

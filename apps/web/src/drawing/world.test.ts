@@ -31,6 +31,7 @@ const crate: Obstacle = {
 const scene: Scene = {
   floor,
   scale: 2,
+  seen: { x: 0, y: 0, width: 1000, height: 800 },
   view: { robots: [bo] },
   configs: new Map([['bo', defaultConfig]]),
   things: [{ pose: crate.pose, thing: crate }],

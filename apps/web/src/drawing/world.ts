@@ -24,6 +24,8 @@ export interface Scene {
   readonly floor: Size
   /** Px per cm. */
   readonly scale: number
+  /** What is seen of the floor, in px of its box. */
+  readonly seen: Size & Point
   readonly view: Pick<View, 'robots'>
   readonly configs: ReadonlyMap<string, RobotConfig>
   /** All, for a hand. */
@@ -179,8 +181,8 @@ const halos = [
 const glow = ({ led }: RobotView): readonly Command[] =>
   led ? halos.map((halo) => ({ kind: 'circle', x: 0, y: lampAt, fill: lamps[led], ...halo })) : []
 
-function senses({ view, sensing, configs, floor, scale, strong }: Scene): readonly Command[] {
-  const robot = view.robots.find(({ id }) => id === sensing)
-  const config = robot && configs.get(robot.id)
-  return robot && config ? drawSenses(robot, config, floor, scale, strong) : []
+function senses(scene: Scene): readonly Command[] {
+  const robot = scene.view.robots.find(({ id }) => id === scene.sensing)
+  const config = robot && scene.configs.get(robot.id)
+  return robot && config ? drawSenses(robot, config, scene) : []
 }

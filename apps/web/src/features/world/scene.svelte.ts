@@ -183,6 +183,7 @@ export class WorldScene {
     return {
       floor: world.size,
       scale,
+      seen: this.#viewport.seen,
       view: { robots: this.#robots },
       configs: this.#configs,
       things: this.things,
@@ -221,7 +222,7 @@ export class WorldScene {
 
   readonly shapes = $derived.by(() => [
     ...drawWorld(this.now),
-    ...drawBeyond(this.now, this.#viewport.seen),
+    ...drawBeyond(this.now),
     ...this.#badges.map(({ badge, box, to }) => drawLead(badge, box, to)),
     ...this.#badges.flatMap(({ badge, box, label }) => drawBadge(badge, box, label)),
   ])
@@ -280,8 +281,7 @@ export class WorldScene {
 
   #readings(robot: RobotView): readonly Place[] {
     const config = this.#configs.get(robot.id)
-    const { floor, scale } = this.now
-    const readings = config ? readingsOf(robot, config, floor, scale) : []
+    const readings = config ? readingsOf(robot, config, this.now) : []
     return readings.map(({ port, reading, label }) => ({
       name: `${robot.id} ray ${port}`,
       ...label,
