@@ -14,6 +14,11 @@ export class RobotTools {
 
   isOpen = (tool: RobotTool) => this.#open === tool
 
+  /** Something of it is open that stands with the world. */
+  get hasDrawer(): boolean {
+    return this.#open === 'senses' || this.#open === 'panel'
+  }
+
   async show(tool: RobotTool, open: boolean): Promise<void> {
     if (open) this.#open = tool
     else if (this.#open === tool) this.#open = null
