@@ -7,6 +7,7 @@ import fc from 'fast-check'
 import { describe, expect, test } from 'vitest'
 import { cleanDrawing } from '../clean.ts'
 import { addStation, emptyMap, openMap, writeMap, type OpenedMap } from './index.ts'
+import { changedDrawing } from './testing.ts'
 
 const folder = join(import.meta.dirname, '..', 'reference', 'drawings')
 const drawing = (program: string) => readFileSync(join(folder, `${program}.svg`), 'utf8')
@@ -92,20 +93,7 @@ test('a drawing with names that are nearly right is refused, and each is named',
 describe('a drawing of which some letters have changed', () => {
   const own = writeMap([{ x: 200, y: 200 }, { x: 700, y: 300 }].reduce(addStation, emptyMap('own')), 'own') // prettier-ignore
   const files = [...readdirSync(folder).filter((file) => file.endsWith('.svg')).map((file) => drawing(file.replace('.svg', ''))), own] // prettier-ignore
-  const bits = fc.constantFrom('<', '>', '"', '&', '/', '=', '9e9', '-', '<g>', '</svg>', 'node-1', '<!--', '\u0000', '<use href="#node-0"/>') // prettier-ignore
-  const change = fc.record({
-    at: fc.nat(9999),
-    length: fc.nat(40),
-    put: fc.oneof(bits, fc.string({ maxLength: 6 })),
-  })
-  const mutated = fc
-    .record({ file: fc.constantFrom(...files), changes: fc.array(change, { minLength: 1, maxLength: 4 }) })
-    .map(({ file, changes }) =>
-      changes.reduce((text, { at, length, put }) => {
-        const from = Math.floor((at / 10_000) * text.length)
-        return text.slice(0, from) + put + text.slice(from + length)
-      }, file),
-    )
+  const mutated = changedDrawing(files)
   const said = (language: string) =>
     (
       JSON.parse(readFileSync(content.path('words', language, 'map-designer.json'), 'utf8')) as {

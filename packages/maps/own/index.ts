@@ -1,10 +1,10 @@
 // Maps that somebody draws: as documents, as SVG there and back, and what can be said of them.
 export * from './edit.ts'
 export { coverStrokes, photoAddress, sceneryOf, strokesOf, type Stroke } from './dress.ts'
-export { faultsOf, lineOf, SHORTEST, TIGHTEST, type RoadFault, type RoadLine } from './line.ts'
+export { faultsOf, lineOf, sampled, SHORTEST, TIGHTEST, type RoadFault, type RoadLine } from './line.ts'
 export { openMap, type OpenedMap } from './open.ts'
 export { openRoads, reachOf, type Reach } from './reach.ts'
-export { crossingsOf, icy, sampled, writeMap } from './write.ts'
+export { crossingsOf, icy, writeMap } from './write.ts'
 export {
   colourOf,
   emptyRooms,

@@ -1,6 +1,7 @@
 import type { RoadMap, MapRoad } from '@botgarten/programs'
 import { paper } from '@botgarten/programs'
-import { readPath } from '../path.ts'
+import { meetsItself } from '../crossing.ts'
+import { pointsAlong, readPath, segmentsOf } from '../path.ts'
 import { distance, type Point } from '../point.ts'
 
 /** cm. A road runs straight so far from the middle of its stations, and the robot bends no tighter. */
@@ -20,6 +21,8 @@ export interface RoadLine {
   readonly length: number
   /** Radius of each bend, in cm; Infinity where the road goes straight on. */
   readonly radii: readonly number[]
+  /** It comes back to itself, where a robot that follows it takes the wrong part. */
+  readonly crosses: boolean
 }
 
 /** Documents never change, so that a road between the same two stations runs where it ran. */
@@ -45,7 +48,16 @@ function drawn(stations: RoadMap['stations'], road: MapRoad): RoadLine {
     back: pathOf(points.toReversed(), turned),
     length: (readPath(there)?.length ?? 0) * paper.cmPerUnit,
     radii: arcs.map(({ radius }) => radius * paper.cmPerUnit),
+    crosses: arcs.length > 0 && meetsItself(sampled(there).map(inCm)),
   }
+}
+
+const inCm = ({ x, y }: Point): Point => ({ x: x * paper.cmPerUnit, y: y * paper.cmPerUnit })
+
+/** A road in points about 8 units apart. */
+export function sampled(line: string): Point[] {
+  const segments = segmentsOf(line) ?? []
+  return segments[0] ? [segments[0].from, ...segments.flatMap((one) => pointsAlong(one, 8))] : []
 }
 
 interface Arc {
@@ -98,21 +110,20 @@ const short = (value: number) => Number(value.toFixed(3))
 const at = ({ x, y }: Point) => `${short(x)} ${short(y)}`
 
 /** What keeps the robot from driving a road; it can still be learned on. */
-export interface RoadFault {
-  readonly road: number
-  /** `tight`: at bend `bend` · `short`: from station to station. */
-  readonly kind: 'tight' | 'short'
-  readonly bend?: number
-  /** Radius, or length. */
-  readonly cm: number
-}
+export type RoadFault = { readonly road: number } & (
+  | { readonly kind: 'tight'; readonly bend: number; /** Radius. */ readonly cm: number }
+  /** From station to station. */
+  | { readonly kind: 'short'; readonly cm: number }
+  | { readonly kind: 'crosses' }
+)
 
 /** All roads that the robot could not drive, and why: of each the first reason. */
 export function faultsOf(map: Pick<RoadMap, 'stations' | 'roads'>): readonly RoadFault[] {
   return map.roads.flatMap((one, road): RoadFault[] => {
-    const { length, radii } = lineOf(map, one)
+    const { length, radii, crosses } = lineOf(map, one)
     const bend = radii.findIndex((radius) => radius < TIGHTEST)
     if (bend >= 0) return [{ road, kind: 'tight', bend, cm: radii[bend]! }]
-    return length < SHORTEST ? [{ road, kind: 'short', cm: length }] : []
+    if (length < SHORTEST) return [{ road, kind: 'short', cm: length }]
+    return crosses ? [{ road, kind: 'crosses' }] : []
   })
 }

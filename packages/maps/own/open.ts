@@ -14,7 +14,7 @@ import { readMap } from '../readMap.ts'
 import type { MapFile, MapProblem } from '../types.ts'
 import { photoAddress } from './dress.ts'
 import { emptyMap, MARGIN } from './edit.ts'
-import { sampled } from './write.ts'
+import { sampled } from './line.ts'
 
 export type OpenedMap =
   | {

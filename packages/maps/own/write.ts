@@ -1,9 +1,8 @@
 import { paper, type MapDocument, type MapRoad, type RoadMap } from '@botgarten/programs'
-import { pointsAlong, segmentsOf } from '../path.ts'
 import { distance, type Point } from '../point.ts'
 import { coverStrokes, sceneryOf, strokesOf, type Stroke } from './dress.ts'
 import { attributes, coinAt, ink, layer, round, stationDrawn } from './layers.ts'
-import { lineOf, STRAIGHT } from './line.ts'
+import { lineOf, sampled, STRAIGHT } from './line.ts'
 import { ownId } from './own-id.ts'
 import { writeRooms } from './rooms.ts'
 
@@ -81,12 +80,6 @@ function bridges({ dress }: RoadMap, lines: readonly string[]): string[] {
     ]
     return `<g stroke-linecap="butt">${[...rails, ...strokesOf(dress)].map((one) => stroke(line, one)).join('')}</g>`
   })
-}
-
-/** A road in points about 8 units apart. */
-export function sampled(line: string): Point[] {
-  const segments = segmentsOf(line) ?? []
-  return segments[0] ? [segments[0].from, ...segments.flatMap((one) => pointsAlong(one, 8))] : []
 }
 
 /** Where roads cross, and which of them leads over the other: the later one. Ends that meet at a station do not cross. */
