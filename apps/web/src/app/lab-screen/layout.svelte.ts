@@ -40,9 +40,10 @@ export class Layout {
   /** px of the folded program: what stands beside the map begins below it. */
   foldedHeight = $state(0)
   #unfolded = $state<boolean | null>(null)
-  /** Is the program open over the map? In a project of one's own it is, until a hand folds it. */
+  /** Is the program open over the map? In a project of one's own it is, until a hand folds it; not over a map of one's own. */
   get unfolded() {
-    return this.#unfolded ?? this.#screen.card?.card.playground !== 'q-learning'
+    const { card, session } = this.#screen
+    return this.#unfolded ?? (card?.card.playground !== 'q-learning' && session.project.maps === undefined)
   }
   set unfolded(open: boolean) {
     this.#unfolded = open
