@@ -1,6 +1,7 @@
 import { expect, type Locator } from '@playwright/test'
 import { Learner } from './child-learning.ts'
 import type { Child } from './child.ts'
+import type { Spot } from './hand.ts'
 
 /** Of the map that is made. */
 const stations = 3
@@ -40,6 +41,33 @@ export class MapMaker {
     await press(child.button('design.asAnswers'))
   }
 
+  /** The tool that a press on the paper uses from now on. */
+  async takes(tool: 'station' | 'road' | 'sign' | 'reward', press: (thing: Locator) => Promise<void>) {
+    const tools = this.child.page.getByRole('region', { name: this.child.word('design.tools') })
+    await press(tools.getByRole('button', { name: this.child.word(`design.tool.${tool}`), exact: true }))
+  }
+
+  /** A place on the paper, as shares of its width and height. */
+  async place(across: number, down: number): Promise<Spot> {
+    const { child } = this
+    const paper = child.page.getByRole('group', { name: child.word('design.paper'), exact: true })
+    const box = (await paper.boundingBox())!
+    return { x: box.x + across * box.width, y: box.y + down * box.height }
+  }
+
+  station(station: number): Locator {
+    return this.child.button('design.station', { station })
+  }
+
+  road(from: number, to: number): Locator {
+    return this.child.button('design.road', { from, to })
+  }
+
+  async seesTried(count: number, all: number) {
+    const said = this.child.word('design.triedCount', { count, all })
+    await expect(this.child.page.getByText(said, { exact: true })).toBeVisible()
+  }
+
   /** Types the number of a station into a list. */
   async #chooses(list: 'design.from' | 'design.to', station: number) {
     const { child } = this
@@ -49,9 +77,10 @@ export class MapMaker {
     await expect(box).toHaveValue(String(station))
   }
 
-  async seesReached(count: number) {
+  /** A way to the goal over so many roads. */
+  async seesReached(goal: number, count = goal) {
     const { child } = this
-    const said = child.word('design.reached', { start: 0, goal: count, count })
+    const said = child.word('design.reached', { start: 0, goal, count })
     await expect(child.page.getByText(said, { exact: true })).toBeVisible()
   }
 
