@@ -267,6 +267,27 @@ const projector: readonly ClassScreen[] = [
     },
   },
   {
+    name: 'class-projector-wifi',
+    more: wall,
+    async show(child, made) {
+      await fills(made, 19)
+      const wifi = { name: 'Botgarten', password: 'sonnenblume-26' }
+      await made.teacher.ask('PUT', `/classes/${made.id}/wifi`, wifi)
+      await teaches(child.page, made)
+      await child.page.goto(`/teacher/projector?class=${made.id}`)
+      await expect(child.page.getByText('sonnenblume-26')).toBeVisible()
+    },
+  },
+  {
+    name: 'class-wifi',
+    async show(child, made) {
+      await teaches(child.page, made)
+      await child.page.goto(`/teacher/projector?class=${made.id}`)
+      await child.presses('teacher.wifi')
+      await inDialog(child)
+    },
+  },
+  {
     name: 'class-projector-closed',
     more: wall,
     async show(child, made) {
@@ -298,18 +319,20 @@ async function starts(child: Child, server: EmptyServer, steps: number) {
   if (steps > 0) await child.presses('teacher.makeAccount')
   if (steps > 0) await page.getByLabel(child.word('teacher.className'), { exact: true }).fill('5b')
   if (steps > 1) await child.presses('teacher.makeClass')
-  if (steps > 1) await expect(child.button('teacher.rehearseNow')).toBeVisible()
-  if (steps > 2) await child.presses('teacher.rehearseSkip')
-  if (steps > 3) await child.presses('teacher.backUpNow')
-  if (steps > 3) await expect(page.getByRole('link', { name: child.word('teacher.toClass') })).toBeVisible()
+  if (steps > 1) await page.getByLabel(child.word('teacher.wifiName'), { exact: true }).fill('Botgarten')
+  if (steps > 2) await child.presses('teacher.wifiShow')
+  if (steps > 2) await expect(child.button('teacher.rehearseNow')).toBeVisible()
+  if (steps > 3) await child.presses('teacher.rehearseSkip')
+  if (steps > 4) await child.presses('teacher.backUpNow')
+  if (steps > 4) await expect(page.getByRole('link', { name: child.word('teacher.toClass') })).toBeVisible()
 }
 
-const steps = ['account', 'class', 'rehearse', 'backup', 'done']
+const steps = ['account', 'class', 'wifi', 'rehearse', 'backup', 'done']
 
 /** A rehearsal as the server tells of it. */
 async function rehearses(child: Child, server: EmptyServer, events: readonly object[], isOver: boolean) {
   const body = events.map((one) => `event: progress\ndata: ${JSON.stringify(one)}\n\n`).join('')
-  await starts(child, server, 2)
+  await starts(child, server, 3)
   await child.page.evaluate(
     ([body, isOver]) => {
       const own = globalThis.fetch

@@ -67,7 +67,7 @@ async function joins(server: Server, words: readonly string[], nickname: string)
 test('a teacher starts a server, leads a lesson and deletes the class', async ({ page, server }) => {
   const teacher = new Teacher(page)
 
-  await test.step('the one-time link makes the account by keys alone, then class, rehearsal and backup', async () => {
+  await test.step('the one-time link makes the account by keys alone, then class, Wi-Fi, rehearsal and backup', async () => {
     await page.goto(`/teacher/start#${await server.classServer.firstTeacher()}`)
     await teacher.field('username').fill('m.weber')
     await page.keyboard.press('Tab')
@@ -76,13 +76,17 @@ test('a teacher starts a server, leads a lesson and deletes the class', async ({
     await page.keyboard.press('Enter')
     await teacher.field('className').fill('5b')
     await page.keyboard.press('Enter')
+    await teacher.field('wifiName').fill('Aula')
+    await teacher.field('wifiPassword').fill('sonnenblume')
+    await teacher.axe()
+    await page.keyboard.press('Enter')
     await teacher.button('rehearseNow').click()
     await expect(page.getByRole('progressbar')).toBeVisible()
     await teacher.axe()
     await teacher.button('stop').click()
     await expect(teacher.says('rehearsalStopped')).toBeVisible()
     await page.reload()
-    // Nothing but the class is remembered: it may be rehearsed again, or not.
+    // Nothing but the class and its Wi-Fi is remembered: it may be rehearsed again, or not.
     await teacher.button('rehearseSkip').click()
     await teacher.button('backUpNow').click()
     await expect(teacher.link('toClass')).toBeVisible()
@@ -93,8 +97,26 @@ test('a teacher starts a server, leads a lesson and deletes the class', async ({
     await teacher.link('toProjector').click()
     await teacher.button('startJoining').click()
     await expect(page.getByRole('img', { name: teacher.word('qr') })).toBeVisible()
+    await expect(page.getByRole('img', { name: teacher.word('wifiQr') })).toBeVisible()
+    await expect(page.getByText('sonnenblume', { exact: true })).toBeVisible()
     await teacher.axe()
     return page.locator('.code > span').allInnerTexts()
+  })
+
+  await test.step('the Wi-Fi on the wall is changed, and taken off it', async () => {
+    await teacher.button('wifi').click()
+    await teacher.field('wifiPassword').fill('short')
+    await expect(teacher.button('save')).toHaveAttribute('aria-disabled', 'true')
+    await teacher.field('wifiPassword').fill('')
+    await teacher.axe()
+    await page.keyboard.press('Enter')
+    await expect(teacher.says('wifiOpen')).toBeVisible()
+    await page.reload()
+    await expect(teacher.says('wifiOpen')).toBeVisible()
+    await teacher.button('wifi').click()
+    await teacher.button('wifiRemove').click()
+    await expect(teacher.says('wifiOpen')).toHaveCount(0)
+    await expect(page.getByRole('img', { name: teacher.word('wifiQr') })).toHaveCount(0)
   })
 
   const child = await joins(server, words, 'Fuchs')

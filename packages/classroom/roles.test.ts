@@ -25,6 +25,7 @@ const bodies: { readonly [route: string]: unknown } = {
     ...{ card: 'friendship', project: null, checks: ['open'], failed: 0, running: true, idle: 2 },
     ...{ size: [200, 150], pose: { x: 1, y: 2, heading: 0.5 }, trail: [1, 2] },
   },
+  'PUT /classes/:class/wifi': { name: 'Aula', password: 'sonnenschein' },
   'PUT /classes/:class/attention': { on: false },
   'PUT /classes/:class/free': { cards: null, level: null },
   'POST /classes/:class/handouts': { to: 'all', kind: 'hint', card: 'friendship', hint: 1 },

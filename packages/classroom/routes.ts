@@ -10,6 +10,7 @@ import { rehearsalRoutes } from './teaching/rehearsal-routes.ts'
 import { resultRoutes } from './teaching/results-routes.ts'
 import { substituteRoutes } from './teaching/substitute-routes.ts'
 import { pupilRoutes } from './teaching/pupil-routes.ts'
+import { wifiRoutes } from './teaching/wifi-routes.ts'
 
 /** Who may ask what: the one table, which the router follows and the tests walk. */
 export const routes: readonly Route[] = [
@@ -21,6 +22,7 @@ export const routes: readonly Route[] = [
   ...livePupilRoutes,
   ...liveTeacherRoutes,
   ...substituteRoutes,
+  ...wifiRoutes,
   ...resultRoutes,
   ...dataRoutes,
   ...rehearsalRoutes,

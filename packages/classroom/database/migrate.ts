@@ -3,11 +3,13 @@ import type { Database } from './database.ts'
 import { first } from './first.ts'
 import { live } from './live.ts'
 import { thrown } from './thrown.ts'
+import { wifi } from './wifi.ts'
 
 const migrations = ({ kind }: Database) => ({
   '2026-11-first': first(kind),
   '2026-11-live': live,
   '2026-11-thrown': thrown,
+  '2026-11-wifi': wifi,
 })
 
 const migrator = (database: Database) =>

@@ -185,6 +185,16 @@ interface SubstituteTable {
   day: string
 }
 
+/** What a device needs to get into the Wi-Fi of the room; no password: it is open to all. */
+export interface Wifi {
+  name: string
+  password: string
+}
+
+interface WifiTable extends Wifi {
+  teacher: string
+}
+
 interface MetaTable {
   key: string
   value: string
@@ -215,6 +225,7 @@ export interface Tables {
   handoutTo: HandoutToTable
   result: ResultTable
   substitute: SubstituteTable
+  wifi: WifiTable
   meta: MetaTable
   tombstone: TombstoneTable
 }

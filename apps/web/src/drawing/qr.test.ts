@@ -1,6 +1,6 @@
 import { createRequire } from 'node:module'
 import { expect, test } from 'vitest'
-import { drawQr } from './qr.ts'
+import { drawQr, drawWifi } from './qr.ts'
 
 // It is not a module of today: what it exports is beside, not in, what `import` would give.
 const jsQR = (createRequire(import.meta.url)('jsqr') as typeof import('jsqr')).default
@@ -51,6 +51,15 @@ test.each([
 ])('another decoder reads %s back', (address) => {
   const { pixels, size } = pixelsOf(drawQr(address), 4)
   expect(jsQR(pixels, size, size)?.data).toBe(new URL(address).href)
+})
+
+test.each([
+  ['Botgarten', 'sonnenblume', 'WIFI:T:WPA;S:Botgarten;P:sonnenblume;;'],
+  ['Aula "Süd"; 2', 'a:b\\c,d;e', String.raw`WIFI:T:WPA;S:Aula \"Süd\"\; 2;P:a\:b\\c\,d\;e;;`],
+  ['Gäste', '', 'WIFI:T:nopass;S:Gäste;;'],
+])('another decoder reads the Wi-Fi %s back', (name, password, text) => {
+  const { pixels, size } = pixelsOf(drawWifi(name, password), 4)
+  expect(jsQR(pixels, size, size)?.data).toBe(text)
 })
 
 test('a code that is dirty on a sixteenth of its face still says its address', () => {

@@ -128,6 +128,9 @@ const icons = {
   shield: {
     line: 'M12 3.5l7 2.500v5.500c0 4.500-3 7.500-7 9-4-1.500-7-4.500-7-9V6zM9 12l2.200 2.200 4-4.200',
   },
+  wifi: {
+    line: 'M3 9.5a13 13 0 0 1 18 0M6 13a8.800 8.800 0 0 1 12 0M9 16.400a4.500 4.500 0 0 1 6 0M12 19.700v.1',
+  },
 } as const satisfies Record<string, { line?: string; solid?: string; heavy?: string }>
 
 export type IconName = keyof typeof icons

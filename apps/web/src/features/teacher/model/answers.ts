@@ -148,6 +148,14 @@ export const health = v.object({
 export type Health = v.InferOutput<typeof health>
 export const backedUp = v.object({ backups })
 
+const wifi = v.object({
+  name: v.string(),
+  /** Empty: it is open to all. */
+  password: v.string(),
+})
+export type Wifi = v.InferOutput<typeof wifi>
+export const wifiAnswer = v.object({ wifi: v.nullable(wifi) })
+
 /** How far a rehearsal is; times of saves in ms. */
 export const rehearsalProgress = v.object({
   pupils: v.number(),

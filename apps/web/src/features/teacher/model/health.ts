@@ -29,10 +29,11 @@ const megabytes = (bytes: number) => Math.round(bytes / 1_000_000)
 const gigabytes = (bytes: number, locale: string) =>
   (bytes / 1_000_000_000).toLocaleString(locale, { maximumFractionDigits: 1 })
 
-function addressFact(at: Place, addresses: readonly string[]): Fact {
+function addressFact(at: Place, addresses: readonly string[], wifi: string | null): Fact {
   const address = new URL(addressFor(at, addresses))
   const fine = !isOwnMachine(address.hostname)
-  const text = fine ? m['teacher.addressText']() : m['teacher.addressOwn']()
+  const reached = wifi === null ? m['teacher.addressText']() : m['teacher.wifiFact']({ name: wifi })
+  const text = fine ? reached : m['teacher.addressOwn']()
   return { id: 'address', fine, title: m['teacher.address'](), text, value: address.host }
 }
 
@@ -86,10 +87,12 @@ interface Known {
   readonly health: Health | null
   /** The time by this device's clock when it was reported. */
   readonly here: number
+  /** Name of the Wi-Fi of the room, where it was named. */
+  readonly wifi: string | null
 }
 
 /** How the server is, a line a fact. */
-export function healthOf(at: Place, { secure, health, here }: Known, locale: string): readonly Fact[] {
+export function healthOf(at: Place, { secure, health, here, wifi }: Known, locale: string): readonly Fact[] {
   const known = health
     ? [
         memoryFact(health),
@@ -98,5 +101,5 @@ export function healthOf(at: Place, { secure, health, here }: Known, locale: str
         backupFact(health, locale),
       ]
     : []
-  return [addressFact(at, health?.addresses ?? []), ...known, offlineFact(secure)]
+  return [addressFact(at, health?.addresses ?? [], wifi), ...known, offlineFact(secure)]
 }

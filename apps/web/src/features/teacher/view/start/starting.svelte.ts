@@ -2,6 +2,7 @@ import { Account } from '../../model/account.svelte.ts'
 import { backedUp, classes, classInFull, health, type ClassInFull, type Health } from '../../model/answers.ts'
 import { Refused, type ClassApi } from '../../model/api.ts'
 import { Attempts } from '../../model/attempts.svelte.ts'
+import { RoomWifi } from '../../model/wifi.svelte.ts'
 import { Rehearsal } from '../../model/rehearsal.svelte.ts'
 
 /** In ms: so often the health of the server is asked again. */
@@ -15,6 +16,8 @@ export class Starting {
   #school = $state.raw<ClassInFull | null>(null)
   #health = $state.raw<Health | null>(null)
   #here = $state(0)
+  #wifi = $state.raw<RoomWifi | null>(null)
+  #withoutWifi = $state(false)
   #withoutRehearsal = $state(false)
   #saved = $state(false)
   readonly #attempts = new Attempts()
@@ -35,6 +38,11 @@ export class Starting {
     return this.#school
   }
 
+  /** Null until there is a class that shows it. */
+  get wifi() {
+    return this.#wifi
+  }
+
   get health() {
     return this.#health
   }
@@ -53,17 +61,18 @@ export class Starting {
   }
 
   /** Who was invited neither rehearses nor backs up: that is for who runs the server. */
-  get steps(): 2 | 4 {
-    return this.username !== '' && !this.account.operates ? 2 : 4
+  get steps(): 3 | 5 {
+    return this.username !== '' && !this.account.operates ? 3 : 5
   }
 
-  /** The step to do: 1 account, 2 class, 3 rehearsal, 4 backup, 5 lesson. */
+  /** The step to do: 1 account, 2 class, 3 Wi-Fi, 4 rehearsal, 5 backup, 6 lesson. */
   get now(): number {
     if (this.username === '') return 1
     if (!this.#school) return 2
-    if (this.steps === 2) return 5
-    if (this.rehearsal.state !== 'green' && !this.#withoutRehearsal) return 3
-    return this.#saved ? 5 : 4
+    if (!this.#wifi?.found && !this.#withoutWifi) return 3
+    if (this.steps === 3) return 6
+    if (this.rehearsal.state !== 'green' && !this.#withoutRehearsal) return 4
+    return this.#saved ? 6 : 5
   }
 
   async look(): Promise<void> {
@@ -83,11 +92,18 @@ export class Starting {
     return () => (clearInterval(timer), this.rehearsal.stop())
   }
 
+  skipWifi(): void {
+    this.#withoutWifi = true
+  }
+
   skipRehearsal(): void {
     this.#withoutRehearsal = true
   }
 
   async takeClass(id: string): Promise<void> {
+    const wifi = new RoomWifi(this.#api, id)
+    await wifi.load()
+    this.#wifi = wifi
     this.#school = await this.#api.ask(classInFull, 'GET', `/classes/${id}`)
     await this.#askHealth()
   }
