@@ -1,6 +1,6 @@
 import type { World } from '@botgarten/simulation'
 import { expect, test } from 'vitest'
-import { drawFloor, drawGround } from './floor.ts'
+import { drawFloor, drawGround, drawStations } from './floor.ts'
 
 const world: World = {
   id: 'test',
@@ -60,4 +60,18 @@ test('the frame is as wide in px whatever the scale', () => {
 
 test('a floor without a picture has a dot every half metre', () => {
   expect(drawFloor(world, 1, false).length - drawFloor(world, 1, true).length).toBe(4 * 2)
+})
+
+test('stations bear their numbers on the floor, y down, and can be read from far away', () => {
+  const [first, second] = drawStations(
+    [
+      { x: 10, y: 20 },
+      { x: 30, y: 40 },
+    ],
+    100,
+    1,
+  )
+  expect(first).toMatchObject({ x: 10, y: 80, shapes: [{ r: 11 }, {}, { text: '0' }] })
+  expect(second).toMatchObject({ x: 30, y: 60, shapes: [{}, {}, { text: '1' }] })
+  expect(drawStations([{ x: 0, y: 0 }], 100, 4)[0]).toMatchObject({ shapes: [{ r: 5.5 }, {}, {}] })
 })

@@ -1,6 +1,7 @@
 import type { Area, World } from '@botgarten/simulation'
 import { frameWidth } from './camera.ts'
 import type { Command } from './commands.ts'
+import type { Point } from './points.ts'
 import { clockwise, triangleCorners } from './things.ts'
 
 /** Cm between the dots of a floor without a picture. */
@@ -73,4 +74,27 @@ export function drawFloor(
     edge(1, 2, line),
     edge(frameWidth - 1, 2, line),
   ]
+}
+
+/**
+ * The numbers of a map's stations, over the way that was drawn from it, in cm, y down.
+ * @param stations their middles by number, in cm, y up
+ * @param scale px per cm: they can be read from however far away
+ */
+export function drawStations(stations: readonly Point[], height: number, scale: number): readonly Command[] {
+  const px = 1 / scale
+  const radius = Math.max(5.5, 11 * px)
+  return stations.map(({ x, y }, number): Command => ({
+    kind: 'group',
+    x,
+    y: height - y,
+    shapes: [
+      { kind: 'circle', x: 0, y: 0, r: radius, fill: '#1F7A45', stroke: line, lineWidth: 2 * px },
+      { kind: 'circle', x: 0, y: 0, r: radius - 2.5 * px, stroke: '#FFFFFF', lineWidth: px },
+      {
+        ...{ kind: 'text', text: String(number), x: 0, y: radius * 0.4, size: radius * 1.15, font: 'title' },
+        ...{ align: 'middle', fill: '#FFFFFF' },
+      },
+    ],
+  }))
 }

@@ -21,6 +21,14 @@ import { HandOnWeights } from './weights.ts'
 /** In a moment of the past these make another future (running.md 9). */
 const goesOn: readonly Change['kind'][] = ['place', 'weight', 'brain', 'examples', 'practice']
 
+/** A map under a floor. */
+export interface MapBelow {
+  /** Address of its picture. */
+  readonly url: string
+  /** Middles of its stations by their numbers, in cm, y up. */
+  readonly stations: readonly { readonly x: number; readonly y: number }[]
+}
+
 /** One project in a child's hands: its running lab, and `apply`, through which every edit goes. Nothing here is drawn. */
 export class LabSession {
   readonly lab: RunningLab
@@ -39,8 +47,8 @@ export class LabSession {
   inside = $state.raw<Slots['inside'] | null>(null)
   /** How its networks learn from examples; there once a child has asked. */
   training = $state.raw<Slots['training'] | null>(null)
-  /** Address of a picture that lies under a floor which has none: the map from which the way was drawn. */
-  below = $state.raw<string | null>(null)
+  /** What lies under a floor that has no picture: the map from which the way was drawn. */
+  below = $state.raw<MapBelow | null>(null)
   readonly #extras: Extras
   readonly #progress: CardProgress
   readonly #findings: Findings

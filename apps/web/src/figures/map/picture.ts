@@ -15,6 +15,10 @@ export interface Picture {
   /** `worth`: 0..1 by road `a-b`, the better of both directions: how good it is beside the best. */
   cover(visited: readonly boolean[], worth: ReadonlyMap<string, number>): void
   dress(visited: readonly boolean[], active: number | null): void
+  /** Height of a station's number, in units of the map. */
+  readonly letters: number
+  /** Makes stations and their numbers so many times as large as they are drawn. */
+  grow(times: number): void
 }
 
 /** Takes a map's file apart. It was read before: what it holds is a drawing and nothing else. */
@@ -40,6 +44,11 @@ export function takeApart(text: string, { stations: places }: MapFile): Picture 
     },
     dress: (visited, active) =>
       nodes.forEach((node, station) => node.dress(visited[station] ?? false, station === active)),
+    letters: Number(stations.getAttribute('font-size') ?? 40),
+    grow(times) {
+      set(stations, 'font-size', String(this.letters * times))
+      for (const node of nodes) node.grow(times)
+    },
   }
 }
 
@@ -62,6 +71,7 @@ const colours = { visited: '#1F7A45', unvisited: '#C23A30', active: '#1F67B3' }
 /** What of a station changes. */
 interface StationLook {
   dress(visited: boolean, active: boolean): void
+  grow(times: number): void
 }
 
 /**
@@ -82,9 +92,25 @@ function prepareStation(
     ...{ fill: '#fff', stroke: colours.active, 'stroke-width': 5 },
   })
   node.insertBefore(halo, disc!)
-  const tick = tickAt(x + radius * 0.78, y - radius * 0.78, radius / 40)
+  const tick = make('g')
   node.append(tick)
+  const circles = [...node.querySelectorAll('circle')].map((one) => ({
+    one,
+    r: Number(one.getAttribute('r')),
+  }))
+  const words = [...node.querySelectorAll('text')].map((one) => ({
+    one,
+    below: Number(one.getAttribute('y')) - y,
+  }))
+  const grow = (times: number) => {
+    for (const { one, r } of circles) set(one, 'r', String(r * times))
+    for (const { one, below } of words) set(one, 'y', String(y + below * times))
+    const off = radius * times * 0.78
+    tick.replaceChildren(...tickAt(x + off, y - off, radius / 40))
+  }
+  grow(1)
   return {
+    grow,
     /** Colour and form: not yet a dashed ring, visited a whole one and a tick, active a halo. */
     dress(visited, active) {
       set(disc!, 'fill', active ? colours.active : visited ? colours.visited : colours.unvisited)
@@ -100,10 +126,9 @@ function move(part: Element, prefix: 'c' | '', x: number, y: number): void {
   part.setAttribute(`${prefix}y`, String(Number(part.getAttribute(`${prefix}y`) ?? 0) + y))
 }
 
-function tickAt(x: number, y: number, size: number): SVGGElement {
-  const tick = make('g')
+function tickAt(x: number, y: number, size: number): readonly SVGElement[] {
   const round = { 'stroke-linecap': 'round', 'stroke-linejoin': 'round', fill: 'none' }
-  tick.append(
+  return [
     make('circle', {
       ...{ cx: x, cy: y, r: 14 * size },
       ...{ fill: '#fff', stroke: '#4A3428', 'stroke-width': 3 * size },
@@ -113,8 +138,7 @@ function tickAt(x: number, y: number, size: number): SVGGElement {
       ...{ d: `M${x - 6 * size} ${y}l${4.5 * size} ${5 * size} ${8 * size} ${-9 * size}` },
       ...{ stroke: '#1F7A45', 'stroke-width': 4 * size },
     }),
-  )
-  return tick
+  ]
 }
 
 /** A hedge may always be seen through a little, so that nobody loses the map. */

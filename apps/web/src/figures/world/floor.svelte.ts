@@ -2,7 +2,8 @@ import { devicePixelRatio } from 'svelte/reactivity/window'
 import type { World } from '@botgarten/simulation'
 import { paint, type Picture } from '#drawing/canvas.ts'
 import { pictureOf } from '#drawing/picture.ts'
-import { drawFloor, drawGround } from '#drawing/floor.ts'
+import { drawFloor, drawGround, drawStations } from '#drawing/floor.ts'
+import type { Point } from '#drawing/points.ts'
 import { letters } from '../letters.svelte.ts'
 import type { Viewport } from './viewport.svelte.ts'
 
@@ -13,13 +14,21 @@ const step = 256
 export class FloorPicture {
   readonly #world: () => World
   readonly #url: () => string | null
+  readonly #stations: () => readonly Point[]
   readonly #viewport: Viewport
   #image = $state.raw<ImageBitmap | null>(null)
   #loaded: string | null = null
 
-  constructor(world: () => World, url: () => string | null, viewport: Viewport) {
+  /** @param stations middles of stations, by number, in cm, y up: their numbers stand on the floor */
+  constructor(
+    world: () => World,
+    url: () => string | null,
+    stations: () => readonly Point[],
+    viewport: Viewport,
+  ) {
     this.#world = world
     this.#url = url
+    this.#stations = stations
     this.#viewport = viewport
   }
 
@@ -69,6 +78,7 @@ export class FloorPicture {
       paint(context, drawGround(world), families)
       if (this.#image) context.drawImage(this.#image, 0, 0, world.size.width, world.size.height)
       paint(context, drawFloor(world, scale, this.#url() !== null), families)
+      paint(context, drawStations(this.#stations(), world.size.height, scale), families)
     })
     return { source, ...place }
   })

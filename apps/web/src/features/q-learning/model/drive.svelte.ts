@@ -1,5 +1,5 @@
 import type { Course } from '@botgarten/learning/q-learning'
-import { liesOn, tightTurn } from '@botgarten/maps'
+import { liesOn, placeOf, tightTurn } from '@botgarten/maps'
 import type { LearningOutline } from '@botgarten/programs'
 import type { LabSession } from '#lab/session.svelte.ts'
 import type { LabUi } from '#lab/ui.svelte.ts'
@@ -56,7 +56,9 @@ export class Drive {
   /** Shows the map pale under the way that was drawn from it, so that floor and map are seen to be one. */
   showMap(stage: Stage | null): void {
     const { world } = this.#session.lab.document
-    this.#session.below = stage && liesOn(stage.map, world) ? stage.picture.pale : null
+    const lies = stage && liesOn(stage.map, world)
+    const stations = stage?.map.stations.map((_, station) => placeOf(stage.map, station)) ?? []
+    this.#session.below = lies ? { url: stage.picture.pale, stations } : null
   }
 
   /** Bo drives: the floor stands large, and where one part is seen at a time it is the one. */
