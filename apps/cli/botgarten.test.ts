@@ -3,6 +3,7 @@ import { existsSync, mkdtempSync, readFileSync, writeFileSync } from 'node:fs'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import { Ajv2020 } from 'ajv/dist/2020.js'
+import { content } from '@botgarten/content/files'
 import { describe, expect, it } from 'vitest'
 import { botgarten } from './testing.ts'
 
@@ -73,33 +74,8 @@ describe('botgarten cards', () => {
     expect(stdout.trim()).not.toContain('\n')
     expectToFit(json(), 'cards.json')
     const ids = (json() as unknown as { id: string }[]).map(({ id }) => id)
-    expect(ids).toEqual([
-      'forward',
-      'square',
-      'stop',
-      'chameleon',
-      'incognito',
-      'caution',
-      'loud-distance',
-      'friendship',
-      'fear',
-      'interest',
-      'rally',
-      'crossed-wires',
-      'lost-links',
-      'all-the-same',
-      'if-then',
-      'either-or',
-      'show-it',
-      'four-wrong',
-      'either-or-2',
-      'mars',
-      'railway',
-      'forest',
-      'city',
-      'tidy-up',
-      'new-colours',
-    ])
+    expect(ids.slice(0, 3)).toEqual(['forward', 'square', 'stop'])
+    expect(ids.toSorted()).toEqual(content.cards.map(({ id }) => id).toSorted())
   })
 
   it('lists them for people, a line each', async () => {

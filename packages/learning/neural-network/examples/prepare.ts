@@ -32,13 +32,17 @@ export interface Prepared extends Split {
   readonly gaps: number
 }
 
+/** With which weights an exercise begins, without its examples. */
+export const beginningOfExercise = ({ id, layers, weights, from, seed }: Exercise) =>
+  beginningOf(layers, weights, from, stream(seed, `learn/start/${id}`))
+
 /** Lays examples and beginning out; the same exercise gives the same, everywhere. */
 export function prepare(exercise: Exercise): Prepared {
-  const { id, layers, weights, examples, seed, keepBack, from, mirror } = exercise
+  const { layers, examples, seed, keepBack, mirror } = exercise
   const ids = (layer: Brain['layers'][number] = []) => layer.map((neuron) => neuron.id)
   const { pairs, gaps } = shownPairs(examples, ids(layers[0]), ids(layers.at(-1)))
   const split = splitDrives(pairs, examples.drives, seed, keepBack)
-  const begun = beginningOf(layers, weights, from, stream(seed, `learn/start/${id}`))
+  const begun = beginningOfExercise(exercise)
   const shares = sharesIn(layers)
   const practised = rowsOf(split.practised, { mirror, shares })
   const kept = rowsOf(split.kept, { shares })

@@ -58,7 +58,7 @@ class ColorSensor:
         self._port = port
 
     def color(self):
-        return _colors[brick.read(self._port, "colour")]
+        return _colors.get(brick.read(self._port, "colour"))
 
     def reflection(self):
         return brick.read(self._port, "light")

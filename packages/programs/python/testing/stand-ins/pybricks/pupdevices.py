@@ -37,7 +37,7 @@ class ColorSensor:
 
     def color(self):
         color = ev3devices.ColorSensor(self._port).color()
-        if color not in self._known:
+        if color is not None and color not in self._known:
             raise ValueError("the sensor was not told of this color")
         return color
 

@@ -24,7 +24,8 @@ class ColorSensor(_Sensor):
 
     @property
     def color(self):
-        return _colors.index(brick.read(self._port, "colour"))
+        seen = brick.read(self._port, "colour")
+        return _colors.index(seen) if seen in _colors else self.COLOR_NOCOLOR
 
     @property
     def reflected_light_intensity(self):
