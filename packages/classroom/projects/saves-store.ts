@@ -30,6 +30,10 @@ export const mostSpace = 500_000_000
 export async function saveInside(db: Db, save: Save, most = mostSpace): Promise<Saved> {
   const before = await answeredBefore(db, save)
   if (before !== null) return await saved(db, save, before)
+  if (await changesNothing(db, save)) {
+    await noteAnswered(db, save, save.base)
+    return await saved(db, save, save.base)
+  }
   const revision = await takeRevision(db, save)
   if (revision === null) return await conflictOrSame(db, save)
   await addVersion(db, save, revision)
@@ -111,6 +115,27 @@ async function conflictOrSame(db: Db, save: Save): Promise<Saved> {
   return { kind: 'conflict', revision: head?.revision ?? 0 }
 }
 
+/** A project thrown away and taken back before the class heard of it is no version more. */
+async function changesNothing(db: Db, { pupil, project, base, checked }: Save): Promise<boolean> {
+  const head = await db
+    .selectFrom('project')
+    .innerJoin('version', (join) =>
+      join
+        .onRef('version.pupil', '=', 'project.pupil')
+        .onRef('version.project', '=', 'project.id')
+        .onRef('version.revision', '=', 'project.revision'),
+    )
+    .select('version.hash')
+    .where('project.pupil', '=', pupil)
+    .where('project.id', '=', project)
+    .where('project.revision', '=', base)
+    .executeTakeFirst()
+  return head?.hash === checked.hash
+}
+
+const noteAnswered = (db: Db, { pupil, save, project, at }: Save, revision: number) =>
+  db.insertInto('answered').values({ pupil, save, project, revision, savedAt: at }).execute()
+
 const headOf = (db: Db, pupil: string, project: string) =>
   db
     .selectFrom('version')
@@ -136,7 +161,7 @@ async function addVersion(db: Db, save: Save, revision: number): Promise<void> {
       .insertInto('versionAsset')
       .values(assets.map(({ name, hash: content }) => ({ ...key, name, hash: content })))
       .execute()
-  await db.insertInto('answered').values({ pupil, save: save.save, project, revision, savedAt: at }).execute()
+  await noteAnswered(db, save, revision)
   await addSpace(db, classId, bytes + added)
 }
 

@@ -52,6 +52,17 @@ onBothDatabases((fresh) => {
     expect(versions).toHaveLength(2)
   })
 
+  test('a save that changes nothing is no version more, and may come twice', async () => {
+    const { browser } = await pupil()
+    await save(browser, 0, projectText('a'))
+    const id = newSave()
+    expect((await save(browser, 1, projectText('a'), id)).body).toMatchObject({ revision: 1 })
+    await save(browser, 1, projectText('b'))
+    expect((await save(browser, 1, projectText('a'), id)).body).toMatchObject({ revision: 1 })
+    const { versions } = (await browser.get('/projects/project-1/versions')).body as { versions: object[] }
+    expect(versions).toHaveLength(2)
+  })
+
   test('of two devices on one project the second is told, and nothing is overwritten', async () => {
     const { browser } = await pupil()
     const other = browser.twin()

@@ -249,7 +249,20 @@ test(
           expect(new Set(names).size).toBe(names.length)
         }
       }),
-      { numRuns: isLong ? 1500 : 40 },
+      {
+        numRuns: isLong ? 1500 : 40,
+        examples: [
+          [
+            [
+              { kind: 'edit', device: 0, id: 'friendship' },
+              { kind: 'send', device: 0, fate: 'arrives' },
+              { kind: 'throw', device: 0, id: 'friendship' },
+              { kind: 'back', device: 0 },
+            ],
+            false,
+          ],
+        ],
+      },
     )
   },
 )
