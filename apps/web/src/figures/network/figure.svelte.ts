@@ -124,18 +124,23 @@ export class NetFigure {
       )
   })
 
-  // Keeping knobs apart takes its time: it is done where nodes stand, not for every weight and every look.
-  readonly tracks: readonly Track[] = $derived.by(() => {
-    const { layout, scale, settle = stagger } = this.#shown()
-    return settle(
-      layout.columns
+  readonly #steadyLines = steady<readonly Track[]>()
+  readonly #lines = $derived.by(() => {
+    const { layout, scale } = this.#shown()
+    const { columns, radius } = layout
+    return this.#steadyLines(
+      columns
         .slice(1)
         .flatMap((ends, l) =>
-          layout.columns[l]!.flatMap((start) =>
-            ends.map((end) => freeLine(start, end, layout.radius, scale)),
-          ),
+          columns[l]!.flatMap((start) => ends.map((end) => freeLine(start, end, radius, scale))),
         ),
     )
+  })
+
+  // Keeping knobs apart takes its time: it is done where nodes stand, not for every weight and every look.
+  readonly tracks: readonly Track[] = $derived.by(() => {
+    const { settle = stagger } = this.#shown()
+    return settle(this.#lines)
   })
 
   readonly values: readonly number[] = $derived.by(() => {

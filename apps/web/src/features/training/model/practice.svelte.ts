@@ -1,4 +1,4 @@
-import { exerciseBy, prepare, type Table } from '@botgarten/learning/neural-network/examples'
+import { beginningOfExercise, exerciseBy, type Table } from '@botgarten/learning/neural-network/examples'
 import type { LabEvent } from '#lab/change.ts'
 import type { LabSession } from '#lab/session.svelte.ts'
 import { Assignment } from './assignment.svelte.ts'
@@ -75,8 +75,8 @@ export class Practice extends Assignment {
   /** A practice of its own begins with the knobs as they are, or from zero. */
   #reset(): void {
     const exercise = this.exercise(this.knobs.weights)!
-    const { shaken, data } = prepare(exercise)
-    this.#rehearsal = new Rehearsal({ ...exercise, weights: data.weights, from: 'knobs' }, this.choice)
+    const { shaken, weights } = beginningOfExercise(exercise)
+    this.#rehearsal = new Rehearsal({ ...exercise, weights, from: 'knobs' }, this.choice)
     this.#rehearsal.from = exercise.from
     this.outcome.begin(shaken)
     this.#sendBegin()
@@ -206,8 +206,8 @@ export class Practice extends Assignment {
     if (!exercise || this.obstacle || this.#phase !== 'rest') return
     this.beats.close()
     this.knobs.hold()
-    const { data } = prepare({ ...exercise, from: 'zero' })
-    this.#rehearsal = new Rehearsal({ ...exercise, weights: data.weights, from: 'knobs' }, this.choice)
+    const { weights } = beginningOfExercise({ ...exercise, from: 'zero' })
+    this.#rehearsal = new Rehearsal({ ...exercise, weights, from: 'knobs' }, this.choice)
     this.outcome.begin(false)
     this.outcome.end(null)
     this.#sendBegin()
