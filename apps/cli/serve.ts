@@ -4,6 +4,7 @@ import {
   CannotServe,
   inRepository,
   openClassServer,
+  openPage,
   startServer,
   writeLink,
   type ClassServer,
@@ -26,6 +27,7 @@ const known = {
   'behind-proxy': { type: 'string' },
   'public-address': { type: 'string' },
   'start-over': { type: 'boolean' },
+  open: { type: 'boolean' },
   rehearse: { type: 'string' },
   seconds: { type: 'string' },
   json: { type: 'boolean' },
@@ -38,8 +40,8 @@ export const serve: Command = { options: known, execute: open }
 
 /** Where a class server listens where no port is named. */
 export const usualPort = 4173
-/** In which folder all of a class server lies where none is named. */
-export const usualData = inRepository('data')
+/** In which folder all of a class server lies where none is named; what starts an unpacked zip names one outside of it. */
+export const usualData = process.env['BOTGARTEN_DATA'] || inRepository('data')
 
 async function open(args: string[]): Promise<string> {
   const { values, positionals } = options(args, known)
@@ -51,7 +53,9 @@ async function open(args: string[]): Promise<string> {
     const classServer = await openClassServer({ ...classOptions(values), data: folder })
     const server = await listen(classServer, port, values.host)
     stopWhenTold(server)
-    return [greeting(server), await invitation(classServer, server, folder)].filter(Boolean).join('\n\n')
+    const token = await classServer.firstTeacher()
+    if (values.open) openPage(`${server.url}${token === null ? '' : `/teacher/start#${token}`}`)
+    return [greeting(server), invitation(token, classServer, server, folder)].filter(Boolean).join('\n\n')
   } catch (error) {
     throw sayProblem(error)
   }
@@ -110,7 +114,8 @@ async function listen(classServer: ClassServer, port: number, host?: string): Pr
 }
 
 function stopWhenTold(server: RunningServer) {
-  const stop = () => void server.close()
+  // A page that was drawn here may have left something open that nobody closes.
+  const stop = () => void server.close().finally(() => process.exit())
   for (const signal of ['SIGINT', 'SIGTERM', 'SIGHUP'] as const) process.once(signal, stop)
   // Of `npm start`: npm passes no signal on to what it runs.
   if (process.env['BOTGARTEN_ENDS_WITH_PARENT']) whenParentEnds(stop)
@@ -127,8 +132,12 @@ const greeting = (server: RunningServer) =>
   })
 
 /** How the first teacher comes to an account; '' where there is one. The terminal sees the link, else a file has it. */
-async function invitation(classServer: ClassServer, server: RunningServer, folder: string): Promise<string> {
-  const token = await classServer.firstTeacher()
+function invitation(
+  token: string | null,
+  classServer: ClassServer,
+  server: RunningServer,
+  folder: string,
+): string {
   if (token === null) return ''
   const [own, other = own] = addressesOf(server)
   const link = `${classServer.ports.publicOrigin ?? other!}/teacher/start#${token}`

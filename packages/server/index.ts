@@ -4,6 +4,7 @@ export { openClassServer, writeLink, type ClassOptions, type ClassServer } from 
 export { resetTeacher } from './reset.ts'
 export { prepareDataFolder } from './data-folder.ts'
 export { lockFolder } from './lock.ts'
+export { openPage } from './open-page.ts'
 export { CannotServe, causeIn } from './problem.ts'
 export { inRepository } from './repository.ts'
 export { startServer, type RunningServer, type ServerOptions } from './server.ts'

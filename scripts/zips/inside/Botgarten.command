@@ -1,0 +1,12 @@
+#!/bin/sh
+# Starts the lab and its class server; closing the window stops both. With words behind it: that command of botgarten.
+here=$(cd "$(dirname "$0")" && pwd)
+if [ ! -e "$here/app/complete" ]; then
+  echo 'This folder is not complete. Is the disk full? Make room, delete the folder and unpack the whole zip again.'
+  echo 'Der Ordner ist nicht vollständig. Ist die Platte voll? Platz schaffen, den Ordner löschen, das ganze Zip neu entpacken.'
+  exit 1
+fi
+export BOTGARTEN_DATA="${BOTGARTEN_DATA:-$HOME/Library/Application Support/Botgarten}"
+[ $# -gt 0 ] || set -- serve --open
+exec "$here/node/node" --disable-warning=ExperimentalWarning --max-semi-space-size=2 --optimize-for-size \
+  "$here/app/apps/cli/botgarten.ts" "$@"
