@@ -176,6 +176,11 @@ test('a teacher starts a server, leads a lesson and deletes the class', async ({
       row.getByRole('img', { name: teacher.word('workingOf', { passed: 1, of: 3 }) }),
     ).toBeVisible()
     await teacher.axe()
+    await teacher.button('lookInto', { name: 'Fuchs' }).click()
+    await expect(page.getByRole('dialog').getByRole('img')).toHaveCount(2)
+    expect((await me()).inside).toEqual({ by: 'm.weber' })
+    await page.keyboard.press('Escape')
+    await expect.poll(async () => (await me()).inside).toBeNull()
     const [download] = await Promise.all([page.waitForEvent('download'), teacher.link('csv').click()])
     expect(await readFile(await download.path(), 'utf8')).toMatch(/\r\nFuchs,.*1\/3/)
   })
