@@ -1,4 +1,4 @@
-import { beforeAll, expect, test } from 'vitest'
+import { beforeAll, expect, test, vi } from 'vitest'
 import { openSqlite } from './database/sqlite.ts'
 import { migrate } from './database/migrate.ts'
 import { routes } from './routes.ts'
@@ -164,4 +164,33 @@ test('an error of the database is logged by its code alone', async () => {
   const answer = await child.browser.put('/projects/project-1?base=0&save=save-0001', projectText('a'))
   expect(answer).toMatchObject({ status: 507, body: { error: 'diskFull' } })
   expect(logged.at(-1)).toEqual({ method: 'PUT', route: '/projects/:project', status: 507, error: '53100' })
+})
+
+test('a fault of ours is logged by its name and place, and never by its message', async () => {
+  const logged: { error?: string }[] = []
+  const failing = new Server(server.ports.database, {
+    accounts: server.ports.accounts,
+    cards: () => Promise.reject(new Error('Fuchs is no card\n    at /srv/Fuchs.ts:1:2')),
+    log: (line) => void logged.push(line),
+  })
+  failing.now = server.now
+  const { id } = ((await teacher.get('/classes')).body as { classes: { id: string }[] }).classes[0]!
+  const browser = failing.browser()
+  for (const [name, value] of teacher.cookies) browser.cookies.set(name, value)
+  expect(await browser.get(`/classes/${id}/results`)).toMatchObject({
+    status: 500,
+    body: { error: 'ourFault' },
+  })
+  expect(logged.at(-1)!.error).toMatch(/^Error handle\.test\.ts:\d+$/)
+})
+
+test('signing in and joining ask nothing of the outside', async () => {
+  const fetched = vi.spyOn(globalThis, 'fetch')
+  const answer = await server
+    .browser('203.0.113.7')
+    .post('/auth/sign-in/username', { username: 'm.weber', password: 'kastanie im regen' })
+  expect(answer.status).toBe(204)
+  await server.pupil(code, 'Hausmaus')
+  expect(fetched).not.toHaveBeenCalled()
+  fetched.mockRestore()
 })

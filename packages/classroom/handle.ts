@@ -63,7 +63,14 @@ function refusalOf(error: unknown): Refusal {
   return refusalOfDatabase(error) ?? new Refusal(500, 'ourFault')
 }
 
-const nameOf = (error: unknown) => codeOf(error) || (error instanceof Error ? error.name : 'unknown')
+/** Where an error was made, as `file.ts:12`: its message may hold a name. */
+function placeOf({ message, stack = '' }: Error): string {
+  const place = /^ +at .*?([\w.-]+:\d+):\d+\)?$/m.exec(stack.replace(message, ''))
+  return place ? ` ${place[1]}` : ''
+}
+
+const nameOf = (error: unknown) =>
+  codeOf(error) || (error instanceof Error ? `${error.name}${placeOf(error)}` : 'unknown')
 
 /** Answers a request to the class: every path below `/api/class`. Never throws. */
 export async function handle(request: Request, ports: Ports, caller: Caller): Promise<Response> {

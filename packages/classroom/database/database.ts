@@ -8,6 +8,8 @@ export interface Database {
   readonly db: Kysely<Tables>
   /** Copies the whole database into a file while it is in use; null where its own tools do that (pg_dump). */
   readonly backup: ((file: string) => Promise<void>) | null
+  /** Moves what was committed from the journal into the file, where the database has one; commits go without it. */
+  readonly checkpoint: (() => void) | null
   close(): Promise<void>
 }
 

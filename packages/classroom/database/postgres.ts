@@ -25,5 +25,5 @@ export function openPostgres(address: string): Database {
   // A connection that breaks while nobody uses it: the next query opens another one.
   pool.on('error', () => {})
   const db = new Kysely<Tables>({ dialect: new PostgresDialect({ pool }) })
-  return { kind: 'postgres', db, backup: null, close: () => db.destroy() }
+  return { kind: 'postgres', db, backup: null, checkpoint: null, close: () => db.destroy() }
 }

@@ -24,6 +24,9 @@ class Dialect extends SqliteDialect {
   }
 }
 
+/** Pages of the journal after which a commit puts it away itself, 16 MB: `checkpoint` comes long before. */
+const mostPages = 4000
+
 const mostStatements = 200
 
 /** Compiles a query once: a save asks the same dozen every time. */
@@ -53,6 +56,7 @@ export function openSqlite(file: string): Database {
     sqlite.pragma(`busy_timeout = ${busyTimeout}`)
     sqlite.pragma('journal_mode = WAL')
     sqlite.pragma('synchronous = FULL')
+    sqlite.pragma(`wal_autocheckpoint = ${mostPages}`)
     sqlite.pragma('foreign_keys = ON')
     // What was deleted is not to be found in the file's free pages.
     sqlite.pragma('secure_delete = ON')
@@ -66,6 +70,7 @@ export function openSqlite(file: string): Database {
     kind: 'sqlite',
     db,
     backup: async (copy) => void (await sqlite.backup(copy)),
+    checkpoint: () => void sqlite.pragma('wal_checkpoint(PASSIVE)'),
     close: () => db.destroy(),
   }
 }

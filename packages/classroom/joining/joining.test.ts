@@ -1,5 +1,6 @@
 import { beforeAll, expect, test } from 'vitest'
 import { onBothDatabases } from '../testing/databases.ts'
+import { projectText } from '../testing/projects.ts'
 import { Server } from '../testing/world.ts'
 import type { Browser } from '../testing/browser.ts'
 import { pictures } from './pictures.ts'
@@ -228,5 +229,23 @@ onBothDatabases((fresh) => {
     expect(text).not.toContain('192.168')
     for (const picture of child.pictures) expect(text).not.toContain(`"${picture}"`)
     expect(text).not.toContain(child.browser.cookies.get('botgarten-pupil'))
+  })
+
+  test('a newcomer is marked as new until the lesson ends; one tap removes it with what it made', async () => {
+    const { id, code } = await server.openClass(teacher)
+    const pupil = await server.pupil(code, 'Stinktier')
+    await pupil.browser.put('/projects/project-1?base=0&save=save-0001', projectText('rude'))
+    const marks = async () => {
+      const { pupils } = (await teacher.get(`/classes/${id}/pupils`)).body as { pupils: { isNew: number }[] }
+      return pupils.map(({ isNew }) => isNew)
+    }
+    server.later(45)
+    expect(await marks()).toEqual([1])
+    await teacher.post(`/classes/${id}/close`)
+    expect(await marks()).toEqual([0])
+    expect((await teacher.delete(`/classes/${id}/pupils/${pupil.id}`)).status).toBe(204)
+    expect(await marks()).toEqual([])
+    expect((await teacher.get(`/classes/${id}`)).body).toMatchObject({ projects: 0, versions: 0 })
+    expect((await pupil.browser.get('/projects')).status).toBe(401)
   })
 })

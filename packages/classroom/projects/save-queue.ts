@@ -9,11 +9,17 @@ interface Waiting {
   readonly reject: (error: unknown) => void
 }
 
+/** Bytes of projects after which the journal is put away: about 4 MB of it, what was deleted included. */
+const journalBytes = 2_000_000
+
+const bytesOf = ({ checked: { document, assets } }: Save) =>
+  assets.reduce((sum, { base64 }) => sum + base64.length, document.length)
+
 /**
  * Saves that wait share one commit, and with it one wait for the disk. Answers come after the commit. On PostgreSQL each
  * has a connection of its own, and the server itself joins commits.
  */
-export function saveQueueOn({ kind, db }: Database, mostSpace?: number): SaveQueue {
+export function saveQueueOn({ kind, db, checkpoint }: Database, mostSpace?: number): SaveQueue {
   const alone = async (save: Save): Promise<Saved> => {
     try {
       return await db.transaction().execute((inside) => saveInside(inside, save, mostSpace))
@@ -26,6 +32,18 @@ export function saveQueueOn({ kind, db }: Database, mostSpace?: number): SaveQue
 
   let waiting: Waiting[] = []
   let running = false
+  let written = 0
+
+  /** Between saves: whoever saves next would wait for it. */
+  function tidy() {
+    if (running || written < journalBytes) return
+    written = 0
+    try {
+      checkpoint?.()
+    } catch {
+      // A full disk, or a server that has closed: nothing is lost, and a later commit does it.
+    }
+  }
 
   async function together(batch: readonly Waiting[]) {
     try {
@@ -47,8 +65,11 @@ export function saveQueueOn({ kind, db }: Database, mostSpace?: number): SaveQue
       const batch = waiting
       waiting = []
       await together(batch)
+      written += batch.reduce((sum, { save }) => sum + bytesOf(save), 0)
     }
     running = false
+    // After the answers are on their way.
+    if (written >= journalBytes) setImmediate(tidy)
   }
 
   return (save) =>

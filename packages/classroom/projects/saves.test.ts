@@ -192,6 +192,23 @@ onBothDatabases((fresh) => {
     await teacher.post(`/classes/${classId}/open`)
   })
 
+  test('from 80 % on pupil and teacher are told how full the class is', async () => {
+    const { browser } = await pupil()
+    expect(await save(browser, 0, projectText('a'))).toMatchObject({ body: { full: false } })
+    const { db } = server.ports.database
+    const row = async () =>
+      (await teacher.get(`/classes/${classId}`)).body as { space: number; mostSpace: number }
+    const { space, mostSpace } = await row()
+    await db
+      .updateTable('class')
+      .set({ space: mostSpace * 0.8 })
+      .where('id', '=', classId)
+      .execute()
+    expect(await save(browser, 1, projectText('b'))).toMatchObject({ status: 200, body: { full: true } })
+    expect((await row()).space / mostSpace).toBeGreaterThan(0.8)
+    await db.updateTable('class').set({ space }).where('id', '=', classId).execute()
+  })
+
   test('when the class is full old versions go first, then the child is told and nothing is lost', async () => {
     const { browser, id } = await pupil()
     const { space } = (await teacher.get(`/classes/${classId}`)).body as { space: number }

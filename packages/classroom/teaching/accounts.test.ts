@@ -100,4 +100,23 @@ onBothDatabases((fresh) => {
     expect((await browser.post('/auth/sign-in/username', renewed)).status).toBe(204)
     expect(await server.ports.accounts.reset({ username: 'nobody', password })).toBe(false)
   })
+
+  test('a session ends twelve hours after signing in, however much is done in it', async () => {
+    const browser = server.browser('10.9.0.6')
+    const teacher = { username: 'k.otto2', password: 'ein neuer satz' }
+    const began = Date.now()
+    await browser.post('/auth/sign-in/username', teacher)
+    const { db } = server.ports.database
+    // The one that ends last is the newest.
+    const newest = () =>
+      db.selectFrom('teacherSession').selectAll().orderBy('expiresAt', 'desc').executeTakeFirstOrThrow()
+    const { id, expiresAt } = await newest()
+    expect(Math.abs(new Date(expiresAt as string).getTime() - began - 12 * 3_600_000)).toBeLessThan(60_000)
+    expect((await browser.get('/classes')).status).toBe(200)
+    expect((await newest()).expiresAt).toEqual(expiresAt)
+    // As it is twelve hours later.
+    const past = new Date(began - 1000).toISOString()
+    await db.updateTable('teacherSession').set({ expiresAt: past }).where('id', '=', id).execute()
+    expect((await browser.get('/classes')).status).toBe(401)
+  })
 })
