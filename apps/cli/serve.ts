@@ -1,6 +1,4 @@
-import { networkInterfaces } from 'node:os'
 import {
-  addresses,
   CannotServe,
   inRepository,
   openClassServer,
@@ -27,6 +25,7 @@ const known = {
   'behind-proxy': { type: 'string' },
   'public-address': { type: 'string' },
   'start-over': { type: 'boolean' },
+  https: { type: 'boolean' },
   open: { type: 'boolean' },
   rehearse: { type: 'string' },
   seconds: { type: 'string' },
@@ -51,7 +50,7 @@ async function open(args: string[]): Promise<string> {
   if (values.rehearse !== undefined) return rehearsal(values, folder)
   try {
     const classServer = await openClassServer({ ...classOptions(values), data: folder })
-    const server = await listen(classServer, port, values.host)
+    const server = await listen(classServer, { port, host: values.host, https: values.https ? folder : null })
     stopWhenTold(server)
     const token = await classServer.firstTeacher()
     if (values.open) openPage(`${server.url}${token === null ? '' : `/teacher/start#${token}`}`)
@@ -99,12 +98,23 @@ function originOf(address: string): string {
   return new URL(address).origin
 }
 
-async function listen(classServer: ClassServer, port: number, host?: string): Promise<RunningServer> {
+interface Listening {
+  readonly port: number
+  readonly host: string | undefined
+  /** The folder of the certificates; null: http alone. */
+  readonly https: string | null
+}
+
+async function listen(
+  classServer: ClassServer,
+  { port: wanted, host, https }: Listening,
+): Promise<RunningServer> {
   try {
-    return await startServer({ port, classServer, ...(host === undefined ? {} : { host }) })
+    return await startServer({ port: wanted, classServer, https, ...(host === undefined ? {} : { host }) })
   } catch (error) {
     await classServer.close()
-    const { code } = error as NodeJS.ErrnoException
+    // Of two ports, the one that failed.
+    const { code, port = wanted } = error as NodeJS.ErrnoException & { port?: number }
     if (code === 'EADDRINUSE') throw new FileError('serve.portTaken', { port, next: port + 1 })
     if (code === 'EACCES') throw new FileError('serve.portForbidden', { port, usual: usualPort })
     throw error instanceof CannotServe
@@ -121,11 +131,10 @@ function stopWhenTold(server: RunningServer) {
   if (process.env['BOTGARTEN_ENDS_WITH_PARENT']) whenParentEnds(stop)
 }
 
-const addressesOf = ({ port }: RunningServer) => addresses(port, networkInterfaces())
-
 const greeting = (server: RunningServer) =>
   message('serve.open', {
-    addresses: addressesOf(server)
+    addresses: server
+      .addresses()
       .map((address) => `  ${address}`)
       .join('\n'),
     version: root.version,
@@ -139,7 +148,7 @@ function invitation(
   folder: string,
 ): string {
   if (token === null) return ''
-  const [own, other = own] = addressesOf(server)
+  const [own, other = own] = server.addresses()
   const link = `${classServer.ports.publicOrigin ?? other!}/teacher/start#${token}`
   if (!process.stdout.isTTY) return message('serve.linkInFile', { path: writeLink(folder, link) })
   return message('serve.link', { link, code: codeInTerminal(link) })

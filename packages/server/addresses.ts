@@ -1,13 +1,24 @@
 import type { NetworkInterfaceInfo } from 'node:os'
+import { isPrivate } from './https/constraints.ts'
+
+type Interfaces = { readonly [name: string]: readonly NetworkInterfaceInfo[] | undefined }
+
+/** This machine's addresses in private networks: those that an authority of a classroom may vouch for. */
+export const privateAddresses = (interfaces: Interfaces): string[] =>
+  Object.values(interfaces)
+    .flatMap((list) => list ?? [])
+    .map(({ address }) => address)
+    .filter(isPrivate)
+
+/** Where devices that trust the server's authority reach it. */
+export const secureAddresses = (port: number, interfaces: Interfaces): string[] =>
+  privateAddresses(interfaces).map((host) => `https://${host}:${port}`)
 
 /**
  * Where a server on all addresses can be reached, this machine's own name first.
  * Link-local IPv6 (fe80::) is left out: browsers take no zone in an address.
  */
-export function addresses(
-  port: number,
-  interfaces: { readonly [name: string]: readonly NetworkInterfaceInfo[] | undefined },
-): string[] {
+export function addresses(port: number, interfaces: Interfaces): string[] {
   const others = Object.values(interfaces)
     .flatMap((list) => list ?? [])
     .filter(({ internal, address }) => !internal && !address.toLowerCase().startsWith('fe80:'))

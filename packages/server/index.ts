@@ -1,8 +1,8 @@
 // One process that serves the lab and the class: the class's routes with a real clock, disk and database.
-export { addresses } from './addresses.ts'
 export { openClassServer, writeLink, type ClassOptions, type ClassServer } from './class-server.ts'
 export { resetTeacher } from './reset.ts'
 export { prepareDataFolder } from './data-folder.ts'
+export { certificatesIn } from './https/key-folder.ts'
 export { lockFolder } from './lock.ts'
 export { openPage } from './open-page.ts'
 export { CannotServe, causeIn } from './problem.ts'

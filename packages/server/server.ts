@@ -5,7 +5,8 @@ import type { AddressInfo } from 'node:net'
 import { networkInterfaces } from 'node:os'
 import { join } from 'node:path'
 import { pathToFileURL } from 'node:url'
-import { addresses } from './addresses.ts'
+import { addresses, secureAddresses } from './addresses.ts'
+import { startSecure, type SecureServer } from './https/secure-server.ts'
 import { readOperator } from './operator.ts'
 import { baseline, readPolicies } from './policies.ts'
 import type { ClassServer } from './class-server.ts'
@@ -17,6 +18,10 @@ export interface RunningServer {
   readonly port: number
   /** How this machine reaches it. */
   readonly url: string
+  /** Where it listens for https; null: it does not. */
+  readonly securePort: number | null
+  /** How it is reached, this machine's own name first; https before http elsewhere. */
+  addresses(): readonly string[]
   /** Answers what was asked already, then lets go of the port. */
   close(): Promise<void>
 }
@@ -30,6 +35,8 @@ export interface ServerOptions {
   readonly operator?: string | null
   /** Answers below `/api/class`, and is closed with the server. Where it is missing the lab is served alone. */
   readonly classServer?: ClassServer | null
+  /** The data folder with an authority of its own, whose certificates the next port answers https with. */
+  readonly https?: string | null
 }
 
 const timeout = 3000
@@ -64,12 +71,15 @@ function dress(response: ServerResponse, policy: string, trusted: boolean) {
   response.setHeader('cache-control', 'no-cache')
 }
 
-/** Does the browser trust the page's origin: the machine itself, or https through a proxy? */
-const isTrusted = ({ headers }: IncomingMessage) =>
+/** Does the browser trust the page's origin: the machine itself, https, or https through a proxy? */
+const isTrusted = ({ headers, socket }: IncomingMessage) =>
+  'encrypted' in socket ||
   headers['x-forwarded-proto'] === 'https' ||
   /^(localhost|127(\.\d+){3}|\[::1\])(:\d+)?$/.test(headers.host ?? '')
 
-async function close(server: Server) {
+async function close(server: Server | SecureServer['server']) {
+  // One that is closed already would never say so again.
+  if (!server.listening) return
   const closed = once(server, 'close')
   server.close()
   const timer = setTimeout(() => server.closeAllConnections(), timeout)
@@ -77,11 +87,32 @@ async function close(server: Server) {
   clearTimeout(timer)
 }
 
-async function closeAll(server: Server, classServer: ClassServer | null) {
+async function closeAll(server: Server, secure: SecureServer | null, classServer: ClassServer | null) {
   // Streams would go on for as long as their pages are open.
   await classServer?.ports.live.close()
-  await close(server)
+  secure?.stop()
+  await Promise.all([close(server), secure && close(secure.server)])
   await classServer?.close()
+}
+
+/** What a page asks to find the server's https: its port, or nothing where there is none. */
+function answerHttps(secure: SecureServer | null, response: ServerResponse) {
+  if (!secure) return void response.writeHead(204).end()
+  response.setHeader('content-type', 'application/json').end(JSON.stringify({ port: secure.port }))
+}
+
+/** Under this type Windows, macOS, iPadOS and Android offer to install it. */
+function sendAuthority(secure: SecureServer, response: ServerResponse) {
+  response.setHeader('content-type', 'application/x-x509-ca-cert').end(secure.authority())
+}
+
+/** Plain http keeps its port: that is where devices learn to trust the other one. */
+const nextPort = ({ port }: ServerOptions) => (port === 0 ? 0 : port + 1)
+
+function allAddresses(port: number, securePort: number | null): readonly string[] {
+  const [own, ...others] = addresses(port, networkInterfaces())
+  const secure = securePort === null ? [] : secureAddresses(securePort, networkInterfaces())
+  return [own!, ...secure, ...others]
 }
 
 /**
@@ -92,19 +123,32 @@ export async function startServer(options: ServerOptions): Promise<RunningServer
   const build = inRepository('apps', 'web', 'build')
   const [handler, policies] = [await handlerOf(build), readPolicies(join(build, 'prerendered'))]
   const { operator = readOperator(process.env), classServer = null } = options
-  const server = createServer((request, response) => {
+  let secure: SecureServer | null = null
+  const listener = (request: IncomingMessage, response: ServerResponse) => {
     const path = (request.url ?? '/').replace(/[?#].*/, '').replace(/(?<=.)\/$/, '')
     dress(response, policies.get(path) ?? baseline, isTrusted(request))
     if (classServer?.owns(path)) return void classServer.answer(request, response)
     // Whether there is a class is asked by every page: no is an answer, not an error.
     if (path === '/api/class/state') return void response.writeHead(204).end()
+    if (path === '/https.json') return answerHttps(secure, response)
+    if (path === '/botgarten.crt' && secure) return sendAuthority(secure, response)
     if (operator !== null && path === '/operator.md')
       return void response.setHeader('content-type', 'text/markdown; charset=utf-8').end(operator)
     handler(request, response, () => response.writeHead(404).end())
-  })
+  }
+  const server = createServer(listener)
   server.listen({ port: options.port, host: options.host })
   await once(server, 'listening')
   const { port } = server.address() as AddressInfo
-  classServer?.reachedAt(() => addresses(port, networkInterfaces()))
-  return { port, url: `http://localhost:${port}`, close: () => closeAll(server, classServer) }
+  try {
+    if (options.https) secure = await startSecure(options.https, listener, nextPort(options), options.host)
+  } catch (error) {
+    await close(server)
+    throw error
+  }
+  const securePort = secure?.port ?? null
+  const reached = () => allAddresses(port, securePort)
+  classServer?.reachedAt(reached)
+  const url = `http://localhost:${port}`
+  return { port, url, securePort, addresses: reached, close: () => closeAll(server, secure, classServer) }
 }

@@ -1,0 +1,69 @@
+// Rooms: service-worker, server
+import { createHash, X509Certificate } from 'node:crypto'
+import { mkdtempSync } from 'node:fs'
+import { tmpdir } from 'node:os'
+import { join } from 'node:path'
+import { flags } from '../browser.ts'
+import { leftEye, leftWheel, rightEye, rightWheel } from '../child.ts'
+import { findChromium } from '../chromium.mjs'
+import { expect, test as base } from '../house.ts'
+import { certificatesIn, startServer, type RunningServer } from '../../packages/server/index.ts'
+
+const name = 'botgarten.local'
+const data = mkdtempSync(join(tmpdir(), 'botgarten-https-'))
+const { authority } = await certificatesIn(data, [name], Date.now())
+const { publicKey } = new X509Certificate(authority)
+/** How this browser is told to trust the authority, without a store of certificates of its own. */
+const trusted = createHash('sha256')
+  .update(publicKey.export({ type: 'spki', format: 'der' }))
+  .digest('base64')
+
+const test = base.extend<{ room: RunningServer }>({
+  // eslint-disable-next-line no-empty-pattern -- Playwright reads the names of what is asked for
+  room: async ({}, use) => {
+    const room = await startServer({ port: 0, host: '127.0.0.1', https: data })
+    await use(room)
+    await room.close()
+  },
+  baseURL: async ({ room }, use) => use(`https://${name}:${room.securePort}`),
+})
+test.use({
+  serviceWorkers: 'allow',
+  // What the browser itself says about a server that is gone.
+  complaints: [
+    /ERR_(CONNECTION_REFUSED|INTERNET_DISCONNECTED)|^A request to https:\/\/botgarten\.local:\d+\//,
+  ],
+  launchOptions: {
+    executablePath: findChromium() ?? undefined,
+    args: [
+      ...flags,
+      `--host-resolver-rules=MAP ${name} 127.0.0.1`,
+      `--ignore-certificate-errors-spki-list=${trusted}`,
+    ],
+  },
+})
+
+test('with the authority trusted, the lab starts after one visit with the cable pulled', async ({
+  child,
+  page,
+  room,
+}) => {
+  await child.opensHome()
+  await page.waitForFunction(() => navigator.serviceWorker.controller?.state === 'activated')
+  await room.close()
+
+  await child.opensLab('friendship')
+  await child.typesWeight(leftEye, leftWheel, 0.8)
+  await child.typesWeight(rightEye, rightWheel, 0.8)
+  await child.pressesStart()
+  await child.seesDriving()
+  await child.pressesStop()
+  await child.seesSaved()
+})
+
+test('the certificate that devices are to trust is handed out over plain http', async ({ room, request }) => {
+  const answer = await request.get(`${room.url}/botgarten.crt`)
+  expect(answer.headers()['content-type']).toBe('application/x-x509-ca-cert')
+  expect(await answer.text()).toBe(authority)
+  expect(await (await request.get(`${room.url}/https.json`)).json()).toEqual({ port: room.securePort })
+})
