@@ -4,7 +4,17 @@ import { addBlocks, blockFrom, toolbox, type Template } from '@botgarten/blocks'
 import { learning as blocks, learningToolbox } from '@botgarten/blocks/packs/learning'
 import { cardConfig, paintFloor, TICKS_PER_SECOND, type Pose } from '@botgarten/simulation'
 import { describe, expect, test } from 'vitest'
-import { drawWay, driveSeconds, liesOn, wayThrough, withLearnedWay, type MapFile } from './index.ts'
+import {
+  drawWay,
+  driveSeconds,
+  liesOn,
+  readMap,
+  wayFault,
+  wayThrough,
+  withLearnedWay,
+  type MapFile,
+} from './index.ts'
+import { addRoad, addStation, emptyMap, writeMap } from './own/index.ts'
 
 const mapNamed = (id: string): MapFile => content.mapFile(id)!
 
@@ -64,6 +74,17 @@ describe('a way over stations', () => {
 
   test('over a road that is not there is refused', () => {
     expect(() => drawWay(mapNamed('railway'), [0, 3])).toThrow('No road leads from 0 to 3.')
+  })
+
+  test('that crosses itself or turns on the spot is none that the robot can drive', () => {
+    const places = [[200, 700], [1200, 700], [1200, 200], [600, 900], [700, 700]] // prettier-ignore
+    const stations = places.reduce((map, [x, y]) => addStation(map, { x: x!, y: y! }), emptyMap('bridge'))
+    const pairs = [[0, 1], [1, 2], [2, 3], [3, 4]] as const // prettier-ignore
+    const drawn = pairs.reduce((map, [from, to]) => addRoad(map, from, to), stations)
+    const map = readMap(writeMap(drawn, 'bridge')).map!
+    expect(wayFault(map, [0, 1, 2])).toBeNull()
+    expect(wayFault(map, [0, 1, 2, 3])).toEqual({ kind: 'crosses' })
+    expect(wayFault(map, [2, 3, 4])).toEqual({ kind: 'turn', station: 3 })
   })
 
   test('lies on the map that it was drawn from, and on no other floor', () => {

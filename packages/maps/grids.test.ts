@@ -4,7 +4,7 @@ import { describe, expect, test } from 'vitest'
 import gymnasium from '../learning/q-learning/reference/worlds.json' with { type: 'json' }
 import others from '../learning/q-learning/reference/grids.json' with { type: 'json' }
 import { valueIteration } from '../learning/q-learning/testing/textbook.ts'
-import { courseOf, drawWay, tightTurn, type MapFile } from './index.ts'
+import { courseOf, drawWay, wayFault, type MapFile } from './index.ts'
 
 type Outcome = readonly [odds: number, to: number, reward: number, ends: boolean]
 interface Reference {
@@ -99,7 +99,7 @@ test.each(['cliff', 'windy', 'errand'])(
     course.advance(outline.moves)
     const { states } = course.way()
     expect(states).not.toBeNull()
-    expect(tightTurn(map, states!)).toBeNull()
+    expect(wayFault(map, states!)).toBeNull()
     expect(() => drawWay(map, states!)).not.toThrow()
   },
 )

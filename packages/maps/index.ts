@@ -5,4 +5,4 @@ export { courseOf, isShortest, learnedFor, learningKey, sectionsOf, withLearnedW
 export { pointsAlong, segmentsOf } from './path.ts'
 export type { Point } from './point.ts'
 export { readMap, type ReadMap } from './readMap.ts'
-export { driveSeconds, placeOf, tightTurn, wayThrough, worldSizeOf } from './way.ts'
+export { driveSeconds, placeOf, wayFault, wayThrough, worldSizeOf } from './way.ts'

@@ -11,7 +11,7 @@ import type { Learned as InPython } from '@botgarten/programs/python'
 import { drawWay } from './drawn.ts'
 import { lessonOf } from './lesson.ts'
 import type { MapFile } from './types.ts'
-import { legsOf, tightTurn } from './way.ts'
+import { legsOf, wayFault } from './way.ts'
 
 /** A unit of a map's drawing costs this: in the City the way of fewest sections and the shortest one differ then. */
 const LENGTH_COST = 0.02
@@ -74,7 +74,7 @@ export function withLearnedWay<Document extends Pick<Project, 'programs' | 'worl
   const course = courseOf(outline, map, seed)
   course.advance(outline.moves)
   const { states: stations } = course.way()
-  if (!stations || stations.length < 2 || tightTurn(map, stations) !== null) return document
+  if (!stations || stations.length < 2 || wayFault(map, stations) !== null) return document
   return { ...document, world: inScene(document.world, drawWay(map, stations).scene) }
 }
 

@@ -1,4 +1,5 @@
 import { atan2, cos, sin } from '@botgarten/numbers'
+import { meetsItself } from './crossing.ts'
 import { pointsAlong, segmentsOf } from './path.ts'
 import { between, distance, type Point } from './point.ts'
 import type { MapFile } from './types.ts'
@@ -52,7 +53,7 @@ export function wayThrough(map: MapFile, stations: readonly number[]): Way {
 }
 
 /** The first station of a way at which the robot would have to turn more sharply than its roads leave room for; null: none. */
-export function tightTurn(map: MapFile, stations: readonly number[]): number | null {
+function tightTurn(map: MapFile, stations: readonly number[]): number | null {
   const roads = stations.slice(1).map((to, index) => roadPoints(map, stations[index]!, to))
   const cuts = roads.slice(1).map((road, index) => cutAt(turnBetween(roads[index]!, road), map.plazaCm))
   const tight = cuts.findIndex((cut, index) => {
@@ -60,6 +61,16 @@ export function tightTurn(map: MapFile, stations: readonly number[]): number | n
     return cut + before > lengthOf(roads[index]!) || cut + after > lengthOf(roads[index + 1]!)
   })
   return tight < 0 ? null : stations[tight + 1]!
+}
+
+/** Why the robot cannot drive a way: it would have to turn on the spot at this station, or its line crosses itself. */
+export type WayFault = { readonly kind: 'turn'; readonly station: number } | { readonly kind: 'crosses' }
+
+/** @returns null where it can */
+export function wayFault(map: MapFile, stations: readonly number[]): WayFault | null {
+  const station = tightTurn(map, stations)
+  if (station !== null) return { kind: 'turn', station }
+  return meetsItself(wayThrough(map, stations).points) ? { kind: 'crosses' } : null
 }
 
 /** A way leg by leg: how far to turn at a station (degrees, to the right above 0; 0 at the start) and how many cm to the next. */

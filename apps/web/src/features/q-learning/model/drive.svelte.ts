@@ -1,5 +1,5 @@
 import type { Course } from '@botgarten/learning/q-learning'
-import { liesOn, placeOf, tightTurn } from '@botgarten/maps'
+import { liesOn, placeOf, wayFault } from '@botgarten/maps'
 import type { LearningOutline } from '@botgarten/programs'
 import type { LabSession } from '#lab/session.svelte.ts'
 import type { LabUi } from '#lab/ui.svelte.ts'
@@ -36,7 +36,7 @@ export class Drive {
     const learned = this.#learned()
     if (learned?.blocks.draw === undefined || learned.stations.length < 2) return
     const { course, stage, stations, blocks } = learned
-    if (tightTurn(stage.map, stations) !== null) return
+    if (wayFault(stage.map, stations) !== null) return
     // Meanwhile a hand may have begun again.
     const stands = () => this.#learned()?.course === course && this.#session.lab.view.phase !== 'running'
     await this.#floor.lay(stage, stations, stands)
@@ -46,7 +46,7 @@ export class Drive {
   /** The way does not lie on the floor yet: lays it, and drives then. Returns whether there was something to lay. */
   drawFirst(): boolean {
     const learned = this.#learned()
-    if (learned?.blocks.draw === undefined || tightTurn(learned.stage.map, learned.stations) !== null)
+    if (learned?.blocks.draw === undefined || wayFault(learned.stage.map, learned.stations) !== null)
       return false
     if (this.#floor.lies(learned.stage, learned.stations)) return false
     void this.draw(true)

@@ -1,4 +1,4 @@
-import { tightTurn } from '@botgarten/maps'
+import { wayFault } from '@botgarten/maps'
 import type { Plan } from '@botgarten/learning/q-learning'
 import type { LearnedRun, Project } from '@botgarten/programs'
 import { language } from '#words/language.svelte.ts'
@@ -78,8 +78,9 @@ export function endOf(learning: Learning): string {
   const { states: stations } = shown.way
   if (!stations && shown.plan?.doubt === null) return by
   if (!stations) return `${by} ${m['q.notYet']()}`
-  const tight = learning.stage && tightTurn(learning.stage.map, stations)
-  if (tight !== null) return `${by} ${m['q.tightTurn']({ station: tight })}`
+  const fault = learning.stage && wayFault(learning.stage.map, stations)
+  if (fault?.kind === 'turn') return `${by} ${m['q.tightTurn']({ station: fault.station })}`
+  if (fault?.kind === 'crosses') return `${by} ${m['q.wayCrosses']()}`
   return learning.isShortest(stations) ? `${by} ${m['q.isShortest']()}` : `${by} ${m['q.isLonger']()}`
 }
 
