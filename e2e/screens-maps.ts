@@ -1,4 +1,5 @@
 import { expect } from '@playwright/test'
+import { content } from '@botgarten/content/files'
 import { Learner } from './child-learning.ts'
 import type { Child } from './child.ts'
 import type { Screen } from './screens.ts'
@@ -30,15 +31,15 @@ const zoo: readonly Screen[] = [
       await expect(child.page.getByRole('heading', { level: 2 }).first()).toBeVisible()
     },
   },
-  {
-    name: 'zoo-cage',
-    async show(child) {
-      await child.page.goto('/zoo?cage=fountain')
+  ...content.cages.map(({ cage }) => ({
+    name: `zoo-cage-${cage.id}`,
+    async show(child: Child) {
+      await child.page.goto(`/zoo?cage=${cage.id}`)
       await child.page.locator('.guesses button').last().click()
       await child.presses('zoo.learn')
       await child.presses('zoo.pause')
     },
-  },
+  })),
 ]
 
 /** A map is drawn. */
@@ -89,6 +90,47 @@ const designing: readonly Screen[] = [
     async show(child) {
       await draws(child)
       await child.presses('design.dresses.mars')
+    },
+  },
+  {
+    name: 'map-sign',
+    async show(child) {
+      await draws(child)
+      await child.presses('design.tool.sign')
+      await child.page.locator('.frame [role=button]').nth(1).focus()
+      await child.types('Enter')
+    },
+  },
+  {
+    name: 'map-share',
+    async show(child) {
+      await draws(child)
+      await child.presses('design.share')
+      await expect(child.page.getByRole('dialog')).toBeVisible()
+    },
+  },
+  {
+    name: 'map-paper',
+    async show(child) {
+      await draws(child)
+      await child.presses('design.print')
+      await expect(child.page.getByRole('dialog')).toBeVisible()
+    },
+  },
+  {
+    name: 'rooms-made',
+    async show(child) {
+      await opens(child)
+      await child.presses('rooms.new')
+      const kinds = child.page.getByRole('region', { name: child.word('rooms.tools') })
+      const rooms = child.page.getByRole('group', { name: child.word('rooms.field'), exact: true })
+      for (const [index, kind] of (['wall', 'trap', 'ice', 'wind', 'treasure'] as const).entries()) {
+        await kinds.getByRole('button', { name: child.word(`rooms.kind.${kind}`), exact: true }).click()
+        await rooms
+          .getByRole('button')
+          .nth(index + 2)
+          .click()
+      }
     },
   },
   {

@@ -1,0 +1,27 @@
+import { content } from '@botgarten/content/files'
+import { ZooVisitor } from '../child-zoo.ts'
+import { test } from '../house.ts'
+import { languages } from '../words.ts'
+
+for (const language of languages)
+  test.describe(`the zoo in ${language}`, () => {
+    test.use({ language })
+
+    test('is walked from cage to cage, each guessed, watched, stepped, mended and watched again', async ({
+      child,
+    }) => {
+      const zoo = new ZooVisitor(child, (thing) => thing.click())
+      await zoo.comes()
+      for (const [index, cage] of content.cages.entries())
+        await test.step(cage.cage.id, async () => {
+          await zoo.enters(cage)
+          await zoo.guesses(cage)
+          await zoo.watches(cage, cage.cage.claim.aLot)
+          await zoo.steps()
+          await zoo.mends(cage)
+          await zoo.seesMended(cage)
+          await zoo.watches(cage, 'wish')
+          await zoo.leaves(index + 1)
+        })
+    })
+  })
