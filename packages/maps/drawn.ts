@@ -1,5 +1,5 @@
 import type { Scene } from '@botgarten/programs'
-import { distance, type Point } from './point.ts'
+import { between, distance, type Point } from './point.ts'
 import type { MapFile } from './types.ts'
 import { placeOf, wayThrough, worldSizeOf } from './way.ts'
 
@@ -17,7 +17,14 @@ const colours = {
   red: '#B30006',
   start: '#23804F',
   station: '#D9C8A2',
+  across: '#0090C0',
+  upDown: '#F7D117',
 }
+
+/** Of a door between two rooms, in cm; the bands lie over its middle. */
+const DOOR = { width: 26, depth: 5 }
+/** A world has room for a hundred areas. */
+const MOST_ROOMS = 50
 
 /** A way as the floor of the robot's world, and the robot's place on its start, facing along it. */
 export interface DrawnWay {
@@ -28,7 +35,7 @@ export interface DrawnWay {
 
 /**
  * Draws a way: white on its left, black on its right, the robot's path between them; a red bar across its end, where
- * the robot's sensor is when the robot stands on the goal. Every station of it is a disc.
+ * the robot's sensor is when the robot stands on the goal. Every station of it is a disc; rooms have coloured doors.
  * @throws RangeError where a road of it is missing
  */
 export function drawWay(map: MapFile, stations: readonly number[]): DrawnWay {
@@ -53,7 +60,7 @@ export function drawWay(map: MapFile, stations: readonly number[]): DrawnWay {
     scene: {
       size: worldSizeOf(map),
       floor,
-      areas: discs,
+      areas: [...discs, ...doorsOn(map, stations)],
       lines,
       obstacles: [],
       starts: [{ ...points[0]!, heading }],
@@ -62,12 +69,33 @@ export function drawWay(map: MapFile, stations: readonly number[]): DrawnWay {
   }
 }
 
+/** The doors of a grid that a way goes through: blue across, yellow up and down. Where wind blows it past a room there is none. */
+function doorsOn(map: MapFile, stations: readonly number[]): Scene['areas'] {
+  if (!map.grid || stations.length > MOST_ROOMS) return []
+  const places = stations.map((station) => placeOf(map, station))
+  const side = worldSizeOf(map).width / map.grid.columns
+  return places.slice(1).flatMap((to, index) => {
+    const from = places[index]!
+    const isAcross = Math.abs(from.y - to.y) < 1
+    if (distance(from, to) > 1.2 * side || (!isAcross && Math.abs(from.x - to.x) >= 1)) return []
+    const [width, height] = isAcross ? [DOOR.depth, DOOR.width] : [DOOR.width, DOOR.depth]
+    const door = {
+      id: `door-${index}`,
+      shape: { kind: 'rectangle' as const, width, height },
+      pose: { ...between(from, to, 0.5), heading: 0 },
+      colour: isAcross ? colours.across : colours.upDown,
+    }
+    return [door]
+  })
+}
+
 /** Was the floor of this world drawn from this map? Its discs lie on stations then. */
 export function liesOn(map: MapFile, { size, areas }: Pick<Scene, 'size' | 'areas'>): boolean {
   const whole = worldSizeOf(map)
-  if (size.width !== whole.width || size.height !== whole.height || areas.length === 0) return false
+  const discs = areas.filter(({ id }) => !id.startsWith('door-'))
+  if (size.width !== whole.width || size.height !== whole.height || discs.length === 0) return false
   const places = map.stations.map((_, station) => placeOf(map, station))
-  return areas.every(({ pose }) => places.some(({ x, y }) => x === pose.x && y === pose.y))
+  return discs.every(({ pose }) => places.some(({ x, y }) => x === pose.x && y === pose.y))
 }
 
 /** Unit vector along a line at one of its points. */

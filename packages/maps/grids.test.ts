@@ -4,7 +4,7 @@ import { describe, expect, test } from 'vitest'
 import gymnasium from '../learning/q-learning/reference/worlds.json' with { type: 'json' }
 import others from '../learning/q-learning/reference/grids.json' with { type: 'json' }
 import { valueIteration } from '../learning/q-learning/testing/textbook.ts'
-import { courseOf, drawWay, wayFault, type MapFile } from './index.ts'
+import { courseOf, drawWay, liesOn, wayFault, type MapFile } from './index.ts'
 
 type Outcome = readonly [odds: number, to: number, reward: number, ends: boolean]
 interface Reference {
@@ -88,7 +88,7 @@ test('the best way through the windy rooms has 15 moves (Sutton & Barto, example
 const settings = { rules: 'standard', algorithm: 'q', alpha: 0.5, gamma: 0.8, nu: 0.1, rho: 0.5 } as const
 
 test.each(['cliff', 'windy', 'errand'])(
-  'a way learned in the rooms of %s is a floor that can be driven',
+  'a way learned in the rooms of %s is a floor with coloured doors that can be driven',
   (id) => {
     const map = mapOf(id)
     const outline = {
@@ -100,6 +100,9 @@ test.each(['cliff', 'windy', 'errand'])(
     const { states } = course.way()
     expect(states).not.toBeNull()
     expect(wayFault(map, states!)).toBeNull()
-    expect(() => drawWay(map, states!)).not.toThrow()
+    const { scene } = drawWay(map, states!)
+    const doors = scene.areas.filter((area) => area.id.startsWith('door-'))
+    expect(new Set(doors.map(({ colour }) => colour))).toEqual(new Set(['#0090C0', '#F7D117']))
+    expect(liesOn(map, scene)).toBe(true)
   },
 )
