@@ -27,6 +27,7 @@ export async function practises(child: Child, { start, solution }: Task) {
   if (shown.length > 0) await showsRows(child, shown, after.examples!)
   for (const row of aside) await teaching.setsAside(row)
   await teaching.letsPractise()
+  if (isMirrored(before) !== isMirrored(after)) await teaching.switchesMirror()
   await teaching.practises()
   // Bo stands where the last example was shown: only a start place counts.
   if (shown.length > 0) await child.presses('lab.place', { number: 1 })
@@ -51,6 +52,8 @@ async function putsLayersIn(child: Child, before: Brain, after: Brain) {
     await expect(hands.layer(layer)).toContainText(child.word(`net.activation.${neurons[0]!.activation}`))
   }
 }
+
+const isMirrored = ({ practice }: Brain): boolean => practice?.settings.mirror ?? false
 
 const rowsToShow = (before: Brain, after: Brain): readonly Row[] =>
   before.examples ? [] : (after.examples?.rows ?? [])

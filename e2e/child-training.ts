@@ -123,6 +123,12 @@ export class Teaching {
     return readFile(await (await download).path(), 'utf8')
   }
 
+  async switchesMirror() {
+    await this.#child.presses('training.more')
+    await this.#page.getByRole('switch', { name: this.#child.word('training.mirror'), exact: true }).click()
+    await this.#child.types('Escape')
+  }
+
   async practises() {
     await this.#page.locator('.practise .bar .button.network').click()
     await expect(this.#page.getByText(this.#child.word('training.done'), { exact: true })).toBeVisible()

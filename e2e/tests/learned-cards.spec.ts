@@ -5,8 +5,10 @@ import { TimeHands } from '../child-time.ts'
 import { expect, test } from '../house.ts'
 import { languagesOf } from '../words.ts'
 
-/** What a child does there: it shows places by hand, finds wrong rows, puts a hidden layer in. */
-const learned = ['show-it', 'four-wrong', 'either-or-2']
+/**
+ * What a child does there: it shows places by hand, finds wrong rows, takes mirror images too, puts a hidden layer in.
+ */
+const learned = ['show-it', 'four-wrong', 'only-left', 'either-or-2']
 
 for (const language of languagesOf(import.meta.filename))
   test.describe(`cards that are learned from examples, in ${language}`, () => {
