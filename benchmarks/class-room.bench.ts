@@ -1,6 +1,6 @@
 // A class of 35 on a server that has one core: how long saves take, and what the process holds.
 import { mkdtempSync, rmSync } from 'node:fs'
-import { tmpdir } from 'node:os'
+import { loadavg, tmpdir } from 'node:os'
 import { join } from 'node:path'
 import { playLesson, startNode } from '@botgarten/server/rehearsal'
 import type { Table } from './bench.ts'
@@ -41,6 +41,7 @@ export default async function classRoom(): Promise<Table> {
     rows,
     notes: [
       'Goals: p99 < 50 ms and at most 192 MB at a save every 5 s, flat. Times are those of the pupil: sending, checking, committing, answering.',
+      `Load of the machine at the end, this included: ${loadavg()[1]!.toFixed(0)}.`,
     ],
   }
 }
