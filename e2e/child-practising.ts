@@ -1,6 +1,6 @@
 import type { CardProgram } from '@botgarten/content'
 import type { Brain } from '@botgarten/learning/neural-network'
-import { headOfRow, place, type Examples, type Row } from '@botgarten/learning/neural-network/examples'
+import { headOfRow, place, type Row } from '@botgarten/learning/neural-network/examples'
 import { expect } from '@playwright/test'
 import { NetHands } from './child-network.ts'
 import { Teaching } from './child-training.ts'
@@ -24,13 +24,20 @@ export async function practises(child: Child, { start, solution }: Task) {
   await putsLayersIn(child, before, after)
   const [shown, aside] = [rowsToShow(before, after), rowsToSetAside(after)]
   if (shown.length > 0 || aside.length > 0) await teaching.shows()
-  if (shown.length > 0) await showsRows(child, shown, after.examples!)
+  if (shown.length > 0) await (isDriven(after) ? drives(child, after) : showsRows(child, shown, after))
   for (const row of aside) await teaching.setsAside(row)
   await teaching.letsPractise()
   if (isMirrored(before) !== isMirrored(after)) await teaching.switchesMirror()
+  await teaching.setsUp(changed(before, after))
   await teaching.practises()
   // Bo stands where the last example was shown: only a start place counts.
   if (shown.length > 0) await child.presses('lab.place', { number: 1 })
+}
+
+/** What the solution sets otherwise of how fast and how long it practises. */
+function changed(before: Brain, after: Brain): { readonly rate?: number; readonly rounds?: number } {
+  const [given, { rate, rounds }] = [before.practice!.settings, after.practice!.settings]
+  return { ...(rate !== given.rate && { rate }), ...(rounds !== given.rounds && { rounds }) }
 }
 
 /** Every hidden layer that the solution has more, with its neurons and what they do with their sums. */
@@ -62,15 +69,30 @@ const rowsToShow = (before: Brain, after: Brain): readonly Row[] =>
 const rowsToSetAside = ({ examples }: Brain): readonly number[] =>
   (examples?.rows ?? []).flatMap((row, at) => (row[place.on] === 0 ? [at + 1] : []))
 
-/** Bo is put to each place, its wheels are set, and that is remembered. */
-async function showsRows(child: Child, rows: readonly Row[], { inputs }: Examples) {
+const isDriven = ({ examples }: Brain) => examples!.drives.some(({ by }) => by === 'keys')
+
+/** Bo is driven by keys from as many places as in the solution, with about as many examples. */
+async function drives(child: Child, { examples }: Brain) {
+  const teaching = new Teaching(child)
+  const { drives, rows } = examples!
+  for (const index of drives.keys()) {
+    if (index > 0) await child.presses('lab.place', { number: index + 1 })
+    await teaching.chooses('drive')
+    await teaching.dodges(Math.round((rows.length * (index + 1)) / drives.length))
+  }
+}
+
+/** Bo is put to each place, its wheels or its words are set, and that is remembered. */
+async function showsRows(child: Child, rows: readonly Row[], { examples, layers }: Brain) {
   const teaching = new Teaching(child)
   // The whole floor can be reached then.
   await child.presses('world.all')
   for (const [index, row] of rows.entries()) {
     await teaching.puts({ x: row[place.x]!, y: row[place.y]!, heading: row[place.heading]! })
-    const [left, right] = row.slice(headOfRow + inputs.length)
-    await teaching.remembers(left!, right!)
+    const wishes = row.slice(headOfRow + examples!.inputs.length)
+    const [left, right] = wishes
+    if (layers.at(-1)!.length === 2) await teaching.remembers(left!, right!)
+    else await teaching.remembersWords(wishes.flatMap((wish, k) => ((wish ?? 0) > 0 ? [k] : [])))
     await teaching.seesExamples(index + 1)
   }
 }

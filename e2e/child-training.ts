@@ -9,6 +9,13 @@ import type { Child } from './child.ts'
 const wheelsApart = 18
 const nearEnough = 3
 
+/** So near a thing makes it turn, in cm; eyes that differ by less say the same. */
+const close = 35
+const alike = 8
+
+const keyBy = ([left, right]: readonly number[]) =>
+  Math.min(left!, right!) >= close ? 'ArrowUp' : left! > right! + alike ? 'ArrowLeft' : 'ArrowRight'
+
 /** What a child does to teach a network by examples. */
 export class Teaching {
   readonly #child: Child
@@ -88,6 +95,43 @@ export class Teaching {
     await this.#page.keyboard.up('ArrowUp')
   }
 
+  /**
+   * Drives by the arrow keys until there are so many examples: ahead, and where an eye sees something near, on the spot away
+   * from it; to the right where both see it alike.
+   */
+  async dodges(count: number) {
+    await this.pad.focus()
+    const { keyboard } = this.#page
+    let held = ''
+    for (let now = await this.#sees(); now.rows < count; now = await this.#sees()) {
+      const key = keyBy(now.eyes)
+      if (key === held) continue
+      await keyboard.down(key)
+      if (held) await keyboard.up(held)
+      held = key
+    }
+    await keyboard.up(held)
+  }
+
+  /** What Bo's eyes say, left and right, and how many examples there are. */
+  #sees(): Promise<{ eyes: number[]; rows: number }> {
+    return this.#page.evaluate(() => {
+      const { brains, networks } = globalThis.botgarten!.view()!
+      const [brain] = Object.values(brains)
+      const outputs = Object.values(networks)[0]?.outputs ?? {}
+      const eyes = brain!.layers[0]!.map(({ id }) => outputs[id] ?? 100)
+      return { eyes, rows: brain!.examples?.rows.length ?? 0 }
+    })
+  }
+
+  /** Sets these words, counted from 0, and no other, and remembers that. */
+  async remembersWords(words: readonly number[]) {
+    const group = this.#page.getByRole('group', { name: this.#child.word('training.others'), exact: true })
+    await group.getByRole('button', { name: this.#child.word('training.nothing'), exact: true }).click()
+    for (const word of words) await group.getByRole('button').nth(word).click()
+    await this.#page.locator('.hand .main').getByRole('button').click()
+  }
+
   /** How many examples there are, as the table says. */
   async count(): Promise<number> {
     return Number(await this.#page.locator('.show .head p b').textContent())
@@ -127,6 +171,25 @@ export class Teaching {
     await this.#child.presses('training.more')
     await this.#page.getByRole('switch', { name: this.#child.word('training.mirror'), exact: true }).click()
     await this.#child.types('Escape')
+  }
+
+  /** Chooses the speed and how many rounds it practises, by their names. */
+  async setsUp(settings: { readonly rate?: number; readonly rounds?: number }) {
+    for (const [key, value] of [
+      ['training.speed', settings.rate],
+      ['training.roundsLabel', settings.rounds],
+    ] as const)
+      if (value !== undefined) {
+        const choice = this.#page.getByRole('combobox', { name: this.#child.word(key), exact: true })
+        await choice.selectOption({ label: this.#nameOf(value) })
+      }
+  }
+
+  /** A number as a choice calls it; beginners choose speeds by words. */
+  #nameOf(value: number): string {
+    const speeds: { readonly [rate: string]: string } = { 0.03: 'slow', 0.1: 'medium', 0.3: 'fast' }
+    const speed = speeds[value]
+    return speed ? this.#child.word(`training.${speed}`) : value.toLocaleString(this.#child.language)
   }
 
   async practises() {

@@ -24,6 +24,9 @@ declare global {
           readonly robots: readonly Placed[]
           readonly obstacles: readonly Placed[]
           readonly brains: { readonly [network: string]: Brain }
+          readonly networks: {
+            readonly [network: string]: { readonly outputs: { readonly [neuron: string]: number } }
+          }
         } | null
         places(): readonly Place[]
         partAt(x: number, y: number): string | null

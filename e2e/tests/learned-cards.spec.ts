@@ -6,9 +6,19 @@ import { expect, test } from '../house.ts'
 import { languagesOf } from '../words.ts'
 
 /**
- * What a child does there: it shows places by hand, finds wrong rows, takes mirror images too, puts a hidden layer in.
+ * What a child does there: it shows places and words by hand, drives, finds wrong rows, takes mirror images too, stops in
+ * time, puts a hidden layer in, makes steps smaller.
  */
-const learned = ['show-it', 'four-wrong', 'only-left', 'either-or-2']
+const learned = [
+  'show-it',
+  'dodge',
+  'four-wrong',
+  'only-left',
+  'say-it',
+  'by-heart',
+  'either-or-2',
+  'too-fast',
+]
 
 for (const language of languagesOf(import.meta.filename))
   test.describe(`cards that are learned from examples, in ${language}`, () => {

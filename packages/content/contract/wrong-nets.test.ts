@@ -41,6 +41,7 @@ const right: { readonly [card: string]: { readonly [wrong: string]: string } } =
   'loud-distance': { 'all 1': 'there is one link', mirrored: 'there is one link' },
   interest: { mirrored: 'each colour still has a word of its own' },
   'either-or': { mirrored: 'the hidden neurons change places' },
+  dodge: { mirrored: 'it still turns away before a wall' },
 }
 
 // Nets of the first robot: "if, then" has none.

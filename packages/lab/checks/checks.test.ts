@@ -224,6 +224,14 @@ describe('checks of the senses', () => {
     expect(lab({ y: 295, display: [] }, 0.1)).toEqual([true])
   })
 
+  it('silent: no word on this colour, for its seconds without a break', () => {
+    const lab = on(still, [{ id: 'green', kind: 'silent', numbers: { colour: '#00642E' }, seconds: 1 }])
+    expect(lab({ y: 295, display: ['∅'] }, 2)).toEqual([false])
+    expect(lab({ y: 115, display: ['A', '∅'] }, 2)).toEqual([false])
+    expect(lab({ display: ['∅', '∅'] }, 0.5)).toEqual([false])
+    expect(lab({ display: ['∅', '∅'] }, 1)).toEqual([true])
+  })
+
   it('laps: gate by gate in order, once round from where it began', () => {
     const numbers = { gates: '100 60, 300 60, 200 350', cm: 20, laps: 1 }
     const lab = on(still, [{ id: 'lap', kind: 'laps', numbers, seconds: 0 }])

@@ -15,6 +15,7 @@ import { rowsBy } from './rowsBy.ts'
 import { says } from './says.ts'
 import { settled } from './settled.ts'
 import { showsGroups } from './showsGroups.ts'
+import { silent } from './silent.ts'
 import { sings } from './sings.ts'
 import { speedOn } from './speedOn.ts'
 import { stays } from './stays.ts'
@@ -40,6 +41,7 @@ export const kinds: { readonly [kind: string]: AnyKind } = {
   says,
   settled,
   showsGroups,
+  silent,
   sings,
   speedOn,
   stays,

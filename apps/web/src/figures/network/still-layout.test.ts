@@ -4,7 +4,7 @@ import type { CardProgram } from '@botgarten/content'
 import { networks } from '@botgarten/programs'
 import { expect, test } from 'vitest'
 import { unitScale } from '#drawing/track.ts'
-import { coveredIn, drawnLayout, knobsIn, type DrawnNet, drawnNet } from './still-layout.ts'
+import { coveredIn, drawnLayout, drawnOf, knobsIn, type DrawnNet, drawnNet } from './still-layout.ts'
 
 const content = new URL('../../../../../content/', import.meta.url)
 const files = globSync('cards/network/*/{start,solution}.json', { cwd: content }).sort()
@@ -24,7 +24,7 @@ test.each(nets)('no knob covers another: %s', (_, net) => {
   expect(knobsIn(net, drawnLayout(net))).toBe(0)
 })
 
-const allAlike: DrawnNet = { counts: [2, 2], weights: [0.5, 0.5, 0.5, 0.5], scale: unitScale }
+const allAlike: DrawnNet = { counts: [2, 2], left: [0, 0], weights: [0.5, 0.5, 0.5, 0.5], scale: unitScale }
 
 test('rows are as low as they can be', () => {
   const empty = drawnLayout({ ...allAlike, weights: [0, 0, 0, 0] })
@@ -41,4 +41,17 @@ test('all nodes and the names beside them stand on the stage', () => {
       expect(y > radius && y < stage.height - radius).toBe(true)
     }
   }
+})
+
+test('a large layer is summed up: its first two neurons, a free row, its last one', () => {
+  const large: DrawnNet = {
+    counts: [2, 3, 2],
+    left: [0, 21, 0],
+    weights: Array<number>(12).fill(0),
+    scale: unitScale,
+  }
+  const ys = drawnLayout(large).columns[1]!.map(({ y }) => y)
+  expect(ys[2]! - ys[1]!).toBe(2 * (ys[1]! - ys[0]!))
+  expect(drawnOf([1, 2, 3, 4, 5, 6, 7])).toEqual([1, 2, 7])
+  expect(drawnOf([1, 2, 3, 4, 5, 6])).toEqual([1, 2, 3, 4, 5, 6])
 })

@@ -7,9 +7,11 @@ import type { Weights } from '@botgarten/learning/neural-network'
 import type { NetworkOutline } from '@botgarten/programs'
 import { hiddenColumn } from '#figures/network/deep/columns.ts'
 
-/** A net as it is drawn: how many neurons each layer has, and the weights link by link as the stage draws them. */
+/** A net as it is drawn: how many neurons each layer shows, and the weights link by link as the stage draws them. */
 export interface DrawnNet {
   readonly counts: readonly number[]
+  /** Neurons of each layer that are left out: in their place, before its last one, a row is free. */
+  readonly left: readonly number[]
   readonly weights: readonly number[]
   readonly scale: Scale
 }
@@ -19,9 +21,10 @@ export const settleOf = ({ counts }: DrawnNet) => (counts.length > 2 ? settleDee
 const radius = 24
 /** Names stand beside the first and the last layer. */
 const side = 124
-/** Between two layers' nodes, and between those of three and more. */
-const apart = { two: 212, more: 256 }
-const lowestRow = 88
+/** Between two layers' nodes, and between those of three and more: less where no weight is written. */
+const apart = { two: 212, more: 256, plain: 150 }
+/** Between the rows of the first layer, at least. */
+const lowestRow = { other: 88, plain: 56 }
 /** Over the first row and below the last there is room for a weight. */
 const edge = { written: 58, empty: 44 }
 const growth = [1, 1.15, 1.3, 1.45, 1.6, 1.8, 2]
@@ -30,7 +33,8 @@ const spreads = [1.25, 1.55, 2.5]
 
 /** A net that stands still, with names beside it: as low as it can be without a knob or a weight on anything else. */
 export function drawnLayout(net: DrawnNet): NetworkLayout {
-  const withSpread = (spread: number) => growth.map((by) => layoutWith(net, lowestRow * by, spread))
+  const lowest = isPlain(net) ? lowestRow.plain : lowestRow.other
+  const withSpread = (spread: number) => growth.map((by) => layoutWith(net, lowest * by, spread))
   const spread = spreads.flatMap(withSpread).sort((a, b) => a.stage.height - b.stage.height)
   const layouts = [...withSpread(1), ...spread]
   let best = { layout: layouts[0]!, covered: Infinity }
@@ -42,18 +46,24 @@ export function drawnLayout(net: DrawnNet): NetworkLayout {
   return best.layout
 }
 
-function layoutWith({ counts, weights }: DrawnNet, row: number, spread: number): NetworkLayout {
-  const gap = counts.length > 2 ? apart.more : apart.two
+const isWritten = (weights: readonly number[]) => weights.some((weight) => weight !== 0)
+/** Knobs of hidden layers that all are at 0 need little room. */
+export const isPlain = ({ counts, weights }: DrawnNet) => counts.length > 2 && !isWritten(weights)
+
+function layoutWith(net: DrawnNet, row: number, spread: number): NetworkLayout {
+  const { counts, left, weights } = net
+  const gap = isPlain(net) ? apart.plain : counts.length > 2 ? apart.more : apart.two
   const rows = counts.map((_, k) => (k === 0 ? row : row * spread))
-  const top = weights.some((weight) => weight !== 0) ? edge.written : edge.empty
-  const height = 2 * top + Math.max(...counts.map((count, k) => (count - 1) * rows[k]!))
+  const top = isWritten(weights) ? edge.written : edge.empty
+  const places = counts.map((count, k) => (left[k] === 0 ? count : count + 1))
+  const height = 2 * top + Math.max(...places.map((count, k) => (count - 1) * rows[k]!))
   return {
     radius,
-    columns: counts.map((count, k) =>
+    columns: places.map((count, k) =>
       Array.from({ length: count }, (_, at) => ({
         x: side + k * gap,
         y: height / 2 + (at - (count - 1) / 2) * rows[k]!,
-      })),
+      })).filter((_, at) => left[k] === 0 || at !== count - 2),
     ),
     stage: { width: 2 * side + (counts.length - 1) * gap, height },
     labels: 'beside',
@@ -121,6 +131,14 @@ interface Named {
   readonly id: string
 }
 
+/** A layer of more neurons than this is summed up: its first ones, and its last. */
+const most = 6
+const first = 2
+
+/** The neurons of a layer that are drawn where a net stands still. */
+export const drawnOf = <One>(layer: readonly One[]): readonly One[] =>
+  layer.length > most ? [...layer.slice(0, first), layer.at(-1)!] : layer
+
 /** Knobs go from 0 to 1, and as far beyond as the weights do. */
 function scaleFor(all: readonly number[]): Scale {
   const far = Math.max(1, ...all.map((weight) => Math.ceil(Math.abs(weight))))
@@ -129,10 +147,12 @@ function scaleFor(all: readonly number[]): Scale {
 
 /** What of a network its drawing depends on. */
 export function drawnNet({ inputs, hidden, outputs }: NetworkOutline, weights: Weights): DrawnNet {
-  const layers: readonly (readonly Named[])[] = [inputs, ...hidden.map(hiddenColumn), outputs]
+  const whole: readonly (readonly Named[])[] = [inputs, ...hidden.map(hiddenColumn), outputs]
+  const layers = whole.map(drawnOf)
   const links = layers
     .slice(1)
     .flatMap((ends, l) => layers[l]!.flatMap((from) => ends.map((to) => weights[from.id]?.[to.id] ?? 0)))
-  const all = Object.values(weights).flatMap((row) => Object.values(row))
-  return { counts: layers.map(({ length }) => length), weights: links, scale: scaleFor(all) }
+  const counts = layers.map(({ length }) => length)
+  const left = whole.map(({ length }, k) => length - counts[k]!)
+  return { counts, left, weights: links, scale: scaleFor(links) }
 }
