@@ -88,3 +88,24 @@ for (const language of languagesOf(import.meta.filename))
       await expect(said).toHaveText(`${child.card('friendship')} · Botgarten`)
     })
   })
+
+test('who goes on from block to block at once never loses the place', async ({ child }) => {
+  await child.opensLab('new-colours')
+  await child.seesBlocks()
+  const lost = await child.canvas.evaluate(async (canvas) => {
+    const blocks = [...canvas.querySelectorAll<SVGElement>('.blocklyDraggable > .blocklyPath')]
+    const frame = () => new Promise((done) => requestAnimationFrame(done))
+    let lost = 0
+    for (const [index, block] of blocks.entries()) {
+      block.focus()
+      const next = blocks[(index + 1) % blocks.length]!
+      next.focus()
+      // A number is its field and nothing else: its block takes no focus.
+      const came = document.activeElement
+      for (let passed = 0; passed < 3; passed += 1) await frame()
+      if (document.activeElement !== came) lost += 1
+    }
+    return blocks.length > 5 ? lost : null
+  })
+  expect(lost).toBe(0)
+})

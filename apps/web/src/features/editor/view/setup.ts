@@ -2,6 +2,7 @@ import * as Blockly from 'blockly/core'
 import { definitions } from '@botgarten/blocks'
 import { blocklyWordsIn } from './blockly-words.ts'
 import { usePlainIds } from '../model/ids.ts'
+import { keepFocus } from './keep-focus.ts'
 import { setUpMenus } from './menus.ts'
 import { defineBlocks } from './shape.ts'
 import { registerToolbox } from './toolbox/info.ts'
@@ -21,6 +22,7 @@ export function setUp(): void {
   leaveUndoToThePage()
   nameKeys()
   nameFieldsWhenDrawn()
+  keepFocus()
 }
 
 /** Blocks and Blockly's own words in a language. What is on a workspace already keeps its old words. */
