@@ -67,3 +67,17 @@ test('the certificate that devices are to trust is handed out over plain http', 
   expect(await answer.text()).toBe(authority)
   expect(await (await request.get(`${room.url}/https.json`)).json()).toEqual({ port: room.securePort })
 })
+
+test('a device finds over plain http how to trust the server, and where https is', async ({
+  child,
+  room,
+}) => {
+  const { page } = child
+  await page.goto(`${room.url}/trust`)
+  await expect(page.getByRole('heading', { level: 1 })).toHaveText('Trust the server of this room')
+  await expect(page.getByRole('img', { name: /Code of this page/ })).toBeVisible()
+  for (const system of ['Windows', 'iPadOS', 'Android', 'ChromeOS', 'macOS'])
+    await expect(page.getByRole('heading', { name: system })).toBeVisible()
+  const place = `https://localhost:${room.securePort}`
+  await expect(page.getByRole('link', { name: place })).toHaveAttribute('href', place)
+})
