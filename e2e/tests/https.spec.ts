@@ -29,9 +29,9 @@ const test = base.extend<{ room: RunningServer }>({
 })
 test.use({
   serviceWorkers: 'allow',
-  // What the browser itself says about a server that is gone.
+  // What the browser itself says about a server that is gone, and the same server over plain http.
   complaints: [
-    /ERR_(CONNECTION_REFUSED|INTERNET_DISCONNECTED)|^A request to https:\/\/botgarten\.local:\d+\//,
+    /ERR_(CONNECTION_REFUSED|INTERNET_DISCONNECTED)|^A request to https?:\/\/(botgarten\.local|localhost):\d+\//,
   ],
   launchOptions: {
     executablePath: findChromium() ?? undefined,
