@@ -3,6 +3,7 @@ import type { Brain } from '@botgarten/learning/neural-network'
 import { headOfRow, place, type Row } from '@botgarten/learning/neural-network/examples'
 import { expect } from '@playwright/test'
 import { NetHands } from './child-network.ts'
+import { TimeHands } from './child-time.ts'
 import { Teaching } from './child-training.ts'
 import type { Child } from './child.ts'
 
@@ -26,12 +27,13 @@ export async function practises(child: Child, { start, solution }: Task) {
   if (shown.length > 0 || aside.length > 0) await teaching.shows()
   if (shown.length > 0) await (isDriven(after) ? drives(child, after) : showsRows(child, shown, after))
   for (const row of aside) await teaching.setsAside(row)
+  if (isCoached(after)) await coaches(child)
   await teaching.letsPractise()
   if (isMirrored(before) !== isMirrored(after)) await teaching.switchesMirror()
   await teaching.setsUp(changed(before, after))
   await teaching.practises()
   // Bo stands where the last example was shown: only a start place counts.
-  if (shown.length > 0) await child.presses('lab.place', { number: 1 })
+  if (shown.length > 0 || isCoached(after)) await child.presses('lab.place', { number: 1 })
 }
 
 /** What the solution sets otherwise of how fast and how long it practises. */
@@ -59,6 +61,22 @@ async function putsLayersIn(child: Child, before: Brain, after: Brain) {
     await expect(hands.layer(layer)).toContainText(child.word(`net.activation.${neurons[0]!.activation}`))
   }
 }
+
+/** Where its network drives wrong a child takes over: from places 2 and 3 by turns, slowly. */
+async function coaches(child: Child) {
+  const teaching = new Teaching(child)
+  await new NetHands(child).chooses('explorer')
+  await teaching.shows()
+  await teaching.chooses('coach')
+  await new TimeHands(child).chooses('0.5')
+  const given = await teaching.count()
+  for (let drives = 0; (await teaching.count()) < given + 20; drives += 1) {
+    await child.presses('lab.place', { number: 2 + (drives % 2) })
+    await teaching.helps()
+  }
+}
+
+const isCoached = ({ examples }: Brain): boolean => (examples?.drives ?? []).some(({ by }) => by === 'coach')
 
 const isMirrored = ({ practice }: Brain): boolean => practice?.settings.mirror ?? false
 

@@ -15,6 +15,11 @@ const alike = 8
 
 const keyBy = ([left, right]: readonly number[]) =>
   Math.min(left!, right!) >= close ? 'ArrowUp' : left! > right! + alike ? 'ArrowLeft' : 'ArrowRight'
+/** To which side a child steers: right is 1, left −1, and 0 where nothing is near. */
+const awayFromNear = ([left, right]: readonly number[]): number => {
+  if (Math.min(left!, right!) >= 65) return 0
+  return left! < right! ? 1 : -1
+}
 
 /** What a child does to teach a network by examples. */
 export class Teaching {
@@ -130,6 +135,26 @@ export class Teaching {
     await group.getByRole('button', { name: this.#child.word('training.nothing'), exact: true }).click()
     for (const word of words) await group.getByRole('button').nth(word).click()
     await this.#page.locator('.hand .main').getByRole('button').click()
+  }
+
+  /** Bo drives with its network. Once an eye reads less than 65 the child holds the pad aside, until nothing is near any more. */
+  async helps() {
+    const box = (await this.pad.boundingBox())!
+    const [x, y] = [box.x + box.width / 2, box.y + box.width / 2]
+    const reach = (box.width * 38) / 116
+    let held = 0
+    const hold = async (side: number) => {
+      if (side === held) return
+      if (side === 0) await this.#page.mouse.up()
+      else await this.#page.mouse.move(x + 0.225 * side * reach, y - 0.375 * reach)
+      if (held === 0) await this.#page.mouse.down()
+      held = side
+    }
+    await this.#child.presses('training.begin.coach')
+    do await hold(awayFromNear((await this.#sees()).eyes))
+    while (held === 0)
+    while (held !== 0) await hold(awayFromNear((await this.#sees()).eyes))
+    await this.#child.presses('training.pause')
   }
 
   /** How many examples there are, as the table says. */

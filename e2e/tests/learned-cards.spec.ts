@@ -6,14 +6,15 @@ import { expect, test } from '../house.ts'
 import { languagesOf } from '../words.ts'
 
 /**
- * What a child does there: it shows places and words by hand, drives, finds wrong rows, takes mirror images too, stops in
- * time, puts a hidden layer in, makes steps smaller.
+ * What a child does there: it shows places and words by hand, drives, finds wrong rows, takes mirror images too, helps
+ * where the network goes wrong, stops in time, puts a hidden layer in, makes steps smaller.
  */
 const learned = [
   'show-it',
   'dodge',
   'four-wrong',
   'only-left',
+  'help-bo',
   'say-it',
   'by-heart',
   'either-or-2',
