@@ -15,12 +15,17 @@ interface KeptRow {
 /** How many nightly backups there are at the most. */
 const backupNights = 7
 
+function backupsLabel(backups: Data['backups']): string {
+  if (backups === null) return m['teacher.byOwnTools']()
+  return backups.count === 0 ? m['teacher.noneYet']() : m['teacher.countBackups']({ count: backups.count })
+}
+
 function backupRow({ backups }: Data): KeptRow {
   return {
     ...{ id: 'backups', icon: 'database' },
     title: m['teacher.keptBackups'](),
     text: m['teacher.keptBackupsText'](),
-    much: backups ? m['teacher.countBackups']({ count: backups.count }) : m['teacher.byOwnTools'](),
+    much: backupsLabel(backups),
     until: m['teacher.eachNights']({ count: backupNights }),
   }
 }
