@@ -41,7 +41,7 @@ export function taskOf(file: MapFile, given: Given): Task {
     closed: closedIn(file, given.closed),
     goalReward: numberIn('goal-reward', given['goal-reward'], file.goalReward ?? 50, -huge, huge),
     stepCost: numberIn('step-cost', given['step-cost'], file.stepCost ?? 0, -huge, huge),
-    lengthCost: numberIn('length-cost', given['length-cost'], 0, -huge, huge),
+    lengthCost: numberIn('length-cost', given['length-cost'], file.lengthCost ?? 0, -huge, huge),
   }
 }
 

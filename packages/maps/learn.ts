@@ -10,11 +10,8 @@ import { inScene, learningIn, type LearningOutline, type Program, type Project }
 import type { Learned as InPython } from '@botgarten/programs/python'
 import { drawWay } from './drawn.ts'
 import { lessonOf } from './lesson.ts'
-import type { MapFile } from './types.ts'
+import { LENGTH_COST, type MapFile } from './types.ts'
 import { legsOf, wayFault } from './way.ts'
-
-/** A unit of a map's drawing costs this: in the City the way of fewest sections and the shortest one differ then. */
-const LENGTH_COST = 0.02
 
 /** What of a program a learning depends on, as one text. */
 export const learningKey = ({ blocks: _, ...learning }: LearningOutline): string => JSON.stringify(learning)
@@ -22,7 +19,7 @@ export const learningKey = ({ blocks: _, ...learning }: LearningOutline): string
 /** A course of what a program wants learned, at its beginning. @throws RangeError where the map has no such station */
 export function courseOf(
   outline: LearningOutline,
-  { map, goalReward, stepCost }: MapFile,
+  { map, goalReward, stepCost, lengthCost }: MapFile,
   seed: number,
 ): Course {
   const { start, goal, closed, settings, episodes, moves, pay = {} } = outline
@@ -30,7 +27,7 @@ export function courseOf(
     ...{ map: withOwnRewards(map, pay.own ?? {}), start, goal, closed },
     ...(goalReward !== undefined && { goalReward }),
     stepCost: (stepCost ?? 0) + (pay.step ?? 0),
-    ...(pay.length && { lengthCost: LENGTH_COST }),
+    ...((pay.length || lengthCost !== undefined) && { lengthCost: LENGTH_COST }),
   })
   return new Course(world, settings, seed, { episodes, steps: moves })
 }

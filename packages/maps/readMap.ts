@@ -6,7 +6,7 @@ import { keep, numberIn, problem, sizeOf } from './read-number.ts'
 import { distance, type Point } from './point.ts'
 import { dataOf, roadIn, type ReadRoad } from './road.ts'
 import { placeOf, type Place } from './station.ts'
-import type { MapFile, MapProblem } from './types.ts'
+import { LENGTH_COST, type MapFile, type MapProblem } from './types.ts'
 
 const MOST_CHARACTERS = 1_000_000
 const MOST_STATIONS = 500
@@ -101,6 +101,7 @@ function numbersOf({ attributes }: Element, problems: MapProblem[]) {
     ...keep('goal', read('data-goal')),
     ...keep('goalReward', read('data-goal-reward')),
     ...keep('stepCost', read('data-step-cost')),
+    ...(attributes['data-length-counts'] !== undefined && { lengthCost: LENGTH_COST }),
   }
 }
 

@@ -1,5 +1,8 @@
 import type { QMap } from '@botgarten/learning/q-learning'
 
+/** A unit of a map's drawing costs this where length counts: in the City the way of fewest sections and the shortest one differ then. */
+export const LENGTH_COST = 0.02
+
 /** A map as it stands in its file. Places and lengths are in units of the drawing. */
 export interface MapFile {
   readonly id: string
@@ -20,6 +23,8 @@ export interface MapFile {
   readonly goal?: number
   readonly goalReward?: number
   readonly stepCost?: number
+  /** Charged for every unit of the drawing. */
+  readonly lengthCost?: number
 }
 
 /** The rooms of a grid world, by its letters (see `gridMap`). */

@@ -41,6 +41,8 @@ export interface RoadMap {
   readonly endless?: true
   /** Charged for every move. */
   readonly stepCost?: number
+  /** A long road costs more than a short one. */
+  readonly lengthCounts?: true
 }
 
 /** Rooms in a grid. */

@@ -113,6 +113,7 @@ function documentFrom(elements: readonly Element[], root: Element['attributes'])
     goals: numbersIn(root['data-goals'] ?? '') ?? [],
     ...(root['data-endless'] === undefined ? {} : { endless: true }),
     ...given(root, 'step-cost'),
+    ...(root['data-length-counts'] === undefined ? {} : { lengthCounts: true }),
   }
 }
 

@@ -60,6 +60,7 @@ const maps: fc.Arbitrary<RoadMap> = fc
         ...{ start: index, goals: fc.uniqueArray(index, { minLength: 1 }) },
         ...{ photo: fc.base64String({ minLength: 4 }).map((rest) => `/9j/${rest}`) },
         ...{ cover: fc.constantFrom(...covers), endless: fc.constant(true), stepCost: reward },
+        lengthCounts: fc.constant(true),
       },
       { requiredKeys: ['kind', 'name', 'dress', 'stations', 'roads', 'start', 'goals'] },
     )
@@ -86,8 +87,10 @@ describe('a drawn map', () => {
     const drawn = [{ x: 200, y: 200 }, { x: 700, y: 200 }, { x: 700, y: 700 }].reduce(addStation, emptyMap('x')) // prettier-ignore
     const roads = addRoad(addRoad(addRoad(drawn, 0, 1), 1, 2), 0, 2)
     const map = setRoad(setRoad(turnRoad(roads, 0), 1, { closed: 'back', reward: 5 }), 2, { slip: 0.25 })
-    const { map: file } = readMap(writeMap(toggleGoal(map, 2), 'x'))
-    expect(file).toMatchObject({ id: 'own:x', start: 0, goal: 1, map: { goals: [2] } })
+    const paid: RoadMap = { ...toggleGoal(map, 2), stepCost: 3, lengthCounts: true, endless: true }
+    const { map: file } = readMap(writeMap(paid, 'x'))
+    expect(file).toMatchObject({ id: 'own:x', start: 0, goal: 1, map: { goals: [2], endless: true } })
+    expect(file).toMatchObject({ stepCost: 3, lengthCost: 0.02 })
     const moves = file!.map.actions.map((list) => list.map(({ to, reward, slip }) => ({ to, reward, slip })))
     expect(moves).toEqual([
       [

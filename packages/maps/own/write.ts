@@ -23,6 +23,7 @@ function writeRoads(map: RoadMap, id: string): string {
       ...{ map: ownId(id), name: map.name, dress: map.dress, cover: map.cover },
       ...{ 'cm-per-unit': paper.cmPerUnit, 'plaza-cm': STRAIGHT, start: map.start, goal: map.goals[0] },
       ...{ goals: map.goals.join(' '), endless: map.endless && '', 'step-cost': map.stepCost },
+      'length-counts': map.lengthCounts && '',
     })}>`,
     layer('scenery', [
       sceneryOf(

@@ -41,6 +41,7 @@ const parts = v.object({
   goals: v.pipe(v.array(index), v.minLength(1), v.maxLength(most.stations)),
   endless: v.exactOptional(v.literal(true)),
   stepCost: v.exactOptional(v.pipe(finite, v.minValue(-100), v.maxValue(100))),
+  lengthCounts: v.exactOptional(v.literal(true)),
 })
 
 /** Two roads may join the same stations only where each leads one way. A photo lies under the dress `photo`, and no other. */

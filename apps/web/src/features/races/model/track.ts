@@ -51,11 +51,12 @@ const ends: { readonly [map: string]: Pick<Task, 'start' | 'goal' | 'closed'> } 
 async function givenTrack(id: string): Promise<Track | null> {
   const stage = maps.maps.includes(id) ? await loadStage(id) : null
   if (!stage) return null
-  const { map, start = 0, goal = map.actions.length - 1, goalReward, stepCost } = stage.map
+  const { map, start = 0, goal = map.actions.length - 1, goalReward, stepCost, lengthCost } = stage.map
   const task: Task = {
     ...{ map, start, goal, ...ends[id] },
     ...(goalReward !== undefined && { goalReward }),
     ...(stepCost !== undefined && { stepCost }),
+    ...(lengthCost !== undefined && { lengthCost }),
   }
   return { stage, task, world: layOutWorld(task), name: mapName(id), project: null }
 }
