@@ -143,6 +143,11 @@ export const health = v.object({
   memory: v.number(),
   freeSpace: v.number(),
   addresses: list(v.string()),
+  /** When a device other than the server's own last reached it, ms since 1970; null: none has. */
+  otherDevice: v.nullable(v.number()),
+  /** Pages of pupils and teachers that are connected now. */
+  streams: v.number(),
+  version: v.string(),
   backups,
 })
 export type Health = v.InferOutput<typeof health>

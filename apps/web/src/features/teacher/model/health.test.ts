@@ -5,6 +5,7 @@ const now = Date.UTC(2026, 10, 24, 9)
 const health = {
   ...{ now, secure: false, database: 'sqlite', memory: 96e6, freeSpace: 11.4e9 },
   ...{ addresses: ['http://localhost:4173', 'http://192.168.0.5:4173'] },
+  ...{ otherDevice: (now - 60_000) as number | null, streams: 24, version: '0.1.0' },
   backups: { count: 0, last: null as string | null },
 }
 const own = { hostname: 'localhost', origin: 'http://localhost:4173' }
@@ -37,6 +38,13 @@ test('too much memory, a full disk and a clock that is wrong are shown', () => {
     'memory',
     'space',
     'clock',
+  ])
+})
+
+test('until another device has reached the lab, a phone is to be tried', () => {
+  const alone = { ...health, otherDevice: null, streams: 0, backups: null }
+  expect(toDo(healthOf(inRoom, { secure: true, health: alone, here: now, wifi: null }, 'en'))).toEqual([
+    'clients',
   ])
 })
 

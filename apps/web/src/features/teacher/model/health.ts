@@ -81,6 +81,17 @@ function backupFact({ backups }: Health, locale: string): Fact {
   }
 }
 
+const clientsFact = ({ otherDevice, streams }: Health): Fact => ({
+  ...{ id: 'clients', fine: otherDevice !== null, title: m['teacher.clients']() },
+  text: otherDevice === null ? m['teacher.clientsNone']() : m['teacher.clientsText'](),
+  value: String(streams),
+})
+
+const versionFact = ({ version }: Health): Fact => ({
+  ...{ id: 'version', fine: true, title: m['teacher.version']() },
+  ...{ text: m['teacher.versionText'](), value: version },
+})
+
 interface Known {
   readonly secure: boolean
   /** What the server reports to a teacher; null: nothing yet. */
@@ -95,11 +106,13 @@ interface Known {
 export function healthOf(at: Place, { secure, health, here, wifi }: Known, locale: string): readonly Fact[] {
   const known = health
     ? [
+        clientsFact(health),
         memoryFact(health),
         spaceFact(health, locale),
         clockFact(health, here, locale),
         backupFact(health, locale),
       ]
     : []
-  return [addressFact(at, health?.addresses ?? [], wifi), ...known, offlineFact(secure)]
+  const last = health ? [versionFact(health)] : []
+  return [addressFact(at, health?.addresses ?? [], wifi), ...known, offlineFact(secure), ...last]
 }
