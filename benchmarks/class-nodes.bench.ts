@@ -66,7 +66,10 @@ async function measured(count: number, killed: boolean) {
   const proxy = await roundRobin(nodes.map(({ node }) => node.port))
   const before = nodes.map(({ node }) => cpuOf(node))
   let failing: Promise<unknown> = Promise.resolve()
-  if (killed) setTimeout(() => (failing = nodes[1]!.fails()), (seconds * 1000) / 2)
+  const kill = () => {
+    failing = nodes[1]!.fails()
+  }
+  if (killed) setTimeout(kill, (seconds * 1000) / 2)
   // The newest link for the first teacher is that of the last node.
   const token = nodes.at(-1)!.node.token()
   const figures = await playLesson({ url: proxy.url, token, pupils, seconds, every: 0.2 })

@@ -22,11 +22,5 @@ export {
   type PracticeChoice,
 } from './choice.ts'
 export { afterLesson, beginLesson, errorOn, lossesOn, rightIn, type Lesson } from './lesson.ts'
-export {
-  beginExercise,
-  beginningOfExercise,
-  prepare,
-  type Exercise,
-  type Prepared,
-} from './prepare.ts'
+export { beginExercise, beginningOfExercise, prepare, type Exercise, type Prepared } from './prepare.ts'
 export { findingsIn, type ExampleFinding, type Table } from './checks/index.ts'
