@@ -1,3 +1,4 @@
+import { resolve } from 'node:path'
 import {
   CannotServe,
   inRepository,
@@ -54,7 +55,10 @@ async function open(args: string[]): Promise<string> {
     stopWhenTold(server)
     const token = await classServer.firstTeacher()
     if (values.open) openPage(`${server.url}${token === null ? '' : `/teacher/start#${token}`}`)
-    return [greeting(server), invitation(token, classServer, server, folder)].filter(Boolean).join('\n\n')
+    const kept = values.database === undefined ? message('serve.kept', { folder: resolve(folder) }) : ''
+    return [greeting(server), kept, invitation(token, classServer, server, folder)]
+      .filter(Boolean)
+      .join('\n\n')
   } catch (error) {
     throw sayProblem(error)
   }
