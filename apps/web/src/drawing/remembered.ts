@@ -28,3 +28,13 @@ export function sameOnes<T>(
     return old !== undefined && isSame(old, one) ? old : one
   })
 }
+
+/** Gives back the last value for as long as the next one says the same. */
+export function steady<T>(): (next: T) => T {
+  let last: { readonly value: T; readonly text: string } | null = null
+  return (value) => {
+    const text = JSON.stringify(value)
+    if (text !== last?.text) last = { value, text }
+    return last.value
+  }
+}

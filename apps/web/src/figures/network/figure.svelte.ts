@@ -19,7 +19,7 @@ import type { Command, Group } from '#drawing/commands.ts'
 import type { NetworkLayout } from '#drawing/network.ts'
 import { formatNumber } from '#drawing/numbers.ts'
 import { distance, type Point, type Size } from '#drawing/points.ts'
-import { Remembered, sameOnes } from '#drawing/remembered.ts'
+import { Remembered, sameOnes, steady } from '#drawing/remembered.ts'
 import { freeLine, gripsOf, knobPlace, linksAt, stagger, type Scale, type Track } from '#drawing/track.ts'
 import { letters } from '#figures/letters.svelte.ts'
 import { comfort } from '#storage/comfort.svelte.ts'
@@ -83,16 +83,6 @@ export interface KnobPlace {
 
 const isSamePlace = (a: KnobPlace, b: KnobPlace) =>
   a.at.x === b.at.x && a.at.y === b.at.y && a.grip === b.grip
-
-/** Gives back the last value for as long as the next one says the same. */
-function steady<T>(): (next: T) => T {
-  let last: { readonly value: T; readonly text: string } | null = null
-  return (value) => {
-    const text = JSON.stringify(value)
-    if (text !== last?.text) last = { value, text }
-    return last.value
-  }
-}
 
 const forcedColours = new MediaQuery('(forced-colors: active)', false)
 
