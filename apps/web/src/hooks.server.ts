@@ -9,11 +9,13 @@ const preload = ({ type, path }: { readonly type: string; readonly path: string 
 const manifest = `.svelte-kit/${process.env['BOTGARTEN_WEB_SPACE'] ? 'web-space/' : ''}output/client/.vite/manifest.json`
 
 /** The script with a card is asked for by scripts that are long under way: its page names it, and it travels beside them. */
-async function linkToCard(card: string): Promise<string> {
+async function linkToCard(card: string, { pathname }: URL): Promise<string> {
   const { readFile } = await import('node:fs/promises')
   const built = JSON.parse(await readFile(manifest, 'utf8')) as { [id: string]: { file: string } | undefined }
   const file = built[`content:card/${card}`]?.file
-  return file ? `<link href="../${file}" rel="modulepreload">` : ''
+  // A web space's pages are folders, a level deeper.
+  const root = pathname.endsWith('/') ? '../../' : '../'
+  return file ? `<link href="${root}${file}" rel="modulepreload">` : ''
 }
 
 /**
@@ -22,7 +24,7 @@ async function linkToCard(card: string): Promise<string> {
  */
 export const handle: Handle = async ({ event, resolve }) => {
   const { card } = event.params
-  const link = building && card ? await linkToCard(card) : ''
+  const link = building && card ? await linkToCard(card, event.url) : ''
   const transformPageChunk = ({ html }: { html: string }) => html.replace('</head>', `${link}</head>`)
   const response = await resolve(event, { preload, transformPageChunk })
   if (building || dev || !event.route.id || response.status !== 200) return response
