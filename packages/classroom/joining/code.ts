@@ -3,15 +3,16 @@ import { codeWords, type CodeLanguage } from '@botgarten/content/codes'
 const words = 3
 const telling = 4
 
-/** Three words for a new class. `random`: that many random bytes. */
+/** Three different words for a new class: nobody wonders if a word was read twice. `random`: that many random bytes. */
 export function newCode(language: CodeLanguage, random: (bytes: number) => Uint8Array): string {
   const list = codeWords(language)
-  const bytes = random(words * 2)
-  return Array.from({ length: words }, (_, at) => {
+  const code = new Set<string>()
+  while (code.size < words) {
+    const bytes = random(2)
     // 512 words divide 65,536 evenly: all are equally likely.
-    const number = bytes[at * 2]! * 256 + bytes[at * 2 + 1]!
-    return list[number % list.length]!
-  }).join(' ')
+    code.add(list[(bytes[0]! * 256 + bytes[1]!) % list.length]!)
+  }
+  return [...code].join(' ')
 }
 
 /**
