@@ -1,10 +1,20 @@
 // Maps that somebody draws: as documents, as SVG there and back, and what can be said of them.
 export * from './edit.ts'
+export { bridgesOf, bridgeStrokes } from './bridges.ts'
 export { coverStrokes, photoAddress, sceneryOf, strokesOf, type Stroke } from './dress.ts'
-export { faultsOf, lineOf, sampled, SHORTEST, TIGHTEST, type RoadFault, type RoadLine } from './line.ts'
+export {
+  bendPiece,
+  faultsOf,
+  lineOf,
+  sampled,
+  SHORTEST,
+  TIGHTEST,
+  type RoadFault,
+  type RoadLine,
+} from './line.ts'
 export { openMap, type OpenedMap } from './open.ts'
 export { openRoads, reachOf, type Reach } from './reach.ts'
-export { crossingsOf, icy, writeMap } from './write.ts'
+export { icy, writeMap } from './write.ts'
 export {
   colourOf,
   emptyRooms,

@@ -91,14 +91,31 @@ function roomOf(points: readonly Point[], index: number, length: number): number
 }
 
 function pathOf(points: readonly Point[], arcs: readonly Arc[]): string {
-  const corners = arcs.map(({ radius, cut, sweep }, index) => {
-    const [before, corner, after] = points.slice(index, index + 3) as [Point, Point, Point]
-    if (radius === Infinity || radius < SHARP) return `L${at(corner)}`
-    const [a, b] = [distance(before, corner), distance(corner, after)]
-    const [from, to] = [along(corner, before, cut / a), along(corner, after, cut / b)]
-    return `L${at(from)}A${short(radius)} ${short(radius)} 0 0 ${sweep ? 1 : 0} ${at(to)}`
-  })
+  const corners = arcs.map((arc, index) => `L${arcData(points, index, arc) ?? at(points[index + 1]!)}`)
   return `M${at(points[0]!)}${corners.join('')}L${at(points.at(-1)!)}`
+}
+
+/** The arc at a bend, as path data that begins with its first point; null: the road has a corner there. */
+function arcData(points: readonly Point[], bend: number, { radius, cut, sweep }: Arc): string | null {
+  if (radius === Infinity || radius < SHARP) return null
+  const [from, to] = besidesCorner(points, bend, cut)
+  return `${at(from)}A${short(radius)} ${short(radius)} 0 0 ${sweep ? 1 : 0} ${at(to)}`
+}
+
+/** The places so many units before and behind a bend. */
+function besidesCorner(points: readonly Point[], bend: number, far: number): readonly [Point, Point] {
+  const [before, corner, after] = points.slice(bend, bend + 3) as [Point, Point, Point]
+  const [a, b] = [distance(before, corner), distance(corner, after)]
+  return [along(corner, before, far / a), along(corner, after, far / b)]
+}
+
+/** The piece of a road that is one of its bends, as path data. */
+export function bendPiece({ stations }: Pick<RoadMap, 'stations'>, road: MapRoad, bend: number): string {
+  const points = [stations[road.from]!, ...road.bends, stations[road.to]!]
+  const arc = arcData(points, bend, arcAt(points, bend + 1))
+  if (arc !== null) return `M${arc}`
+  const [from, to] = besidesCorner(points, bend, STRAIGHT)
+  return `M${at(from)}L${at(points[bend + 1]!)}L${at(to)}`
 }
 
 const along = (from: Point, to: Point, share: number): Point => ({

@@ -1,5 +1,6 @@
 import { paper, type MapDocument, type MapRoad, type RoadMap } from '@botgarten/programs'
 import { distance, type Point } from '../point.ts'
+import { bridgeStrokes, bridgesOf } from './bridges.ts'
 import { coverStrokes, sceneryOf, strokesOf, type Stroke } from './dress.ts'
 import { attributes, coinAt, ink, layer, round, stationDrawn } from './layers.ts'
 import { lineOf, sampled, STRAIGHT } from './line.ts'
@@ -31,7 +32,7 @@ function writeRoads(map: RoadMap, id: string): string {
         lines.map(({ there }) => there),
       ),
     ]),
-    layer('roads', [...drawn, ...bridges(map, lines.map(({ there }) => there)), ...map.roads.map((road, index) => marksOn(road, lines[index]!.there))], 'fill="none" stroke-linecap="round" stroke-linejoin="round"'), // prettier-ignore
+    layer('roads', [...drawn, ...bridgesDrawn(map, lines.map(({ there }) => there)), ...map.roads.map((road, index) => marksOn(road, lines[index]!.there))], 'fill="none" stroke-linecap="round" stroke-linejoin="round"'), // prettier-ignore
     layer(
       'covers',
       coversOf(
@@ -68,46 +69,12 @@ const roadDrawn = ({ dress }: RoadMap, road: MapRoad, line: string) =>
 /** A slippery road is of ice. */
 export const icy = (colour: string) => (colour === ink ? '#3E7D8E' : '#DDF1F6')
 
-/** Where a road crosses one that was drawn before it leads over it: with rails on both sides. */
-function bridges({ dress }: RoadMap, lines: readonly string[]): string[] {
-  const points = lines.map((line) => sampled(line))
-  return crossingsOf(points).map(({ upper, at }) => {
-    const near = points[upper]!.filter((point) => distance(point, at) < 46)
-    const line = near.map(({ x, y }, index) => `${index === 0 ? 'M' : 'L'}${round(x)} ${round(y)}`).join('')
-    const [outer] = strokesOf(dress)
-    const rails = [
-      { colour: ink, width: outer!.width + 18 },
-      { colour: '#E3B36F', width: outer!.width + 8 },
-    ]
-    return `<g stroke-linecap="butt">${[...rails, ...strokesOf(dress)].map((one) => stroke(line, one)).join('')}</g>`
-  })
-}
-
-/** Where roads cross, and which of them leads over the other: the later one. Ends that meet at a station do not cross. */
-export function crossingsOf(
-  roads: readonly (readonly Point[])[],
-): { readonly upper: number; readonly at: Point }[] {
-  const found: { upper: number; at: Point }[] = []
-  for (let upper = 1; upper < roads.length; upper++)
-    for (let lower = 0; lower < upper; lower++) {
-      const [a, b] = [roads[upper]!, roads[lower]!]
-      const ends = [a[0]!, a.at(-1)!, b[0]!, b.at(-1)!]
-      for (let i = 1; i < a.length; i++)
-        for (let k = 1; k < b.length; k++) {
-          const at = crossing(a[i - 1]!, a[i]!, b[k - 1]!, b[k]!)
-          if (at && ends.every((end) => distance(end, at) > 60)) found.push({ upper, at })
-        }
-    }
-  return found
-}
-
-function crossing(a: Point, b: Point, c: Point, d: Point): Point | null {
-  const [ux, uy, vx, vy] = [b.x - a.x, b.y - a.y, d.x - c.x, d.y - c.y]
-  const area = ux * vy - uy * vx
-  if (area === 0) return null
-  const s = ((c.x - a.x) * vy - (c.y - a.y) * vx) / area
-  const t = ((c.x - a.x) * uy - (c.y - a.y) * ux) / area
-  return s >= 0 && s < 1 && t >= 0 && t < 1 ? { x: a.x + s * ux, y: a.y + s * uy } : null
+/** The pieces of road that lead over another one, on rails. */
+function bridgesDrawn({ dress }: RoadMap, lines: readonly string[]): string[] {
+  const strokes = bridgeStrokes(dress)
+  return bridgesOf(lines).map(
+    ({ line }) => `<g stroke-linecap="butt">${strokes.map((one) => stroke(line, one)).join('')}</g>`,
+  )
 }
 
 /** Arrows of a one-way road, the sign of a closed one, and what it pays. */
