@@ -1,7 +1,7 @@
 import {
   createLearner,
   episodeLog,
-  greedyPath,
+  greedyAction,
   layOutWorld,
   learnedPath,
   lengthOf,
@@ -41,10 +41,10 @@ export function runLane(race: Race, lane: number, run: number): RunRecord {
   const learner = createLearner(world, settingsOf(race.lanes[lane - 1]!), streamOf(race, lane, run))
   const log = episodeLog(race.tries)
   const points = pointsOf(race.tries)
-  const isGood = world.isSlippery ? () => false : goodWays(world)
+  const good = goodWay(world)
   let first: number | null = null
   const ways = points.map((point) => {
-    first ??= searchUntil(learner, point, log, isGood)
+    first ??= searchUntil(learner, point, log, good)
     runEpisodes(learner, point - learner.episodes, log)
     return wayOf(learner)
   })
@@ -56,30 +56,44 @@ export function runLane(race: Race, lane: number, run: number): RunRecord {
 }
 
 /** Runs on to a point at most. Returns after how many moves a try has ended with a good way; null: none has. */
-function searchUntil(
-  learner: QLearner,
-  point: number,
-  log: EpisodeLog,
-  isGood: (states: readonly number[]) => boolean,
-): number | null {
+function searchUntil(learner: QLearner, point: number, log: EpisodeLog, good: GoodWay): number | null {
   if (learner.world.isSlippery) return null
   while (learner.episodes < point) {
     runEpisodes(learner, 1, log)
-    // The quick question first: without a greedy way there is no learned one.
-    const shown = greedyPath(learner).states
-    if (shown && isGood(shown) && learnedPath(learner).states) return learner.steps
+    // The quick question first: it is asked after every try.
+    if (!arrives(learner, good.moves)) continue
+    const { states } = learnedPath(learner)
+    if (states && good.is(states)) return learner.steps
   }
   return null
 }
 
-/** Is a way a shortest one: by length where length counts, else by sections? */
-function goodWays(world: QWorld): (states: readonly number[]) => boolean {
+interface GoodWay {
+  /** It has so many moves at most. */
+  readonly moves: number
+  is(states: readonly number[]): boolean
+}
+
+/** What a shortest way is: by length where length counts, else by sections. */
+function goodWay(world: QWorld): GoodWay {
   if (world.task.lengthCost) {
     const shortest = shortestLength(world) ?? 0
-    return (states) => lengthOf(world, states) <= shortest + 1e-6
+    return { moves: world.states, is: (states) => lengthOf(world, states) <= shortest + 1e-6 }
   }
-  const shortest = shortestPath(world)
-  return ({ length }) => length === shortest
+  const shortest = shortestPath(world) ?? 0
+  return { moves: shortest - 1, is: ({ length }) => length === shortest }
+}
+
+/** Do the best actions lead from the start to a goal within so many moves? */
+function arrives(learner: QLearner, moves: number): boolean {
+  const { world, tries } = learner
+  let state = world.start
+  for (let move = 0; move < moves && world.isGoal[state] === 0; move++) {
+    const action = greedyAction(learner, state)
+    if (action < 0 || tries[action] === 0) return false
+    state = world.leads[action]!
+  }
+  return world.isGoal[state] === 1
 }
 
 function wayOf(learner: QLearner): WayThen {
