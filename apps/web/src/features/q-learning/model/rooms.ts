@@ -84,3 +84,32 @@ export function warmth(q: ArrayLike<number>, tries: ArrayLike<number>): readonly
   const places = new Map(order.map((value, index) => [value, (100 * index) / Math.max(1, order.length - 1)]))
   return known.map((value) => (value === null ? null : places.get(value)!))
 }
+
+/** Where an action may lead. */
+export interface End {
+  readonly to: number
+  /** 0..1. */
+  readonly odds: number
+  /** The reward, and γ times the best value there. */
+  readonly brings: number
+}
+
+/** Where an action may lead, and what that brings by these values; equal ends as one. */
+export function endsOf(world: QWorld, q: ArrayLike<number>, action: number, gamma: number): readonly End[] {
+  const { outcome, to: targets, reward, upTo } = world
+  const ends = new Map<string, End>()
+  for (let end = outcome[action]!; end < outcome[action + 1]!; end++) {
+    const to = targets[end]!
+    const odds = upTo[end]! - (end === outcome[action] ? 0 : upTo[end - 1]!)
+    const name = `${to} ${reward[end]!}`
+    const before = ends.get(name)?.odds ?? 0
+    ends.set(name, { to, odds: before + odds, brings: reward[end]! + gamma * bestAt(world, q, to) })
+  }
+  return [...ends.values()]
+}
+
+/** The largest value of a place; 0 where an attempt ends. */
+function bestAt({ first, terminal }: QWorld, q: ArrayLike<number>, state: number): number {
+  const values = Array.from({ length: first[state + 1]! - first[state]! }, (_, k) => q[first[state]! + k]!)
+  return terminal[state] === 1 || values.length === 0 ? 0 : Math.max(...values)
+}
