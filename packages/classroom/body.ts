@@ -5,19 +5,23 @@ import type { Route } from './route.ts'
 const mostOfForm = 16_000
 const mostOfProject = 5_000_000
 
-/** Reads a request's text and stops at the limit, whatever its header says. */
-async function textOf(request: Request, most: number): Promise<string> {
+/** Reads a request's bytes and stops at the limit, whatever its header says. */
+async function bytesOf(request: Request, most: number): Promise<Uint8Array> {
   if (Number(request.headers.get('content-length') ?? 0) > most) throw new Refusal(413, 'tooBig', { most })
-  const decoder = new TextDecoder('utf-8', { fatal: true })
-  const pieces: AsyncIterable<Uint8Array> | [] = request.body ?? []
-  let [text, bytes] = ['', 0]
+  const pieces: Uint8Array[] = []
+  let length = 0
+  for await (const piece of (request.body ?? []) as AsyncIterable<Uint8Array> | []) {
+    length += piece.length
+    if (length > most) throw new Refusal(413, 'tooBig', { most })
+    pieces.push(piece)
+  }
+  return Buffer.concat(pieces, length)
+}
+
+/** Decoded in one go: piece by piece Node makes texts of two bytes a letter, and takes several times as long. */
+async function textOf(request: Request, most: number): Promise<string> {
   try {
-    for await (const piece of pieces) {
-      bytes += piece.length
-      if (bytes > most) throw new Refusal(413, 'tooBig', { most })
-      text += decoder.decode(piece, { stream: true })
-    }
-    return text + decoder.decode()
+    return new TextDecoder('utf-8', { fatal: true }).decode(await bytesOf(request, most))
   } catch (error) {
     // Broken UTF-8, or a sender that went away.
     throw error instanceof Refusal ? error : new Refusal(400, 'notUnderstood')

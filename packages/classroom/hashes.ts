@@ -1,7 +1,7 @@
-import { createHash, createHmac, timingSafeEqual } from 'node:crypto'
+import { createHmac, hash, timingSafeEqual } from 'node:crypto'
 
 /** Hash of a secret that is random enough by itself, such as a session's token. */
-export const hashOf = (text: string): string => createHash('sha256').update(text).digest('hex')
+export const hashOf = (text: string): string => hash('sha256', text)
 
 /** Keyed hash of what could be guessed: pictures, addresses. Useless to who has the database alone. */
 export const keyedHash = (secret: Uint8Array, ...parts: readonly string[]): string =>

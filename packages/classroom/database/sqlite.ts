@@ -27,6 +27,9 @@ class Dialect extends SqliteDialect {
 /** Pages of the journal after which a commit puts it away itself, 16 MB: `checkpoint` comes long before. */
 const mostPages = 4000
 
+/** Of the file's pages so many kB stay in memory, in place of 16 MB that fill up in a lesson: a save reads few of them twice. */
+const cache = 4000
+
 const mostStatements = 200
 
 /** Compiles a query once: a save asks the same dozen every time. */
@@ -57,6 +60,7 @@ export function openSqlite(file: string): Database {
     sqlite.pragma('journal_mode = WAL')
     sqlite.pragma('synchronous = FULL')
     sqlite.pragma(`wal_autocheckpoint = ${mostPages}`)
+    sqlite.pragma(`cache_size = -${cache}`)
     sqlite.pragma('foreign_keys = ON')
     // What was deleted is not to be found in the file's free pages.
     sqlite.pragma('secure_delete = ON')

@@ -1,4 +1,5 @@
-import { parseProject, ProjectError, writeProject } from '@botgarten/programs'
+// Of the programs' room only how a project is read: the worker holds no simulation.
+import { parseProject, ProjectError, writeProject } from '@botgarten/programs/project'
 import { hashOf } from '../hashes.ts'
 
 export interface Asset {

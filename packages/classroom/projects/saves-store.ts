@@ -36,11 +36,12 @@ export async function saveInside(db: Db, save: Save, most = mostSpace): Promise<
   }
   const revision = await takeRevision(db, save)
   if (revision === null) return await conflictOrSame(db, save)
-  await addVersion(db, save, revision)
+  // First: the new version takes the place in the file that the old one leaves, and half as much is written.
+  const gone = await dropSurplus(db, save, revision)
+  const added = await addVersion(db, save, revision)
   const { card, done } = save.checked
   if (card !== null) await noteResult(db, { pupil: save.pupil, class: save.class, card, done })
-  await dropSurplus(db, save)
-  const space = await spaceWithin(db, save, most)
+  const space = await spaceWithin(db, save, await addSpace(db, save.class, added - gone), most)
   // The transaction is to be rolled back.
   if (space === null) throw new ClassFull()
   return { kind: 'saved', revision, space }
@@ -133,8 +134,13 @@ async function changesNothing(db: Db, { pupil, project, base, checked }: Save): 
   return head?.hash === checked.hash
 }
 
+/** A name of a save that another project has had already is noted no more: sent twice, the work itself is found equal. */
 const noteAnswered = (db: Db, { pupil, save, project, at }: Save, revision: number) =>
-  db.insertInto('answered').values({ pupil, save, project, revision, savedAt: at }).execute()
+  db
+    .insertInto('answered')
+    .values({ pupil, save, project, revision, savedAt: at })
+    .onConflict((conflict) => conflict.columns(['pupil', 'save']).doNothing())
+    .execute()
 
 const headOf = (db: Db, pupil: string, project: string) =>
   db
@@ -146,7 +152,8 @@ const headOf = (db: Db, pupil: string, project: string) =>
     .limit(1)
     .executeTakeFirst()
 
-async function addVersion(db: Db, save: Save, revision: number): Promise<void> {
+/** @returns how many bytes the class holds more */
+async function addVersion(db: Db, save: Save, revision: number): Promise<number> {
   const { pupil, project, class: classId, at, checked } = save
   const { document, hash, assets } = checked
   const bytes = Buffer.byteLength(document)
@@ -162,44 +169,44 @@ async function addVersion(db: Db, save: Save, revision: number): Promise<void> {
       .values(assets.map(({ name, hash: content }) => ({ ...key, name, hash: content })))
       .execute()
   await noteAnswered(db, save, revision)
-  await addSpace(db, classId, bytes + added)
+  return bytes + added
 }
 
-const addSpace = (db: Db, classId: string, bytes: number) =>
-  db
+/** @returns bytes of the class */
+async function addSpace(db: Db, classId: string, bytes: number): Promise<number> {
+  const row = await db
     .updateTable('class')
     .set((row) => ({ space: row('space', '+', bytes) }))
     .where('id', '=', classId)
-    .execute()
+    .returning('space')
+    .executeTakeFirst()
+  return row?.space ?? 0
+}
 
-async function dropSurplus(db: Db, { pupil, project, class: classId, at }: Save): Promise<void> {
+/** Drops the versions that are too many with this one. @returns how many bytes they had */
+async function dropSurplus(db: Db, { pupil, project, at }: Save, next: number): Promise<number> {
   const rows = await db
     .selectFrom('version')
     .select(['revision', 'savedAt', 'bytes'])
     .where('pupil', '=', pupil)
     .where('project', '=', project)
     .execute()
-  const gone = surplus(rows, at)
-  if (gone.length === 0) return
+  const gone = surplus([...rows, { revision: next, savedAt: at }], at)
+  if (gone.length === 0) return 0
   await db
     .deleteFrom('version')
     .where('pupil', '=', pupil)
     .where('project', '=', project)
     .where('revision', 'in', gone)
     .execute()
-  const bytes = rows
-    .filter(({ revision }) => gone.includes(revision))
-    .reduce((sum, row) => sum + row.bytes, 0)
-  await addSpace(db, classId, -bytes)
+  return rows.filter(({ revision }) => gone.includes(revision)).reduce((sum, row) => sum + row.bytes, 0)
 }
 
 /** Bytes of the class after old versions made room where it had to be; null where there is not enough. */
-async function spaceWithin(db: Db, save: Save, most: number): Promise<number | null> {
-  const row = await db.selectFrom('class').select('space').where('id', '=', save.class).executeTakeFirst()
-  let space = row?.space ?? 0
-  if (space <= most) return space
+async function spaceWithin(db: Db, save: Save, counted: number, most: number): Promise<number | null> {
+  if (counted <= most) return counted
   // Pictures of versions that went may be counted still.
-  space = await recount(db, save.class)
+  let space = await recount(db, save.class)
   while (space > most) {
     const oldest = await oldestSpare(db, save.class)
     if (!oldest) return null

@@ -16,7 +16,11 @@ export const longestKey = 220
 const reserved = new Set(['__proto__', 'constructor', 'prototype'])
 export const isReserved = (name: string) => reserved.has(name)
 
+/** Most bytes that UTF-8 takes for one unit of a text. */
+const widest = 3
+
 export function refuseBigText(text: string): void {
+  if (text.length * widest <= mostBytes) return
   if (text.length > mostBytes || bytesIn(text) > mostBytes) throw tooBig()
 }
 
