@@ -6,6 +6,8 @@ function read(): Promise<readonly CardOfClass[]> {
   return new Promise((resolve, reject) => {
     worker.once('message', resolve)
     worker.once('error', reject)
+    // After its answer this changes nothing.
+    worker.once('exit', () => reject(new Error('The cards were not read.')))
   })
 }
 

@@ -1,3 +1,6 @@
+import { once } from 'node:events'
+import { createServer } from 'node:http'
+import type { AddressInfo } from 'node:net'
 import { mkdirSync, mkdtempSync, readFileSync, rmSync, statSync, writeFileSync } from 'node:fs'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
@@ -62,4 +65,38 @@ test('the link of the first teacher is a file for its owner alone, and goes when
   expect(token).toHaveLength(22)
   expect(() => statSync(file)).toThrow()
   await server.close()
+})
+
+/** A class server that is asked over HTTP by its first teacher. */
+async function taught() {
+  const classServer = await openClassServer({ data: folder })
+  const http = createServer((request, response) => void classServer.answer(request, response))
+  http.listen(0, '127.0.0.1')
+  await once(http, 'listening')
+  const url = `http://127.0.0.1:${(http.address() as AddressInfo).port}`
+  let cookie = ''
+  async function ask(method: string, path: string, body?: unknown) {
+    const headers = { origin: url, cookie, 'content-type': 'application/json' }
+    const text = body === undefined ? null : JSON.stringify(body)
+    const answer = await fetch(`${url}/api/class${path}`, { method, headers, body: text })
+    cookie ||= answer.headers
+      .getSetCookie()
+      .map((line) => line.split(';')[0]!)
+      .join('; ')
+    return answer
+  }
+  const token = await classServer.firstTeacher()
+  await ask('POST', '/teachers', { token, username: 'm.weber', password: 'kastanie im regen' })
+  return { classServer, http, ask }
+}
+
+test('what is being answered when a server closes still has its database', async () => {
+  const { classServer, http, ask } = await taught()
+  const made = await ask('POST', '/classes', { name: '5b', language: 'en', grade: 5, endsOn: '2099-01-31' })
+  const { id } = (await made.json()) as { id: string }
+  // It reads all cards first, and then the database.
+  const [results] = [ask('GET', `/classes/${id}/results`), await once(http, 'request')]
+  await classServer.close()
+  expect((await results).status).toBe(200)
+  http.close()
 })

@@ -13,6 +13,7 @@ import {
   openDataFolder,
   openPostgres,
   secretIn,
+  type Caller,
   type Database,
   type Ports,
 } from '@botgarten/classroom'
@@ -147,6 +148,15 @@ function serverOn(
   })
   const stopLive = startLive(ports.live)
   const stopNights = startNights(ports, folder)
+  /** What is being answered; the database stays open for it. */
+  const inHand = new Set<Promise<unknown>>()
+
+  function handled(request: Request, caller: Caller): Promise<Response> {
+    const answering = handle(request, ports, caller)
+    inHand.add(answering)
+    void answering.finally(() => inHand.delete(answering))
+    return answering
+  }
 
   async function answer(incoming: IncomingMessage, response: ServerResponse) {
     let request: Request
@@ -157,7 +167,7 @@ function serverOn(
     }
     const caller = callerOf(incoming, proxies)
     record.note(caller.address, ports.now())
-    await send(await handle(request, ports, caller), response)
+    await send(await handled(request, caller), response)
     // What was not read of a body that was refused is read to nowhere, so that the sender hears the answer.
     if (!incoming.complete) incoming.resume()
   }
@@ -175,6 +185,7 @@ function serverOn(
       stopLive()
       await ports.live.close()
       await stopNights()
+      await Promise.all(inHand)
       await close()
       await database.close()
       free()

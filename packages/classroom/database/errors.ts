@@ -9,6 +9,12 @@ const byCode: { readonly [code: string]: readonly [status: number, code: string]
   SQLITE_IOERR: [503, 'notWritable'],
   SQLITE_CORRUPT: [503, 'broken'],
   SQLITE_NOTADB: [503, 'broken'],
+  // Two did the same in one moment, or what a row belongs to was just deleted: who asks again hears so.
+  SQLITE_CONSTRAINT_FOREIGNKEY: [503, 'busy'],
+  SQLITE_CONSTRAINT_PRIMARYKEY: [503, 'busy'],
+  SQLITE_CONSTRAINT_UNIQUE: [503, 'busy'],
+  '23503': [503, 'busy'],
+  '23505': [503, 'busy'],
   // PostgreSQL: disk full, read only, too many connections, locks, shutting down, starting up.
   '53100': [507, 'diskFull'],
   '25006': [503, 'notWritable'],

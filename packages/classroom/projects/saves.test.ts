@@ -52,6 +52,43 @@ onBothDatabases((fresh) => {
     expect(versions).toHaveLength(2)
   })
 
+  test('one name for saves of two projects mixes nothing', async () => {
+    const { browser } = await pupil()
+    const id = newSave()
+    for (const project of ['project-1', 'project-2'])
+      for (const times of [1, 2])
+        expect(
+          await save(browser, 0, projectText(project), id, project),
+          `${project} ${times}`,
+        ).toMatchObject({
+          ...{ status: 200, body: { revision: 1 } },
+        })
+    expect((await browser.get('/projects/project-2')).body).toMatchObject({
+      project: { name: 'Garden project-2' },
+    })
+  })
+
+  test('of a pupil who is removed while a save is checked nothing comes back', async () => {
+    const { browser, id } = await pupil()
+    const checkProject: Server['ports']['checkProject'] = async (text) => {
+      await teacher.delete(`/classes/${classId}/pupils/${id}`)
+      return server.ports.checkProject(text)
+    }
+    const meanwhile = new Server(server.ports.database, { checkProject, accounts: server.ports.accounts })
+    meanwhile.now = server.now
+    const child = meanwhile.browser()
+    for (const [name, value] of browser.cookies) child.cookies.set(name, value)
+    const id1 = newSave()
+    expect(await save(child, 0, projectText('a'), id1)).toMatchObject({
+      status: 503,
+      body: { error: 'busy' },
+    })
+    expect(await save(child, 0, projectText('a'), id1)).toMatchObject({
+      status: 401,
+      body: { error: 'join' },
+    })
+  })
+
   test('a save that changes nothing is no version more, and may come twice', async () => {
     const { browser } = await pupil()
     await save(browser, 0, projectText('a'))

@@ -3,6 +3,7 @@ import { username } from 'better-auth/plugins/username'
 import type { Database } from '../database/database.ts'
 import { keyedHash } from '../hashes.ts'
 import type { Caller } from '../ports.ts'
+import { Refusal } from '../refusal.ts'
 import { endSessionsOfTeacher, setPassword, teacherCalled } from './accounts-store.ts'
 
 /** A teacher who is signed in. */
@@ -114,7 +115,8 @@ export function accountsOn(database: Database, secret: Uint8Array, hashing?: Has
   async function teacherOf(headers: Headers, caller: Caller): Promise<Teacher | null> {
     if (!headers.get('cookie')?.includes('botgarten-teacher')) return null
     const answer = await forward('/get-session', headers, null, caller)
-    if (!answer.ok) throw new Error('The session of a teacher could not be read.')
+    // better-auth hides what the database said.
+    if (!answer.ok) throw new Refusal(503, 'busy')
     const found = (await answer.json()) as Session | null
     return found && { id: found.user.id, username: found.user.displayUsername }
   }
