@@ -1,4 +1,4 @@
-import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
+import { mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import { openClassServer } from '@botgarten/server'
@@ -75,3 +75,18 @@ test('a teacher who has forgotten the password gets a new one, by the console or
   expect(signedIn.status).toBe(200)
   await server.close()
 })
+
+test(
+  'a rehearsal prints its figures as one line of JSON, and leaves nothing',
+  { timeout: 60_000 },
+  async () => {
+    const { stdout } = await botgarten('serve', '--rehearse', '2', '--seconds', '1', '--json', '--data', data)
+    // On a machine that is busy with tests it may be red.
+    process.exitCode = undefined
+    const figures = JSON.parse(stdout) as Record<string, number>
+    expect(Object.keys(figures)).toEqual(['pupils', 'saves', 'lost', 'p99', 'rss'])
+    expect(figures).toMatchObject({ pupils: 2, lost: 0 })
+    expect(figures['saves']).toBeGreaterThan(0)
+    expect(readdirSync(data).filter((name) => name.startsWith('rehearsal-'))).toEqual([])
+  },
+)

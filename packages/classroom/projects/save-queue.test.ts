@@ -55,6 +55,21 @@ test('saves that come while others are committed wait for the next commit alone,
   expect(commits()).toBeLessThanOrEqual(4)
 })
 
+test('with 30 ms more for each wait for the disk no save of a class of 35 waits for 200 ms of them', async () => {
+  const { save: kept, commits } = counted()
+  const pupils = await classWith(35, { save: kept })
+  const waited: number[] = []
+  async function save(pupil: (typeof pupils)[number], at: number) {
+    const began = commits()
+    const { status } = await pupil.put(`/projects/project-1?base=${at}&save=save-${1000 + at}`, text(at))
+    expect(status).toBe(200)
+    waited.push(30 * (commits() - began))
+  }
+  for (let at = 0; at < 8; at++) await Promise.all(pupils.map((pupil) => save(pupil, at)))
+  // The journal may have been on its way into the file when a save came.
+  expect(Math.max(...waited) + 2 * 30).toBeLessThan(200)
+})
+
 test('the journal of the file does not grow without end, also where one save follows the other', async () => {
   const [pupil] = await classWith(1, {})
   for (let at = 0; at < 400; at++)

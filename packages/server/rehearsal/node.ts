@@ -11,6 +11,8 @@ export interface NodeOptions {
   readonly port?: number
   /** What runs Node, such as `taskset -c 1`. */
   readonly prefix?: readonly string[]
+  /** Further options of Node. */
+  readonly flags?: readonly string[]
   readonly env?: NodeJS.ProcessEnv
 }
 
@@ -46,12 +48,13 @@ export async function startNode({
   database,
   port = 0,
   prefix = [],
+  flags: further = [],
   env = {},
 }: NodeOptions): Promise<ServingNode> {
   const [program = process.execPath, ...before] = [...prefix, process.execPath]
   const address = database === undefined ? [] : ['--database', database]
   const serve = ['serve', '--port', String(port), '--data', data, '--lang', 'en', ...address]
-  const flags = ['--disable-warning=ExperimentalWarning', ...serverFlags]
+  const flags = ['--disable-warning=ExperimentalWarning', ...serverFlags, ...further]
   const args = [...before, ...flags, inRepository('apps', 'cli', 'botgarten.ts'), ...serve]
   const running = spawn(program, args, {
     env: { ...process.env, ...serverEnv, ...env },
