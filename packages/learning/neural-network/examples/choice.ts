@@ -11,7 +11,7 @@ export const starterChoice: PracticeChoice = {
   settings: { ...starter, keepBack: 0, from: 'knobs', mirror: true },
 }
 
-export function practiceChoice({ practice }: Brain): PracticeChoice {
+export function practiceChoice({ practice }: Pick<Brain, 'practice'>): PracticeChoice {
   const { seed, settings } = practice?.next ?? practice ?? starterChoice
   return { seed, settings }
 }

@@ -1,6 +1,7 @@
 import type { Brain, Weights } from '@botgarten/learning/neural-network'
 import {
   exerciseBy,
+  practiceChoice,
   prepare,
   type Exercise,
   type PracticeChoice,
@@ -8,6 +9,7 @@ import {
 import { obstacleTo } from '@botgarten/learning/neural-network/train'
 import type { NetworkInUse } from '@botgarten/programs'
 import { mirrorIn } from '@botgarten/programs/examples'
+import { steady } from '#drawing/remembered.ts'
 import { level } from '#figures/network/level.svelte.ts'
 import type { LabSession } from '#lab/session.svelte.ts'
 import { Knobs } from './knobs.svelte.ts'
@@ -31,10 +33,15 @@ export class Assignment {
   readonly layers = $derived.by(() => this.brain?.layers ?? [])
   readonly examples = $derived.by(() => this.brain?.examples ?? null)
   readonly note = $derived.by(() => this.brain?.practice)
-  readonly choice: PracticeChoice = $derived.by(() => {
-    const note = this.note
-    return this.net && note ? this.session.examples.choice(this.net.id) : presets[level.name]
-  })
+  /** Of the present, whatever moment is shown. */
+  readonly #chosen = $derived.by(() => this.net && this.session.lab.document.brains[this.net.id]?.practice)
+  readonly #steady = steady<PracticeChoice>()
+  /** The same object while it says the same: every report of practice writes the brain, and rows are laid out by this. */
+  readonly choice: PracticeChoice = $derived.by(() =>
+    this.#steady(
+      this.note ? practiceChoice(this.#chosen ? { practice: this.#chosen } : {}) : presets[level.name],
+    ),
+  )
   /** Which neuron stands for which in a mirror; null: this network has no left and right. */
   readonly mirror = $derived.by(() => (this.net ? mirrorIn(this.net, this.session.config) : null))
   /** What would be practised now. */

@@ -4,6 +4,8 @@ import { Practiser } from './practiser.ts'
 
 /** Milliseconds between two reports: nobody sees more than 20 a second. */
 const between = 50
+/** Milliseconds of work before the first one: who has pressed waits for it. */
+const beforeFirst = 2
 
 export interface Surroundings {
   /** Milliseconds. */
@@ -70,8 +72,9 @@ export class Host {
     if (!practiser || practiser.isDone) return
     const around = this.#around
     const now = () => around.now()
-    practiser.work(now, now() + around.slice)
-    const isRipe = practiser.hasNews && !this.#isUnheard && now() - this.#posted >= between
+    const slice = this.#posted === -Infinity ? Math.min(beforeFirst, around.slice) : around.slice
+    practiser.work(now, now() + slice)
+    const isRipe = practiser.hasMoved && !this.#isUnheard && now() - this.#posted >= between
     if (isRipe || practiser.isDone) this.#post(practiser)
     if (!practiser.isDone) this.#workLater(Math.min(between, practiser.wait(now())))
   }

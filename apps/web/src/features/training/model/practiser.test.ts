@@ -131,6 +131,20 @@ test('at most twenty reports come in a second, each with the parameters of its p
   }
 })
 
+test('the first report comes as soon as a round has passed, and not before', () => {
+  for (const [look, most] of [
+    [0.05, 25],
+    [5, 1],
+  ] as const) {
+    const { host, reports, pass } = begun(look, 8)
+    host.take({ kind: 'go', until: 3000, pace: Infinity })
+    pass()
+    const [first] = reports.flatMap((one) => (one.kind === 'progress' ? [one.round] : []))
+    expect(first).toBeGreaterThanOrEqual(1)
+    expect(first).toBeLessThanOrEqual(most)
+  }
+})
+
 test('who has not taken a report in gets none, but the last one', () => {
   const reports: Report[] = []
   let now = 0

@@ -86,6 +86,11 @@ export class Practiser {
     return this.#points.length > 0
   }
 
+  /** Has a round that nobody was told of passed since it was asked to go? */
+  get hasMoved(): boolean {
+    return this.hasNews && this.#practice.round > this.#began.round
+  }
+
   /** What has come since the last report. */
   report(): Progress {
     const practice = this.#practice

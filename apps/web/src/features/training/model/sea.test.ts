@@ -1,6 +1,6 @@
 import type { Brain } from '@botgarten/learning/neural-network'
 import { expect, test } from 'vitest'
-import { dotsOf, kindOf, meansOf, seaOf, turnAt } from './sea.ts'
+import { dotsOf, kindOf, meansOf, seaOf, stripesOf, turnAt } from './sea.ts'
 
 const neuron = (id: string) => ({ id, activation: 'identity' as const, bias: 0 })
 const layers = [
@@ -18,6 +18,17 @@ test('with each eye on its own wheel the sea is left above the diagonal and righ
   expect(at(0.8, 0.2)).toBe('right')
   expect(at(0.5, 0.5)).toBe('straight')
   expect(at(0, 0)).toBe('stand')
+})
+
+test('its stripes cover every place once, each with its kind', () => {
+  const sea = seaOf(brain, weights, [], wheels)!
+  const painted = new Int8Array(sea.kinds.length).fill(-9)
+  const stripes = stripesOf(sea)
+  for (const { kind, row, column, length } of stripes)
+    painted.fill(kind, row * sea.cells + column, row * sea.cells + column + length)
+  expect(painted).toEqual(sea.kinds)
+  expect(stripes.reduce((sum, { length }) => sum + length, 0)).toBe(sea.kinds.length)
+  expect(stripes.length).toBeLessThan(5 * sea.cells)
 })
 
 test('of lamps the highest above 0 is the one that is shown', () => {

@@ -42,6 +42,26 @@ export function seaOf(brain: Brain, weights: Weights, others: readonly number[],
   return { cells, kinds }
 }
 
+export interface Stripe {
+  readonly kind: number
+  readonly row: number
+  readonly column: number
+  readonly length: number
+}
+
+/** Neighbours in a row that are of one kind, together: there are few of them, and each is painted at once. */
+export function stripesOf({ cells, kinds }: Sea): readonly Stripe[] {
+  const stripes: Stripe[] = []
+  for (let row = 0; row < cells; row++)
+    for (let column = 0, end = 0; column < cells; column = end) {
+      const kind = kinds[row * cells + column]!
+      do end++
+      while (end < cells && kinds[row * cells + end] === kind)
+      stripes.push({ kind, row, column, length: end - column })
+    }
+  return stripes
+}
+
 /** The mean of each input over the rows; 0 where there are none. */
 export function meansOf(rows: readonly ShownRow[], width: number): readonly number[] {
   return Array.from({ length: width }, (_, k) => {
