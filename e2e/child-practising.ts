@@ -2,6 +2,7 @@ import type { CardProgram } from '@botgarten/content'
 import type { Brain } from '@botgarten/learning/neural-network'
 import { headOfRow, place, type Row } from '@botgarten/learning/neural-network/examples'
 import { expect } from '@playwright/test'
+import { BlockHands } from './child-blocks.ts'
 import { NetHands } from './child-network.ts'
 import { TimeHands } from './child-time.ts'
 import { Teaching } from './child-training.ts'
@@ -23,6 +24,7 @@ export async function practises(child: Child, { start, solution }: Task) {
   const [before, after] = [brainIn(start), brainIn(solution)]
   const teaching = new Teaching(child)
   await putsLayersIn(child, before, after)
+  if (seesLight(after) && !seesLight(before)) await addsLight(child)
   const [shown, aside] = [rowsToShow(before, after), rowsToSetAside(after)]
   if (shown.length > 0 || aside.length > 0) await teaching.shows()
   if (shown.length > 0) await (isDriven(after) ? drives(child, after) : showsRows(child, shown, after))
@@ -62,6 +64,22 @@ async function putsLayersIn(child: Child, before: Brain, after: Brain) {
   }
 }
 
+const seesLight = ({ layers }: Brain) => layers[0]!.some(({ id }) => id === 'light')
+
+/** Pulls the block that reads how bright the floor is to the end of the sensors' list. */
+async function addsLight(child: Child) {
+  const hands = new BlockHands(child)
+  const name = child.word('block.ai_nn_input_node_coloursensor_light.row0', { SENSORPORT: '' }).split(' ')[0]!
+  const lists = child.block('forever').locator('.ai_easy_list')
+  const inputs = lists.filter({ hasNot: child.page.locator('.ai_nn_output_node') })
+  const { x, y, height } = (await inputs.boundingBox())!
+  const knobs = await child.knobs.count()
+  await hands.searches(name)
+  // A block of the sensors has the same words, and comes before.
+  await hands.pulls(hands.hits.filter({ hasText: name }).last(), { x: x + 40, y: y + height - 24 })
+  await expect(child.knobs).toHaveCount((knobs * 3) / 2)
+}
+
 /** Where its network drives wrong a child takes over: from places 2 and 3 by turns, slowly. */
 async function coaches(child: Child) {
   const teaching = new Teaching(child)
@@ -80,8 +98,12 @@ const isCoached = ({ examples }: Brain): boolean => (examples?.drives ?? []).som
 
 const isMirrored = ({ practice }: Brain): boolean => practice?.settings.mirror ?? false
 
-const rowsToShow = (before: Brain, after: Brain): readonly Row[] =>
-  before.examples ? [] : (after.examples?.rows ?? [])
+/** Those that the solution has more, where it was shown by hand: what was driven or helped is told by its drives. */
+function rowsToShow(before: Brain, after: Brain): readonly Row[] {
+  const rows = after.examples?.rows ?? []
+  if (!before.examples) return rows
+  return isCoached(after) ? [] : rows.slice(before.examples.rows.length)
+}
 
 /** Numbers of the rows that are off, from 1. */
 const rowsToSetAside = ({ examples }: Brain): readonly number[] =>
@@ -105,12 +127,13 @@ async function showsRows(child: Child, rows: readonly Row[], { examples, layers 
   const teaching = new Teaching(child)
   // The whole floor can be reached then.
   await child.presses('world.all')
+  const given = await teaching.count()
   for (const [index, row] of rows.entries()) {
     await teaching.puts({ x: row[place.x]!, y: row[place.y]!, heading: row[place.heading]! })
     const wishes = row.slice(headOfRow + examples!.inputs.length)
     const [left, right] = wishes
     if (layers.at(-1)!.length === 2) await teaching.remembers(left!, right!)
     else await teaching.remembersWords(wishes.flatMap((wish, k) => ((wish ?? 0) > 0 ? [k] : [])))
-    await teaching.seesExamples(index + 1)
+    await teaching.seesExamples(given + index + 1)
   }
 }

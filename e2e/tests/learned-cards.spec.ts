@@ -19,6 +19,7 @@ const learned = [
   'by-heart',
   'either-or-2',
   'too-fast',
+  'who-knows',
 ]
 
 for (const language of languagesOf(import.meta.filename))
