@@ -2,6 +2,7 @@
 import { axeFindings } from '../axe.ts'
 import { Teaching } from '../child-training.ts'
 import { expect, test } from '../house.ts'
+import { languagesOf } from '../words.ts'
 
 /** The six rows of the picture. */
 const rows = `eyeLeft,eyeRight,wheelLeft,wheelRight
@@ -92,3 +93,47 @@ test('a child shows Bo what to do, lets it practise and drive, repairs a row, an
     page.getByText(child.word('training.file.table.noNumber', { row: 2, column: 3, cell: 'x' })),
   ).toBeVisible()
 })
+
+for (const language of languagesOf(import.meta.filename))
+  test.describe(`with nothing but keys and without motion, in ${language}`, () => {
+    test.use({ language })
+
+    test('a child remembers two rows, practises, goes back to a round and lets Bo drive', async ({
+      child,
+      page,
+    }) => {
+      await page.emulateMedia({ reducedMotion: 'reduce' })
+      const teaching = new Teaching(child)
+      await child.opensLab('show-it')
+      const ways = page.getByRole('toolbar', { name: child.word('network.ways'), exact: true })
+      await child.tabsTo(ways.locator('[tabindex="0"]'))
+      await child.types('ArrowRight', 'Enter')
+      await expect(teaching.table).toBeVisible()
+
+      for (const [row, presses] of [
+        [1, 8],
+        [2, 4],
+      ] as const) {
+        for (const wheel of ['training.leftWheel', 'training.rightWheel'])
+          await child.tabsTo(page.getByRole('slider', { name: child.word(wheel), exact: true }))
+        await child.types(...Array.from({ length: presses }, () => 'ArrowRight'))
+        await child.tabsTo(page.locator('.hand .main').getByRole('button'))
+        await child.types('Enter')
+        await teaching.seesExamples(row)
+      }
+      await expect(teaching.table.getByRole('button', { name: / 60$/ })).toBeVisible()
+
+      await child.tabsTo(ways.locator('[tabindex="0"]'))
+      await child.types('ArrowRight', 'Enter')
+      await child.tabsTo(page.locator('.practise .bar .button.network'))
+      await child.types('Enter')
+      await expect(child.words('training.done')).toBeVisible()
+      await child.tabsTo(teaching.curve)
+      await child.types('Home')
+      await expect(teaching.curve).toHaveAttribute('aria-valuenow', '0')
+      await child.types('End')
+      await expect(teaching.curve).toHaveAttribute('aria-valuenow', '60')
+      await child.pressesStart()
+      await child.seesDriving()
+    })
+  })

@@ -52,6 +52,7 @@ export class LabSession {
   readonly #extras: Extras
   readonly #progress: CardProgress
   readonly #findings: Findings
+  #settlers: readonly ((change: Change | null) => void)[] = []
   #listeners: readonly ((event: LabEvent) => void)[] = []
   /** Takes the pull back that a hand is in the middle of. */
   #pulled: Change | null = null
@@ -69,6 +70,7 @@ export class LabSession {
       apply: (change, part) => this.apply(change, part),
       hasFuture: () => this.lab.facts.other,
       now: () => this.lab.view.time.now,
+      settle: () => this.#settle(null),
     })
     this.autosave = new ProjectAutosave(opened.id, opened.revision)
     this.autosave.whenRenamed = (name) => (this.#extras.name = name)
@@ -141,12 +143,25 @@ export class LabSession {
     return () => (this.#listeners = this.#listeners.filter((one) => one !== listener))
   }
 
+  /**
+   * Is asked before every step, and with null before the last one is taken back: what is under way becomes a step of its own
+   * first.
+   */
+  settles(settler: (change: Change | null) => void): void {
+    this.#settlers = [...this.#settlers, settler]
+  }
+
+  #settle(change: Change | null): void {
+    for (const settler of this.#settlers) settler(change)
+  }
+
   #tell(event: LabEvent): void {
     for (const listener of this.#listeners) listener(event)
   }
 
   /** Changes the project, and tells all who listen. Returns whether anything has changed. */
   apply(change: Change, part: Part = 'whole'): boolean {
+    if (part !== 'silent') this.#settle(change)
     if (part !== 'silent' && goesOn.includes(change.kind)) this.goOn()
     // Who comes or goes does so now.
     if (change.kind === 'robots') this.lab.goTo(Infinity)
@@ -175,6 +190,7 @@ export class LabSession {
   /** Blockly has taken a step of its own: it can be taken back there. */
   noteBlocks(program: string): void {
     const blocks = (direction: 'undo' | 'redo') => ({ kind: 'blocks', program, direction }) as const
+    this.#settle(blocks('redo'))
     this.#tell({ kind: 'changed', change: blocks('redo'), back: blocks('undo'), joined: false })
   }
 

@@ -16,6 +16,8 @@ interface Host {
   hasFuture(): boolean
   /** Tick of the present run. */
   now(): number
+  /** What is under way becomes a step of its own first. */
+  settle(): void
 }
 
 const LONGEST = 500
@@ -76,6 +78,7 @@ export class UndoStack {
   }
 
   undo(): void {
+    this.#host.settle()
     this.#forgetFuture()
     const step = this.#done.at(-1)
     if (!step || !this.#host.apply(step.back, 'silent')) return
@@ -86,6 +89,7 @@ export class UndoStack {
   }
 
   redo(): void {
+    this.#host.settle()
     this.#forgetFuture()
     const step = this.#undone.at(-1)
     if (!step || !this.#host.apply(step.change, 'silent')) return

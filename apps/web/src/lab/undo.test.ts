@@ -16,6 +16,7 @@ function stack() {
     apply: (change) => asked.push(inWords(change)) > 0,
     hasFuture: () => world.hasFuture,
     now: () => world.tick,
+    settle: () => undefined,
   })
   const at = (tick: number, { change, back }: Done, joined = false) => {
     world.tick = tick

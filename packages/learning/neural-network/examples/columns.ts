@@ -24,5 +24,13 @@ export function columnsFor(
   }
 }
 
+/** The table with 0 in every gap; the same one where there is none. */
+export function withoutGaps(examples: Examples): Examples {
+  const hasGap = (row: readonly unknown[]) => row.includes(null)
+  if (!examples.rows.some(hasGap)) return examples
+  const rows = examples.rows.map((row) => (hasGap(row) ? row.map((value) => value ?? 0) : row))
+  return { ...examples, rows }
+}
+
 const missingIn = (columns: readonly string[], ids: readonly string[]) =>
   ids.filter((id) => !columns.includes(id))

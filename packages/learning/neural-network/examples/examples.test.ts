@@ -2,7 +2,17 @@ import fc from 'fast-check'
 import { describe, expect, it } from 'vitest'
 import { starter } from '../train/settings.ts'
 import { step } from '../train/step.ts'
-import { beginExercise, findingsIn, mostOf, noExamples, prepare, shownPairs, withDrive } from './index.ts'
+import {
+  beginExercise,
+  columnsFor,
+  findingsIn,
+  mostOf,
+  noExamples,
+  prepare,
+  shownPairs,
+  withDrive,
+  withoutGaps,
+} from './index.ts'
 import { splitDrives } from './split.ts'
 import type { Drive, Exercise, Recorded, ShownPair, Table } from './index.ts'
 
@@ -33,6 +43,13 @@ describe('a table of examples', () => {
     const drives = Array.from({ length: mostOf.drives }, (_, k) => drive(`${k}`))
     const all = { ...empty, drives }
     expect(withDrive(all, drive('more'), many)).toEqual({ examples: all, left: -1 })
+  })
+
+  it('fills its gaps with 0, and is the same table where it has none', () => {
+    const { examples } = withDrive(empty, drive('first'), [shown([40, 90], [10, 60])])
+    const wider = columnsFor(examples, ['l', 'r', 'new'], ['m', 'n'])
+    expect(withoutGaps(wider).rows).toEqual([[0, 6, 1, 2, 0, 1, 40, 90, 0, 10, 60]])
+    expect(withoutGaps(examples)).toBe(examples)
   })
 
   it('practises what is on and whole; a neuron that is new has gaps, one that is gone is not asked', () => {

@@ -11,7 +11,7 @@ export {
   type Shown,
   type ShownPair,
 } from './rows.ts'
-export { columnsFor } from './columns.ts'
+export { columnsFor, withoutGaps } from './columns.ts'
 export { withEarlierWishes } from './late.ts'
 export {
   exerciseBy,

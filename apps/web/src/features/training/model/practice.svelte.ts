@@ -1,5 +1,5 @@
 import { beginningOfExercise, exerciseBy, type Table } from '@botgarten/learning/neural-network/examples'
-import type { LabEvent } from '#lab/change.ts'
+import type { Change, LabEvent } from '#lab/change.ts'
 import type { LabSession } from '#lab/session.svelte.ts'
 import { Assignment } from './assignment.svelte.ts'
 import { Beats } from './beats.svelte.ts'
@@ -15,6 +15,9 @@ import {
   Rehearsal,
   weightsAt,
 } from './rehearsal.ts'
+
+/** Practice stops for these. */
+const stopping: readonly Change['kind'][] = ['blocks', 'program', 'examples', 'robots', 'brain', 'weight']
 
 /** How the network on the screen practises its examples: what a child does with rounds, and what has come of it. */
 export class Practice extends Assignment {
@@ -39,6 +42,7 @@ export class Practice extends Assignment {
     this.beats = new Beats(this)
     this.#adopt()
     session.listen((event) => this.#heed(event))
+    session.settles((change) => this.#settle(change))
   }
 
   get phase() {
@@ -223,6 +227,11 @@ export class Practice extends Assignment {
     if (change.kind === 'brain' || change.kind === 'future') this.#byHand()
     else if (change.kind === 'program' || change.kind === 'examples' || change.kind === 'robots')
       this.interrupt()
+  }
+
+  /** Something else is about to become a step: the rounds so far are one before it. */
+  #settle(change: Change | null): void {
+    if (!this.knobs.isOwn && (change === null || stopping.includes(change.kind))) this.interrupt()
   }
 
   /** Something else has changed the weights: a knob, or undo. */

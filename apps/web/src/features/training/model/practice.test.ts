@@ -55,6 +55,15 @@ describe('practice', () => {
     expect(practice.outcome.round).toBe(60)
   })
 
+  it('keeps its choice the same object however often it moves the knobs: rows are laid out by it', async () => {
+    const { practice, practised } = practising()
+    const before = practice.choice
+    await practised()
+    expect(practice.choice).toBe(before)
+    practice.choose({ rate: 0.3 })
+    expect(practice.choice.settings.rate).toBe(0.3)
+  })
+
   it('goes back to a round and on from there, bit for bit as if it had never stopped', async () => {
     const straight = practising()
     straight.practice.choose({ rounds: 120 })
@@ -178,6 +187,35 @@ describe('practice', () => {
     expect(practice.layers.map((layer) => layer.length)).toEqual([2, 2, 2])
     expect(practice.outcome.round).toBe(60)
     expect(practice.outcome.curve.map(({ round }) => round)).toEqual(Array.from({ length: 61 }, (_, k) => k))
+  })
+
+  it('is a step before the blocks that stop it, and undo takes it back where nothing else came after', async () => {
+    const { session, practice, weights } = practising()
+    const goes = async () => {
+      practice.pace = 10
+      const from = practice.outcome.round
+      practice.practise()
+      await vi.waitFor(() => expect(practice.outcome.round).toBeGreaterThan(from + 1))
+      return weights()
+    }
+    session.weights.turn('net', 'eyeLeft', 'wheelLeft', 0.4, 'whole')
+    const turned = weights()
+    session.moveBlocks = () => true
+    await goes()
+    session.noteBlocks('main')
+    expect(practice.phase).toBe('rest')
+    const practised = weights()
+    session.undo.undo()
+    expect(weights()).toEqual(practised)
+    session.undo.undo()
+    expect(weights()).toEqual(turned)
+
+    await goes()
+    session.undo.undo()
+    expect(practice.phase).toBe('rest')
+    expect(weights()).toEqual(turned)
+    session.undo.undo()
+    expect(weights()).not.toEqual(turned)
   })
 
   it('practises where all wishes are equal and one reading never changes', async () => {

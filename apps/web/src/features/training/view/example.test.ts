@@ -3,7 +3,7 @@ import { rowsOf, starter, type TrainTrace } from '@botgarten/learning/neural-net
 import { stream } from '@botgarten/numbers'
 import fc from 'fast-check'
 import { expect, test } from 'vitest'
-import { factorsOf, productOf } from './example.ts'
+import { factorsOf, formulaOf, gradientOf, productOf } from './example.ts'
 
 const neuron = (id: string, activation: 'identity' | 'tanh' | 'relu' = 'identity') => ({
   id,
@@ -54,4 +54,13 @@ test('with two outputs and no slope a step is speed × error × input, as in the
   const factors = factorsOf(trace, { rate: 0.1, batch: 1 }, ['a', 'o0'], false)
   expect(factors.map(({ name }) => name)).toEqual(['speed', 'error', 'input'])
   expect(factors[2]!.value).toBeCloseTo(0.8, 12)
+})
+
+test('experts read the gradient of this example, and the formula of the chosen method', () => {
+  const trace = traced(false, 2, [80, 100, 70], 0.1)
+  expect(gradientOf(trace, ['a', 'o0'])).toMatch(/^∂L\/∂w = ∂L\/∂z · x = −0[.,]26 · 0[.,]8 = −0[.,]208$/)
+  const plain = { optimizer: 'sgd', momentum: 0, decay: 0 } as const
+  expect(formulaOf(plain)).toBe('Δw = −η · ∂L/∂w')
+  expect(formulaOf({ ...plain, momentum: 0.9, decay: 0.01 })).toBe('v ← μ·v + (∂L/∂w + λ·w), Δw = −η · v')
+  expect(formulaOf({ ...plain, optimizer: 'adam' })).toBe('Δw = −η · m̂ ÷ (√v̂ + ε)')
 })

@@ -60,5 +60,25 @@ export function factorsOf(
   return all.filter(({ name, value }) => kept.includes(name) || value !== 1)
 }
 
+/** What the step at a knob is by the chosen method, for experts. η, μ, λ: speed, momentum, decay; m̂ and v̂ as Adam has them. */
+export function formulaOf({
+  optimizer,
+  momentum,
+  decay,
+}: Pick<Settings, 'optimizer' | 'momentum' | 'decay'>): string {
+  const slope = decay === 0 ? '∂L/∂w' : '(∂L/∂w + λ·w)'
+  if (optimizer === 'adam') return 'Δw = −η · m̂ ÷ (√v̂ + ε)'
+  return momentum === 0 ? `Δw = −η · ${slope}` : `v ← μ·v + ${slope}, Δw = −η · v`
+}
+
+/** The gradient of one example at a knob, from what is passed back to its sum and what comes in. */
+export function gradientOf(trace: TrainTrace, [from, to]: readonly [string, string]): string {
+  const link = trace.links.find((one) => one.from === from && one.to === to)
+  const neuron = trace.neurons.find(({ id }) => id === to)
+  if (!link || !neuron) return ''
+  const [delta, input, gradient] = [neuron.delta, link.input, link.gradient].map((value) => number(value, 4))
+  return `∂L/∂w = ∂L/∂z · x = ${delta} · ${input} = ${gradient}`
+}
+
 export const productOf = (factors: readonly Factor[]): number =>
   factors.reduce((product, { value }) => product * value, 1)

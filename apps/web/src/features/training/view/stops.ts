@@ -1,5 +1,7 @@
 import type { Activation } from '@botgarten/learning/neural-network'
 import { withActivation } from '@botgarten/learning/neural-network/brain'
+import type { Blocks } from '#lab/blocks.ts'
+import { columnsFor, withoutGaps } from '@botgarten/learning/neural-network/examples'
 import { m } from '#words/message.ts'
 import type { Practice } from '../model/practice.svelte.ts'
 import type { Training } from '../training.svelte.ts'
@@ -11,12 +13,12 @@ export interface Said {
 }
 
 /** What is to be said about practice as it stands; null: nothing. */
-export function stopOf(training: Training): Said | null {
+export function stopOf(training: Training, blocks: Blocks | undefined): Said | null {
   const { practice } = training
-  return obstacleOf(training) ?? endingOf(practice) ?? noteOf(practice)
+  return obstacleOf(training, blocks) ?? endingOf(practice) ?? noteOf(training)
 }
 
-function obstacleOf(training: Training): Said | null {
+function obstacleOf(training: Training, blocks: Blocks | undefined): Said | null {
   const { practice } = training
   const { obstacle, net } = practice
   if (!obstacle || !net) return null
@@ -26,7 +28,7 @@ function obstacleOf(training: Training): Said | null {
     case 'threshold':
       return {
         text: m['training.threshold'](),
-        ...wayOut(practice, obstacle.neurons, 'tanh', m['training.takeTanh']()),
+        way: { label: m['training.takeTanh'](), act: () => takeTanh(practice, blocks, obstacle.neurons) },
       }
     case 'none':
       return {
@@ -39,28 +41,28 @@ function obstacleOf(training: Training): Said | null {
     case 'softmax': {
       const all = practice.layers.flat().filter(({ activation }) => activation === 'softmax')
       const ids = all.map(({ id }) => id)
-      return { text: m['training.softmax'](), ...wayOut(practice, ids, 'identity', m['training.takeSum']()) }
+      const act = () => setOutputs(practice, ids, 'identity')
+      return { text: m['training.softmax'](), way: { label: m['training.takeSum'](), act } }
     }
     default:
       return { text: m[`training.${obstacle.kind}`]() }
   }
 }
 
-/** One press gives outputs another activation; what a hidden layer has is in its block. */
-function wayOut(
-  practice: Practice,
-  neurons: readonly string[],
-  to: Activation,
-  label: string,
-): Pick<Said, 'way'> {
-  const { net, session } = practice
-  const areOutputs = neurons.every((id) => net!.outputs.some((one) => one.id === id))
-  if (!areOutputs) return {}
-  const act = () =>
-    session.weights.change(net!.id, (brain) =>
-      neurons.reduce((changed, neuron) => withActivation(changed, neuron, to), brain),
-    )
-  return { way: { label, act } }
+/** What these outputs do with their sums, as one step. */
+function setOutputs({ net, session }: Practice, neurons: readonly string[], to: Activation): void {
+  session.weights.change(net!.id, (brain) =>
+    neurons.reduce((changed, neuron) => withActivation(changed, neuron, to), brain),
+  )
+}
+
+/** Neurons that could not practise get a slope: outputs by themselves, hidden ones at the block of their layer. */
+function takeTanh(practice: Practice, blocks: Blocks | undefined, neurons: readonly string[]): void {
+  const { hidden, outputs } = practice.net!
+  for (const { id } of hidden)
+    if (neurons.some((neuron) => neuron.startsWith(`${id}#`))) blocks?.setLayerActivation(id, 'tanh')
+  const own = neurons.filter((neuron) => outputs.some(({ id }) => id === neuron))
+  if (own.length > 0) setOutputs(practice, own, 'tanh')
 }
 
 /** Number in the table of a row that practises. */
@@ -83,10 +85,21 @@ function endingOf(practice: Practice): Said | null {
   return null
 }
 
-function noteOf(practice: Practice): Said | null {
+/** Rows of before a neuron was added get 0 there. */
+function fillGaps({ practice, showing }: Training): void {
+  const { inputs, outputs } = practice.net!
+  const ids = (layer: typeof inputs) => layer.map(({ id }) => id)
+  showing.change((examples) => withoutGaps(columnsFor(examples, ids(inputs), ids(outputs))))
+}
+
+function noteOf(training: Training): Said | null {
+  const { practice } = training
   if (practice.outcome.shaken) return { text: m['training.shaken']() }
   if (practice.prepared?.asks) return { text: m['training.whichTest']() }
   if (practice.prepared && practice.prepared.gaps > 0)
-    return { text: m['training.gaps']({ count: practice.prepared.gaps }) }
+    return {
+      text: m['training.gaps']({ count: practice.prepared.gaps }),
+      way: { label: m['training.fillGaps'](), act: () => fillGaps(training) },
+    }
   return null
 }
