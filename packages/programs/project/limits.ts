@@ -29,23 +29,33 @@ export const bytesIn = (text: string): number => new TextEncoder().encode(text).
 export const tooBig = () =>
   new ProjectError('tooBig', 'A project has at most 5 MB.', {}, { kind: 'size', most: mostBytes })
 
-/** Looks through foreign data without recursion: size, depth, and keys that must not be. Returns how many parts it has. */
+/**
+ * Looks through foreign data without recursion: size, depth, and keys that must not be. Returns how many parts it has. Two
+ * stacks of plain values: a pair for each of thousands of parts would be most of what a save leaves to the collector.
+ */
 export function refuseOversize(root: unknown): number {
-  const stack: { readonly value: unknown; readonly depth: number }[] = [{ value: root, depth: 0 }]
+  const values = [root]
+  const depths = [0]
   let parts = 0
   let bytes = 0
-  for (let top = stack.pop(); top; top = stack.pop()) {
-    const { value, depth } = top
+  while (values.length > 0) {
+    const [value, depth] = [values.pop(), depths.pop()!]
     bytes += typeof value === 'string' ? value.length : 0
     if (++parts > mostParts || bytes > mostBytes) throw tooBig()
     if (typeof value !== 'object' || value === null) continue
     if (depth >= deepest) throw tooDeep()
-    for (const [name, child] of Object.entries(value)) {
-      refuseKey(name)
-      stack.push({ value: child, depth: depth + 1 })
+    for (const child of childrenOf(value)) {
+      values.push(child)
+      depths.push(depth + 1)
     }
   }
   return parts
+}
+
+function childrenOf(value: object): readonly unknown[] {
+  if (Array.isArray(value)) return value
+  Object.keys(value).forEach(refuseKey)
+  return Object.values(value)
 }
 
 const tooDeep = () =>
