@@ -1,6 +1,7 @@
 // Rooms: q-learning
 import { axeFindings } from '../axe.ts'
 import { Learner, learningProject } from '../child-learning.ts'
+import { RobotHands } from '../child-robot.ts'
 import { expect, test } from '../house.ts'
 import { languagesOf } from '../words.ts'
 
@@ -129,6 +130,23 @@ for (const language of languagesOf(import.meta.filename)) {
       )
       await child.presses('q.letDrive')
       await child.seesDriving()
+    })
+
+    test('what Bo senses stands beside the floor that it drives on', async ({ child, page }) => {
+      const learner = new Learner(child)
+      await learner.opens('railway')
+      await learner.closes(2, 3)
+      await learner.hurries()
+      await child.presses('lab.start')
+      await expect(learner.floor).toBeVisible()
+      const bo = new RobotHands(child)
+      const floor = page.getByRole('application', { name: child.word('world.label') })
+      for (const what of ['senses', 'panel'] as const) {
+        await bo.opens(what)
+        const [left, right] = [(await floor.boundingBox())!, (await bo.drawer(what).boundingBox())!]
+        expect(left.width).toBeGreaterThan(300)
+        expect(right.x).toBeGreaterThanOrEqual(left.x + left.width)
+      }
     })
 
     test('a link carries the dice to another device, which learns the same', async ({ child, page }) => {
