@@ -1,5 +1,5 @@
 import type { RobotView, View } from '@botgarten/lab'
-import type { Obstacle, Pose, RobotConfig, World } from '@botgarten/simulation'
+import type { Pose, RobotConfig, World } from '@botgarten/simulation'
 import { badgeSides, drawBadge, drawLead, type Badge } from '#drawing/badges.ts'
 import { drawBeyond } from '#drawing/beyond.ts'
 import { partAt, partsOf } from '#drawing/bo.ts'
@@ -51,6 +51,8 @@ export interface GapOnFloor {
   readonly from: Point
   readonly to: Point
   readonly label: string
+  /** Where the run began, as the next one will; null: near where it ended, or nothing to say. */
+  readonly began: Pose | null
 }
 
 const configsOf = ({ robots }: World): ReadonlyMap<string, RobotConfig> =>
@@ -143,13 +145,14 @@ export class WorldScene {
   })
 
   readonly #ghosts: readonly Ghost[] = $derived.by(() => {
-    const { view, inside } = this.#shown()
+    const { view, inside, gap, robot } = this.#shown()
     const { present } = view.time
     if (present.length > 0 && !this.#words) void fetchWords('time').then(() => (this.#words = true))
     const then = this.#words ? present : []
     return [
       ...then.map((one) => ({ ...one, label: m['time.ghost'](), grey: true })),
       ...(inside?.ghost ? [{ ...inside.ghost, grey: false }] : []),
+      ...(gap?.began ? [{ id: robot, pose: gap.began, label: m['world.began'](), grey: true }] : []),
     ].flatMap(({ id, pose, label, grey }) => {
       const config = this.#configs.get(id)
       return config ? [{ config, pose, label, labelWidth: letters.widthOf(label, 14.5, 'read'), grey }] : []
@@ -294,7 +297,3 @@ export class WorldScene {
     return { x: x - Math.round(corner.x), y: y - Math.round(corner.y) }
   }
 }
-
-/** What a child calls an obstacle and where it stands. */
-export const placed = (thing: Obstacle, { x, y }: Pose): string =>
-  m['world.at']({ thing: thingName(thing), x: Math.round(x), y: Math.round(y) })

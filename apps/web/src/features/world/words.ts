@@ -1,4 +1,4 @@
-import type { Obstacle } from '@botgarten/simulation'
+import type { Obstacle, Pose } from '@botgarten/simulation'
 import { m } from '#words/message.ts'
 
 const names: { readonly [look: string]: () => string } = {
@@ -16,3 +16,7 @@ const names: { readonly [look: string]: () => string } = {
 /** What a child calls an obstacle that looks like this; one without a look by its shape. */
 export const thingName = ({ look, shape }: Pick<Obstacle, 'look' | 'shape'>): string =>
   (names[look ?? ''] ?? names[shape.kind] ?? m['world.thing.plain'])()
+
+/** What a child calls an obstacle and where it stands. */
+export const placed = (thing: Obstacle, { x, y }: Pose): string =>
+  m['world.at']({ thing: thingName(thing), x: Math.round(x), y: Math.round(y) })
