@@ -8,6 +8,8 @@ export interface Fit {
   readonly over: readonly string[]
   /** Px by which blocks are cut off at the right. */
   readonly cut: number
+  /** Px by which the network is higher than its place. */
+  readonly pans: number
 }
 
 /** Bo's track is 18 cm wide, Bo 21.5. */
@@ -41,12 +43,14 @@ export const fitOf = async (page: Page): Promise<Fit> => {
     const [left, right] = ['bo motor C', 'bo motor B'].map((name) =>
       globalThis.botgarten?.places().find((place) => place.name === name),
     )
+    const nets = [...document.querySelectorAll('.network-pane .stage')].map((stage) => stage.parentElement!)
     return {
       track: left && right ? Math.hypot(left.x - right.x, left.y - right.y) : null,
       over: buttons
         .filter((button) => covered.some((block) => meet(block, boxOf(button))))
         .map((button) => button.getAttribute('aria-label') ?? button.textContent.trim()),
       cut: Math.max(0, ...blocks.map((block) => block.right - edge.right)),
+      pans: Math.max(0, ...nets.map(({ scrollHeight, clientHeight }) => scrollHeight - clientHeight)),
     }
   })
   return { ...fit, bo: track === null ? null : track * widthByTrack }

@@ -2,6 +2,7 @@ import { expect } from '@playwright/test'
 import { Asker } from './child-inside.ts'
 import { Learner } from './child-learning.ts'
 import { NetHands } from './child-network.ts'
+import { RobotHands } from './child-robot.ts'
 import { SortingHands } from './child-sorting.ts'
 import { leftEye, leftWheel, rightEye, rightWheel, type Child } from './child.ts'
 import type { Screen } from './screens.ts'
@@ -26,6 +27,16 @@ async function makesMoves(child: Child, card: 'city') {
     await expect.poll(async () => (await new Learner(child).moves()).shown).toBe(move)
     await expect(child.button('q.pause')).toHaveCount(0)
   }
+}
+
+/** Learns on the railway at once; then Bo drives. */
+async function drives(child: Child) {
+  const learner = new Learner(child)
+  await learner.opens('railway')
+  await learner.closes(2, 3)
+  await learner.hurries()
+  await child.presses('lab.start')
+  await expect(child.button('lab.stop').first()).toBeVisible()
 }
 
 /** What opens a network or a learner to the eye; not on phones, where each has the screen to itself. */
@@ -99,14 +110,23 @@ const trying: readonly Screen[] = [
     },
   },
   {
-    name: 'railway-drive',
+    name: 'forest-guess-end',
     async show(child) {
       const learner = new Learner(child)
-      await learner.opens('railway')
-      await learner.closes(2, 3)
+      await learner.opens('forest')
+      await learner.closes(4, 6)
+      await learner.guesses(1, 4, 3, 5, 7)
+      await child.presses('q.guessing.learn')
       await learner.hurries()
-      await child.presses('lab.start')
-      await expect(child.button('lab.stop').first()).toBeVisible()
+      await expect(child.words('q.compare.title')).toBeVisible()
+    },
+  },
+  { name: 'railway-drive', show: async (child) => void (await drives(child)) },
+  {
+    name: 'railway-senses',
+    async show(child, phone) {
+      await drives(child)
+      if (!phone) await new RobotHands(child).opens('senses')
     },
   },
   {

@@ -1,11 +1,12 @@
 import { expect } from '@playwright/test'
 import { leftEye, leftWheel, rightEye, rightWheel, type Child } from './child.ts'
 import { Builder } from './child-build.ts'
+import { LooseHands } from './child-loose.ts'
 import { opensSettings } from './child-cards.ts'
 import { ProjectList } from './child-projects.ts'
 import { RobotHands } from './child-robot.ts'
 import { TimeHands } from './child-time.ts'
-import { projectFile, sayingProject } from './projects.ts'
+import { looseNet, projectFile, sayingProject } from './projects.ts'
 import { lookingIn } from './screens-looking-in.ts'
 import { mapScreens } from './screens-maps.ts'
 import { raceScreens } from './screens-races.ts'
@@ -32,6 +33,15 @@ async function drives(child: Child, seconds: number) {
   await child.pressesStart()
   await child.page.waitForTimeout(seconds * 1000)
   await child.presses('lab.pause')
+}
+
+/** Drives a card's own program to its end, or stops it: a goal is still open. */
+async function misses(child: Child, card: string) {
+  await child.opensLab(card)
+  await child.pressesStart()
+  await child.page.waitForTimeout(3000)
+  if (await child.button('lab.stop').first().isVisible()) await child.pressesStop()
+  await expect(child.page.getByText(child.word('missed.ask'))).toBeAttached()
 }
 
 /** A project whose first sensor is at a port where nothing is plugged in. */
@@ -94,6 +104,21 @@ export const screens: readonly Screen[] = [
     },
   },
   { name: 'first-drive', show: (child) => child.opensLab('forward') },
+  { name: 'missed', show: (child) => misses(child, 'forward') },
+  { name: 'missed-network', show: (child) => misses(child, 'friendship') },
+  {
+    name: 'loose',
+    async show(child, phone) {
+      await child.opensLab('free')
+      await child.opensProject('Loose', looseNet('Loose'))
+      if (phone) await child.turnsTo('networkTab')
+      await new LooseHands(child).seesLoose()
+    },
+  },
+  ...(['loud-distance', 'say-it', 'interest'] as const).map((name): Screen => ({
+    name,
+    show: (child) => child.opensLab(name),
+  })),
   { name: 'chameleon', show: (child) => child.opensLab('chameleon') },
   {
     name: 'build',

@@ -12,7 +12,7 @@ const sizes = [
   { width: 1024, height: 768 },
 ]
 
-test('on every card Bo is 44 px wide, no block is cut off, and nothing lies over blocks or their list', async ({
+test('on every card Bo is 44 px wide, blocks and network are whole, and nothing lies over blocks or their list', async ({
   child,
   page,
 }) => {
@@ -22,10 +22,10 @@ test('on every card Bo is 44 px wide, no block is cut off, and nothing lies over
       await page.setViewportSize(size)
       await child.opensLab(card)
       const fit = async () => {
-        const { bo, over, cut } = await fitOf(page)
-        return { card, width: size.width, small: Math.round(bo ?? 0) < 44, over, cut: Math.round(cut) }
+        const { bo, over, cut, pans } = await fitOf(page)
+        return { card, width: size.width, small: Math.round(bo ?? 0) < 44, over, cut: Math.round(cut), pans }
       }
-      await expect.poll(fit).toEqual({ card, width: size.width, small: false, over: [], cut: 0 })
+      await expect.poll(fit).toEqual({ card, width: size.width, small: false, over: [], cut: 0, pans: 0 })
     }
 })
 
