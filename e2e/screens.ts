@@ -35,12 +35,14 @@ async function drives(child: Child, seconds: number) {
   await child.presses('lab.pause')
 }
 
-/** Drives a card's own program to its end, or stops it: a goal is still open. */
-async function misses(child: Child, card: string) {
+/** Drives a card's own program until it ends by itself, or for some seconds: a goal is still open. */
+async function misses(child: Child, card: string, seconds?: number) {
   await child.opensLab(card)
   await child.pressesStart()
-  await child.page.waitForTimeout(3000)
-  if (await child.button('lab.stop').first().isVisible()) await child.pressesStop()
+  if (seconds !== undefined) {
+    await child.page.waitForTimeout(seconds * 1000)
+    await child.pressesStop()
+  }
   await expect(child.page.getByText(child.word('missed.ask'))).toBeAttached()
 }
 
@@ -105,7 +107,7 @@ export const screens: readonly Screen[] = [
   },
   { name: 'first-drive', show: (child) => child.opensLab('forward') },
   { name: 'missed', show: (child) => misses(child, 'forward') },
-  { name: 'missed-network', show: (child) => misses(child, 'friendship') },
+  { name: 'missed-network', show: (child) => misses(child, 'friendship', 3) },
   {
     name: 'loose',
     async show(child, phone) {
