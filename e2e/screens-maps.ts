@@ -1,6 +1,7 @@
 import { expect } from '@playwright/test'
 import { content } from '@botgarten/content/files'
 import { Learner } from './child-learning.ts'
+import { MapMaker } from './child-maps.ts'
 import type { Child } from './child.ts'
 import type { Screen } from './screens.ts'
 
@@ -163,4 +164,43 @@ const grids: readonly Screen[] = ['bandit', 'cliff', 'errand', 'lake', 'lake-8',
   },
 ])
 
-export const mapScreens = [...designing, ...grids, ...zoo]
+/** A room of ice, opened beside the map: where it may lead, in numbers. */
+const opened: readonly Screen[] = [
+  {
+    name: 'rooms-lake-opened',
+    neverPhone: true,
+    async show(child) {
+      const learner = await chooses(child, 'lake')
+      await learner.givesTries(5000, 100_000, { tries: 1, time: 10_000 })
+      await learner.learnsToTheEnd()
+      await child.page.locator('.drawer select').selectOption('explorer')
+      await child.button('q.room', { room: 8 }).click()
+    },
+  },
+]
+
+/** Two roads that cross, and a bend that is too tight. */
+const crossing: readonly Screen[] = [
+  {
+    name: 'map-crossing',
+    async show(child) {
+      await opens(child)
+      await child.presses('design.new')
+      const maker = new MapMaker(child)
+      const spots = await Promise.all([
+        maker.place(0.15, 0.2),
+        maker.place(0.85, 0.8),
+        maker.place(0.15, 0.8),
+        maker.place(0.85, 0.2),
+      ])
+      for (const { x, y } of spots) await child.page.mouse.click(x, y)
+      await child.presses('design.tool.road')
+      await child.drags(spots[0], spots[1])
+      await child.drags(spots[2], spots[3])
+      await child.drags(spots[0], spots[2])
+      await child.drags(await maker.place(0.15, 0.5), await maker.place(0.3, 0.24))
+    },
+  },
+]
+
+export const mapScreens = [...designing, ...crossing, ...grids, ...opened, ...zoo]

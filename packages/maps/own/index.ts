@@ -24,6 +24,7 @@ export {
   letterOf,
   resizeRooms,
   roomKinds,
+  roomPlaces,
   roomsDrawn,
   setRoom,
   windArrows,

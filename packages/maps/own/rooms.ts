@@ -27,7 +27,7 @@ export const windArrows = (strength: number): string =>
 export const colourOf = (letter: string): string => colours[letter] ?? colours['F']!
 
 /** Where the rooms of a map lie: sides and middles in units of its drawing, row by row. */
-function placesOf({ rows }: Pick<RoomMap, 'rows'>) {
+export function roomPlaces({ rows }: Pick<RoomMap, 'rows'>) {
   const columns = rows[0]!.length
   const side = rows.length * 1.2 > columns ? 1000 / rows.length : 1600 / columns
   const places = [...rows.join('')].map((_, room) => ({
@@ -39,13 +39,13 @@ function placesOf({ rows }: Pick<RoomMap, 'rows'>) {
 
 /** The rooms alone, as an SVG: without stations. */
 export const roomsDrawn = (map: RoomMap): string => {
-  const { width, height } = placesOf(map)
+  const { width, height } = roomPlaces(map)
   return `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${width} ${height}">${tilesOf(map)}</svg>`
 }
 
 function tilesOf(map: RoomMap): string {
   const { rows, wind } = map
-  const { side, places } = placesOf(map)
+  const { side, places } = roomPlaces(map)
   const letters = [...rows.join('')]
   const inner = side - 8
   const tiles = places.map(({ x, y }, room) => {
@@ -60,7 +60,7 @@ function tilesOf(map: RoomMap): string {
 /** A map of rooms as an SVG like those that everybody has: its letters at the root, a station a room. */
 export function writeRooms(map: RoomMap, id: string): string {
   const { rows, wind } = map
-  const { side, places, width, height } = placesOf(map)
+  const { side, places, width, height } = roomPlaces(map)
   const font = `font-family="'Baloo 2', Nunito, sans-serif" font-weight="800" font-size="${side / 5}" text-anchor="middle"`
   const root = attributes({
     ...{ map: ownId(id), name: map.name, rooms: '', grid: rows.join('/'), wind: wind?.join(' ') },
