@@ -1,8 +1,27 @@
-// Rooms: app
+// Rooms: app, class
+import { readFileSync } from 'node:fs'
+import { startServer } from '../../packages/server/index.ts'
+import { classOfTest } from '../class-server.ts'
 import { expect, test } from '../house.ts'
 import { trafficOf } from '../traffic.ts'
 
-test.use({ serviceWorkers: 'allow' })
+test.use({ serviceWorkers: 'allow', complaints: [/^A request to http:\/\/localhost:\d+\//] })
+
+const built = new URL('../../apps/web/.svelte-kit/output/client/.vite/manifest.json', import.meta.url)
+const manifest = JSON.parse(readFileSync(built, 'utf8')) as {
+  readonly [source: string]: { readonly file: string; readonly imports?: readonly string[] }
+}
+
+/** Scripts that come with these sources. */
+function scriptsWith(sources: readonly string[], found = new Set<string>()): ReadonlySet<string> {
+  for (const source of sources) {
+    const { file, imports = [] } = manifest[source]!
+    if (found.has(file)) continue
+    found.add(file)
+    scriptsWith(imports, found)
+  }
+  return found
+}
 
 // What is fetched for times without a network comes after the page stands, through the service worker, and is counted apart:
 // offline.spec.ts.
@@ -12,4 +31,29 @@ test('the whole lab comes in at most 40 requests and 0.8 MB', async ({ page, chi
   expect(requests).toBeLessThanOrEqual(40)
   expect(bytes).toBeGreaterThan(10_000)
   expect(bytes).toBeLessThanOrEqual(800_000)
+})
+
+test('without a class nothing of it travels, and the lab has not a byte more than where there is no class server', async ({
+  page,
+  child,
+}) => {
+  const asked: string[] = []
+  page.on('request', (request) => asked.push(new URL(request.url()).pathname.slice(1)))
+  const alone = await startServer({ port: 0, host: '127.0.0.1', classServer: null })
+  const beside = await classOfTest()
+  const of = (url: string) => trafficOf(page, `${url}/lab/friendship`, () => child.seesBlocks())
+  const [first, second] = [await of(alone.url), await of(beside.url)]
+  expect(second).toEqual(first)
+  await page.goto(`${beside.url}/`, { waitUntil: 'networkidle' })
+
+  const travelled = new Set(asked)
+  const pages = Object.keys(manifest).filter(
+    (source) => /nodes\/\d+\.js$/.test(source) && travelled.has(manifest[source]!.file),
+  )
+  expect(pages.length).toBeGreaterThan(1)
+  const ofPages = scriptsWith(pages)
+  const ofClass = [...scriptsWith(['src/features/class/lazy.ts'])].filter((file) => !ofPages.has(file))
+  expect(ofClass).toContain(manifest['src/features/class/lazy.ts']!.file)
+  expect(ofClass.filter((file) => travelled.has(file))).toEqual([])
+  for (const server of [alone, beside]) await server.close()
 })
