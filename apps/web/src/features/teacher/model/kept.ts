@@ -3,7 +3,7 @@ import { m } from '#words/message.ts'
 import type { Data } from './answers.ts'
 import { dayLabel } from './ends.ts'
 
-interface KeptRow {
+export interface KeptRow {
   readonly id: string
   readonly icon: IconName
   readonly title: string

@@ -8,6 +8,8 @@ import { Rehearsal } from '../../model/rehearsal.svelte.ts'
 /** In ms: so often the health of the server is asked again. */
 const healthEvery = 5000
 
+export type StepState = 'done' | 'now' | 'next'
+
 /** How far a first start has come. */
 export class Starting {
   readonly account: Account

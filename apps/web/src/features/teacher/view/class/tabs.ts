@@ -1,0 +1,16 @@
+import type { IconName } from '#parts/icons.ts'
+import { m } from '#words/message.ts'
+import type { View } from '../ways.ts'
+
+interface Tab {
+  readonly id: View
+  readonly icon: IconName
+  readonly label: () => string
+}
+
+export const tabs: readonly Tab[] = [
+  { id: 'live', icon: 'people', label: m['teacher.live'] },
+  { id: 'cards', icon: 'card', label: m['teacher.cards'] },
+  { id: 'class', icon: 'person', label: m['teacher.settings'] },
+  { id: 'data', icon: 'shield', label: m['teacher.data'] },
+]
