@@ -1,6 +1,6 @@
 import fc from 'fast-check'
 import { expect, test } from 'vitest'
-import { movedBy, shareOf, spanOf } from './scale.ts'
+import { movedBy, placeOn, shareOf, spanOf, tickAt } from './scale.ts'
 
 const s = 60
 
@@ -26,6 +26,22 @@ test('every moment that is kept lies on the slider, and there are never more tha
       for (const tick of span.labels) expect(tick).toBeGreaterThanOrEqual(first)
     }),
   )
+})
+
+test('the place of a moment on the slider leads back to it, whatever its width', () => {
+  const moments = fc.record({ tick: fc.nat(5 * s), width: fc.integer({ min: 60, max: 2000 }) })
+  fc.assert(
+    fc.property(moments, ({ tick, width }) => {
+      const span = spanOf(0, 4 * s)
+      expect(tickAt(span, placeOn(span, tick, width), width)).toBe(tick)
+    }),
+  )
+})
+
+test('beyond the ends of the slider lies what is no moment of the run', () => {
+  const span = spanOf(0, 4 * s)
+  expect(tickAt(span, 0, 340)).toBe(-20)
+  expect(tickAt(span, 340, 340)).toBe(5 * s + 20)
 })
 
 const press = (key: string, shiftKey = false) => movedBy({ key, shiftKey }, 600, { first: 0, now: 640 })

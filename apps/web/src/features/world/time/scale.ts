@@ -32,6 +32,17 @@ export function spanOf(first: number, now: number): Span {
 export const shareOf = ({ from, length }: Span, tick: number): number =>
   Math.min(1, Math.max(0, (tick - from) / length))
 
+/** Room for the thumb at both ends of the slider, in px. */
+const edge = 20
+
+/** Where a tick stands on a slider of this width, in px. */
+export const placeOn = (span: Span, tick: number, width: number): number =>
+  edge + shareOf(span, tick) * (width - 2 * edge)
+
+/** The tick that stands at a place of a slider of this width (px); it may lie beyond the run. */
+export const tickAt = ({ from, length }: Span, place: number, width: number): number =>
+  Math.round(from + ((place - edge) / (width - 2 * edge)) * length)
+
 /** Where a key takes the slider; null for other keys. Arrows go a tenth of a second, with Shift one, pages ten. */
 export function movedBy(
   { key, shiftKey }: Pick<KeyboardEvent, 'key' | 'shiftKey'>,
