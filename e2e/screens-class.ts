@@ -2,6 +2,7 @@ import { expect, type Page } from '@playwright/test'
 import { leftEye, leftWheel, type Child } from './child.ts'
 import { Pupil } from './child-class.ts'
 import { joins, saves, signsIn, type Joined, type MadeClass } from './made-class.ts'
+import { joining } from './screens-joining.ts'
 
 /** One picture of a class: how somebody gets there. */
 export interface ClassScreen {
@@ -11,12 +12,6 @@ export interface ClassScreen {
   readonly more?: readonly { readonly width: number; readonly height: number }[]
   show(child: Child, made: MadeClass): Promise<void>
 }
-
-const all = ['tree', 'cup', 'boat', 'star', 'house', 'fish', 'leaf', 'key', 'sun', 'ball', 'flag', 'moon']
-const wrong = (pupil: Joined) => all.filter((one) => !pupil.pictures.includes(one)).slice(0, 3)
-
-const named = (child: Child, pictures: readonly string[]) =>
-  pictures.map((one) => child.word(`class.picture.${one}`))
 
 /** A page of a class that cannot be reached. */
 const pullsCable = (page: Page) => page.route('**/api/class/**', (route) => route.abort())
@@ -108,84 +103,6 @@ const gate: readonly ClassScreen[] = [
       await made.teacher.ask('DELETE', `/classes/${made.id}`, { name: '5b' })
       await child.page.goto('/')
       await expect(child.words('class.ended')).toBeVisible()
-    },
-  },
-]
-
-const joining: readonly ClassScreen[] = [
-  { name: 'join', show: (child, made) => new Pupil(child, made).opens(null) },
-  {
-    name: 'join-nickname',
-    async show(child, made) {
-      const newcomer = new Pupil(child, made)
-      await newcomer.opens()
-      await newcomer.nickname.fill('Fuchs')
-    },
-  },
-  {
-    name: 'join-wrong-code',
-    async show(child, made) {
-      const newcomer = new Pupil(child, made)
-      await newcomer.opens('falsch immer kuchen')
-      await newcomer.isRefused()
-    },
-  },
-  {
-    name: 'join-taken',
-    async show(child, made) {
-      await joins(made, 'Fuchs')
-      const newcomer = new Pupil(child, made)
-      await newcomer.opensByLink()
-      await newcomer.nickname.fill('Fuchs')
-      await child.presses('class.join')
-      await newcomer.isRefused()
-    },
-  },
-  {
-    name: 'join-throttled',
-    async show(child, made) {
-      const newcomer = new Pupil(child, made)
-      await newcomer.opens(null)
-      await child.page.route('**/api/class/look', (route) =>
-        route.fulfill({ status: 429, json: { error: 'tooManyTries', seconds: 130 } }),
-      )
-      for (const word of made.code.split(' ')) await child.page.keyboard.type(`${word} `)
-      await newcomer.isRefused()
-    },
-  },
-  {
-    name: 'join-pictures',
-    async show(child, made) {
-      const newcomer = new Pupil(child, made)
-      await newcomer.opensByLink()
-      await newcomer.nickname.fill('Fuchs')
-      await child.presses('class.join')
-      await expect(child.button('class.remembered')).toBeVisible()
-    },
-  },
-  {
-    name: 'join-return',
-    async show(child, made) {
-      const { pictures, nickname } = await joins(made, 'Fuchs')
-      const newcomer = new Pupil(child, made)
-      await newcomer.opensByLink()
-      await child.presses('class.wasThere')
-      await newcomer.nickname.fill(nickname)
-      await child.presses('class.next')
-      await newcomer.taps(...named(child, pictures.slice(0, 2)))
-    },
-  },
-  {
-    name: 'join-return-wrong',
-    async show(child, made) {
-      const pupil = await joins(made, 'Fuchs')
-      const newcomer = new Pupil(child, made)
-      await newcomer.opensByLink()
-      await child.presses('class.wasThere')
-      await newcomer.nickname.fill(pupil.nickname)
-      await child.presses('class.next')
-      await newcomer.taps(...named(child, wrong(pupil)))
-      await newcomer.isRefused()
     },
   },
 ]

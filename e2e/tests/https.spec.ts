@@ -4,7 +4,7 @@ import { mkdtempSync } from 'node:fs'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import { flags } from '../browser.ts'
-import { leftEye, leftWheel, rightEye, rightWheel } from '../child.ts'
+import { isKept, setsDrivesAndSaves } from '../child-offline.ts'
 import { findChromium } from '../chromium.mjs'
 import { expect, test as base } from '../house.ts'
 import { certificatesIn, startServer, type RunningServer } from '../../packages/server/index.ts'
@@ -49,16 +49,11 @@ test('with the authority trusted, the lab starts after one visit with the cable 
   room,
 }) => {
   await child.opensHome()
-  await page.waitForFunction(() => navigator.serviceWorker.controller?.state === 'activated')
+  await isKept(page)
   await room.close()
 
   await child.opensLab('friendship')
-  await child.typesWeight(leftEye, leftWheel, 0.8)
-  await child.typesWeight(rightEye, rightWheel, 0.8)
-  await child.pressesStart()
-  await child.seesDriving()
-  await child.pressesStop()
-  await child.seesSaved()
+  await setsDrivesAndSaves(child)
 })
 
 test('the certificate that devices are to trust is handed out over plain http', async ({ room, request }) => {

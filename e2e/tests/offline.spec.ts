@@ -1,9 +1,9 @@
 // Rooms: service-worker
 import { content } from '@botgarten/content/files'
-import type { Page } from '@playwright/test'
 import { flags } from '../browser.ts'
 import { findChromium } from '../chromium.mjs'
-import { Child, leftEye, leftWheel, rightEye, rightWheel } from '../child.ts'
+import { Child, leftEye, leftWheel } from '../child.ts'
+import { isKept, setsDrivesAndSaves } from '../child-offline.ts'
 import { ProjectList } from '../child-projects.ts'
 import { guardOf, type Guard } from '../guard.ts'
 import { expect, test as base } from '../house.ts'
@@ -33,11 +33,6 @@ test.use({
   },
 })
 
-/** Everything is on the device, and this page is served from there. */
-async function isKept(page: Page) {
-  await page.waitForFunction(() => navigator.serviceWorker.controller?.state === 'activated')
-}
-
 for (const language of languagesOf(import.meta.filename)) {
   test.describe(`the cable is pulled, in ${language}`, () => {
     test.use({ language })
@@ -52,12 +47,7 @@ for (const language of languagesOf(import.meta.filename)) {
       await door.shut()
 
       await child.opensLab('friendship')
-      await child.typesWeight(leftEye, leftWheel, 0.8)
-      await child.typesWeight(rightEye, rightWheel, 0.8)
-      await child.pressesStart()
-      await child.seesDriving()
-      await child.pressesStop()
-      await child.seesSaved()
+      await setsDrivesAndSaves(child)
       await child.reloads()
       await child.seesWeight(leftEye, leftWheel, 0.8)
     })
@@ -167,12 +157,7 @@ for (const language of languagesOf(import.meta.filename)) {
       const asked = door.asked.length
 
       await child.chooses('friendship')
-      await child.typesWeight(leftEye, leftWheel, 0.8)
-      await child.typesWeight(rightEye, rightWheel, 0.8)
-      await child.pressesStart()
-      await child.seesDriving()
-      await child.pressesStop()
-      await child.seesSaved()
+      await setsDrivesAndSaves(child)
       await child.presses('lab.menu')
       await child.presses('parts.share')
       await expect(page.getByRole('textbox', { name: child.word('share.address') })).toHaveValue(/\/open#1\./)

@@ -1,6 +1,7 @@
 // Rooms: scripts, service-worker
 import { buildStaticWhenNeeded, webSpace } from '../../scripts/prepare/build.mjs'
 import { Child, leftEye, leftWheel, rightEye, rightWheel } from '../child.ts'
+import { isKept, setsDrivesAndSaves } from '../child-offline.ts'
 import { ProjectList } from '../child-projects.ts'
 import { expect, test as base } from '../house.ts'
 import { serveFolder, type WebSpace } from '../web-space.ts'
@@ -39,12 +40,7 @@ for (const language of languagesOf(import.meta.filename)) {
       await page.goto(space.url)
       await child.seesTitle()
       await child.chooses('friendship')
-      await child.typesWeight(leftEye, leftWheel, 0.8)
-      await child.typesWeight(rightEye, rightWheel, 0.8)
-      await child.pressesStart()
-      await child.seesDriving()
-      await child.pressesStop()
-      await child.seesSaved()
+      await setsDrivesAndSaves(child)
       await child.reloads()
       await child.seesWeight(leftEye, leftWheel, 0.8)
       expect(page.url()).toContain('/schools/one/lab/friendship')
@@ -90,7 +86,7 @@ for (const language of languagesOf(import.meta.filename)) {
     test('starts with the cable pulled after one visit', async ({ page, space, context }) => {
       const child = new Child(page, language)
       await page.goto(space.url)
-      await page.waitForFunction(() => navigator.serviceWorker.controller?.state === 'activated')
+      await isKept(page)
       await context.setOffline(true)
       await page.goto(`${space.url}lab/fear?tried`)
       await child.seesLab()
