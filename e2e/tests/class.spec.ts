@@ -172,9 +172,9 @@ for (const language of languagesOf(import.meta.filename)) {
         await child.presses('class.toGarden')
         await child.seesTitle()
         await expect(page.getByRole('link', { name: child.word('home.joinClass') })).toBeVisible()
-        expect(
-          await page.evaluate(async () => (await indexedDB.databases()).map(({ name }) => name)),
-        ).not.toContain(`botgarten-${made.id}`)
+        const databases = () =>
+          page.evaluate(async () => (await indexedDB.databases()).map(({ name }) => name))
+        await expect.poll(databases).not.toContain(`botgarten-${made.id}`)
       })
     })
   })
