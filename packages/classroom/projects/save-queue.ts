@@ -9,7 +9,7 @@ interface Waiting {
   readonly reject: (error: unknown) => void
 }
 
-/** Bytes of projects after which the journal is put away: about 4 MB of it, what was deleted included. */
+/** Bytes of projects after which the journal is put away: a version takes the pages of the one that goes for it. */
 const journalBytes = 2_000_000
 
 const bytesOf = ({ checked: { document, assets } }: Save) =>
