@@ -54,7 +54,7 @@ async function open(args: string[]): Promise<string> {
     const server = await listen(classServer, { port, host: values.host, https: values.https ? folder : null })
     stopWhenTold(server)
     const token = await classServer.firstTeacher()
-    if (values.open) openPage(`${server.url}${token === null ? '' : `/teacher/start#${token}`}`)
+    if (values.open) openPage(`${server.url}/here${token === null ? '' : `#${token}`}`)
     const kept = values.database === undefined ? message('serve.kept', { folder: resolve(folder) }) : ''
     return [greeting(server), kept, invitation(token, classServer, server, folder)]
       .filter(Boolean)

@@ -1,6 +1,6 @@
 import { existsSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
 import type { IncomingMessage, ServerResponse } from 'node:http'
-import { join } from 'node:path'
+import { join, resolve } from 'node:path'
 import {
   accountsOn,
   base,
@@ -48,6 +48,8 @@ export interface ClassServer {
   answer(request: IncomingMessage, response: ServerResponse): Promise<void>
   /** The secret of the link that makes the first teacher; null where there is one already. */
   firstTeacher(): Promise<string | null>
+  /** Where its folder is, and when another device last reached it (ms since 1970; null: none has). */
+  place(): { readonly folder: string; readonly otherDevice: number | null }
   /** The server listens. @param addresses under which it is reached, asked anew each time: networks come and go */
   reachedAt(addresses: () => readonly string[]): void
   close(): Promise<void>
@@ -177,6 +179,7 @@ function serverOn(
     owns: (path) => path === base || path.startsWith(`${base}/`),
     answer,
     firstTeacher: () => firstTeacherToken(ports),
+    place: () => ({ folder: resolve(folder), otherDevice: record.otherDevice }),
     reachedAt(now) {
       addresses = now
       record.startAt(now())

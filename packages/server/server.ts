@@ -6,6 +6,7 @@ import { networkInterfaces } from 'node:os'
 import { join } from 'node:path'
 import { pathToFileURL } from 'node:url'
 import { addresses, secureAddresses } from './addresses.ts'
+import { answerHere, type Here } from './here.ts'
 import { startSecure, type SecureServer } from './https/secure-server.ts'
 import { readOperator } from './operator.ts'
 import { baseline, readPolicies } from './policies.ts'
@@ -124,6 +125,10 @@ export async function startServer(options: ServerOptions): Promise<RunningServer
   const [handler, policies] = [await handlerOf(build), readPolicies(join(build, 'prerendered'))]
   const { operator = readOperator(process.env), classServer = null } = options
   let secure: SecureServer | null = null
+  const here = (): Here => ({
+    ...{ addresses: reached(), folder: null, otherDevice: null },
+    ...classServer?.place(),
+  })
   const listener = (request: IncomingMessage, response: ServerResponse) => {
     const path = (request.url ?? '/').replace(/[?#].*/, '').replace(/(?<=.)\/$/, '')
     dress(response, policies.get(path) ?? baseline, isTrusted(request))
@@ -131,6 +136,7 @@ export async function startServer(options: ServerOptions): Promise<RunningServer
     // Whether there is a class is asked by every page: no is an answer, not an error.
     if (path === '/api/class/state') return void response.writeHead(204).end()
     if (path === '/https.json') return answerHttps(secure, response)
+    if (path === '/here.json') return answerHere(request, response, here)
     if (path === '/botgarten.crt' && secure) return sendAuthority(secure, response)
     if (operator !== null && path === '/operator.md')
       return void response.setHeader('content-type', 'text/markdown; charset=utf-8').end(operator)

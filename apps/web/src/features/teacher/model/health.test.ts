@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest'
-import { addressFor, healthOf, isOwnMachine } from './health.ts'
+import { healthOf } from './health.ts'
 
 const now = Date.UTC(2026, 10, 24, 9)
 const health = {
@@ -8,18 +8,7 @@ const health = {
   ...{ otherDevice: (now - 60_000) as number | null, streams: 24, version: '0.1.0' },
   backups: { count: 0, last: null as string | null },
 }
-const own = { hostname: 'localhost', origin: 'http://localhost:4173' }
 const inRoom = { hostname: 'botgarten.local', origin: 'http://botgarten.local' }
-
-test.each(['localhost', '127.0.0.1', '[::1]'])('%s is a name for the machine itself', (name) =>
-  expect(isOwnMachine(name)).toBe(true),
-)
-
-test('pupils get the address of the page, or one of the network where the page is on the server itself', () => {
-  expect(addressFor(inRoom, health.addresses)).toBe('http://botgarten.local')
-  expect(addressFor(own, health.addresses)).toBe('http://192.168.0.5:4173')
-  expect(addressFor(own, ['http://localhost:4173'])).toBe('http://localhost:4173')
-})
 
 const toDo = (facts: ReturnType<typeof healthOf>) => facts.filter(({ fine }) => !fine).map(({ id }) => id)
 

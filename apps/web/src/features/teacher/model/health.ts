@@ -1,3 +1,4 @@
+import { addressFor, isOwnMachine, type Place } from '#parts/page/address.ts'
 import { m } from '#words/message.ts'
 import type { Health } from './answers.ts'
 import { dayLabel } from './ends.ts'
@@ -9,18 +10,6 @@ export interface Fact {
   readonly title: string
   readonly text: string
   readonly value: string
-}
-
-type Place = Pick<Location, 'hostname' | 'origin'>
-
-/** Only the machine of the server reaches it under these names. */
-export const isOwnMachine = (hostname: string): boolean =>
-  /^(localhost|127(\.\d+){3}|\[::1\])$/.test(hostname)
-
-/** The address that other devices type: where the page is, or one that the server names. */
-export function addressFor(at: Place, addresses: readonly string[]): string {
-  if (!isOwnMachine(at.hostname)) return at.origin
-  return addresses.find((address) => !isOwnMachine(new URL(address).hostname)) ?? at.origin
 }
 
 const limits = { memory: 192_000_000, freeSpace: 500_000_000, clock: 120_000 }
