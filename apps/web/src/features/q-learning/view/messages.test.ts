@@ -2,7 +2,7 @@ import { Course, gridMap, layOutWorld, type Settings, type Task } from '@botgart
 import { describe, expect, test } from 'vitest'
 import { m } from '#words/message.ts'
 import { shownOf } from '../model/shown.ts'
-import { reasonOf } from './messages.ts'
+import { placesOf, reasonOf } from './messages.ts'
 
 const preset: Settings = { rules: 'standard', algorithm: 'q', alpha: 0.5, gamma: 0.8, nu: 0, rho: 0.5 }
 const roads = [[1, 5], [0, 2], [1, 3], [2, 4, 5], [3, 5], [0, 3, 4]] // prettier-ignore
@@ -66,4 +66,11 @@ test('on the slippery lake what Bo would do is judged by what it is worth: no ci
   // Gymnasium's FrozenLake-v1 with γ = 0.95: value iteration gives 0.1805, and 32 of 41 rides get to the goal.
   expect(plan!.best).toBeCloseTo(0.180471578397, 9)
   expect(reason(course, 6)).toBe(m['q.chance']({ value: '0.18', best: '0.18', rides: '78' }))
+})
+
+test('where the goal pays a single star, as on the lake, values are said to a hundredth', () => {
+  const paying = (goalReward?: number) =>
+    layOutWorld({ ...railway, ...(goalReward !== undefined && { goalReward }) })
+  expect([paying(), paying(0), paying(1)].map((world) => placesOf('explorer', world))).toEqual([0, 0, 2])
+  expect(placesOf('expert', paying(1))).toBe(3)
 })

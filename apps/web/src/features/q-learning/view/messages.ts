@@ -1,5 +1,5 @@
 import { wayFault } from '@botgarten/maps'
-import type { Plan } from '@botgarten/learning/q-learning'
+import type { Plan, QWorld } from '@botgarten/learning/q-learning'
 import type { LearnedRun, Project } from '@botgarten/programs'
 import { language } from '#words/language.svelte.ts'
 import { mapName } from '#figures/map/names.ts'
@@ -20,8 +20,11 @@ export function number(value: number, places = 0): string {
   return format.format(value)
 }
 
-/** Decimal places of a value: the same in the table, in the lens and in its sum. */
-export const placesOf = (level: Level): number => (level === 'expert' ? 1 : 0)
+/** Decimal places of a value: the same in the table, in the lens and in its sum. Where the goal pays little all is less than 1. */
+export function placesOf(level: Level, { task: { goalReward = 50 } }: Pick<QWorld, 'task'>): number {
+  const pays = Math.abs(goalReward)
+  return (level === 'expert' ? 1 : 0) + (pays > 0 && pays < 10 ? 2 : 0)
+}
 export const rounded = (value: number, places: number): number =>
   Math.round(value * 10 ** places) / 10 ** places
 
