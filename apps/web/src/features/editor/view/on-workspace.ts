@@ -28,9 +28,10 @@ export function deleteSelected(): void {
 
 /** A first block that stands further from the corner than this (workspace units) is brought there. */
 const near = 40
-
-/** How far the workspace is moved along one axis so that what stands at `place` is near its corner. */
-const shift = (place: number) => (place < 0 || place > near ? near - place : 0)
+/** Nor does it touch the toolbox. */
+const off = 20
+/** Where along one axis what stands at `place` is shown. */
+const shownAt = (place: number) => Math.min(near, Math.max(off, place))
 
 /** Px that stay free beside the widest block. */
 const beside = 8
@@ -43,7 +44,7 @@ export function fitWidth(workspace: Workspace): void {
   Blockly.renderManagement.triggerQueuedRenders(workspace)
   const stacks = workspace.getTopBlocks(false)
   const right = (stack: Blockly.BlockSvg) =>
-    Math.min(near, stack.getRelativeToSurfaceXY().x) + stack.getHeightWidth().width
+    shownAt(stack.getRelativeToSurfaceXY().x) + stack.getHeightWidth().width
   const widest = Math.max(0, ...stacks.map(right))
   const { scale, scrollX, scrollY } = workspace
   // Blocks that fit exactly are too wide by a rounding error.
@@ -62,7 +63,7 @@ export function place(workspace: Workspace): void {
   const stacks = workspace.getTopBlocks(true)
   const first = stacks.find(isStart) ?? stacks[0]
   const { x, y } = first?.getRelativeToSurfaceXY() ?? { x: 0, y: 0 }
-  workspace.scroll(shift(x) * workspace.scale, shift(y) * workspace.scale)
+  workspace.scroll((shownAt(x) - x) * workspace.scale, (shownAt(y) - y) * workspace.scale)
 }
 
 /** Px at the edges of the pane that its scroll bars take. */
