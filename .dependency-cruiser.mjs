@@ -1,4 +1,4 @@
-// The arrows of the house: numbers ← learning, simulation ← blocks ← programs ← lab, maps ← experiments ← content ← classroom ← server, apps; messages ← apps.
+// The arrows of the house: numbers ← learning, simulation ← blocks ← programs ← lab, maps ← experiments ← content ← answers, classroom ← server, apps; messages ← apps.
 const rooms = [
   'numbers',
   'learning',
@@ -9,6 +9,7 @@ const rooms = [
   'maps',
   'experiments',
   'content',
+  'answers',
   'messages',
   'classroom',
   'server',
@@ -25,6 +26,8 @@ const mayKnow = {
   lab: ['programs', 'blocks', 'learning', 'simulation', 'numbers'],
   maps: ['programs', 'blocks', 'learning', 'simulation', 'numbers'],
   experiments: ['lab', 'maps', 'programs', 'learning', 'simulation', 'numbers'],
+  // Reads forms, and what was answered to them.
+  answers: ['content', 'numbers'],
   // To check what is uploaded and to read forms; nothing of the lab.
   classroom: ['programs', 'content'],
   // One process for lab and class: real clock, disk, sockets.

@@ -15,7 +15,7 @@ const unequalMath =
 
 // Only @botgarten/content reads what lies in content/; words have readers of their own.
 const contentFolders =
-  '/(?<!#|botgarten\\u002F)content\\u002F(cards|free-lab|maps|materials|things|worlds)(\\u002F|$)/'
+  '/(?<!#|botgarten\\u002F)content\\u002F(cards|free-lab|maps|materials|questionnaires|things|worlds)(\\u002F|$)/'
 const inStores = ['selectFrom', 'insertInto', 'updateTable', 'deleteFrom'].map((name) => ({
   selector: `CallExpression[callee.property.name='${name}']`,
   message: 'Queries stand in the store of their concern (…-store.ts).',

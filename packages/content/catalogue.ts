@@ -3,6 +3,7 @@ import type { Cage } from '@botgarten/maps/zoo'
 import type { Alignment } from './schema/alignment.ts'
 import type { CageText } from './schema/cageText.ts'
 import type { Card, CardProgram, CardText, Playground, WorldFile } from './schema/cardTypes.ts'
+import type { LoadedForm } from './schema/form.ts'
 import type { Item, ItemText } from './schema/itemTypes.ts'
 import type { Question, QuestionText } from './schema/questionTypes.ts'
 import type { Reference } from './schema/references.ts'
@@ -80,6 +81,16 @@ export interface Zoo {
   readonly cages: readonly LoadedCage[]
 }
 
+/** A question about what Bo will do, with what is asked and what can be chosen. */
+export interface AskedQuestion {
+  readonly question: Question
+  readonly text: Translated<Pick<QuestionText, 'question' | 'choices'>>
+}
+
+export interface Questionnaires {
+  readonly forms: readonly LoadedForm[]
+}
+
 /** An item and the number of its folder, among those of its kind. */
 export type NumberedItem = Item & { readonly number: number }
 
@@ -102,7 +113,7 @@ export interface ItemTexts {
  * What there is in content/, every list in the order of its folders. Files are read at once, a page loads what it asks
  * for: `Lazy`.
  */
-export interface Catalogue extends Cards, Programs, Worlds, Maps, Sets, Zoo, Items {
+export interface Catalogue extends Cards, Programs, Worlds, Maps, Sets, Zoo, Items, Questionnaires {
   /** Folders of words. */
   readonly languages: readonly string[]
 }

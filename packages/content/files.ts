@@ -9,7 +9,9 @@ import type { Catalogue } from './catalogue.ts'
 import { cardsIn } from './files/cards.ts'
 import { folderAt, idOf, named, once } from './files/folder.ts'
 import { itemsIn } from './files/items.ts'
+import { questionnairesIn } from './files/questionnaires.ts'
 import { zooIn } from './files/zoo.ts'
+import type { Topic } from './schema/formTypes.ts'
 import { readAlignment } from './schema/alignment.ts'
 import { readReferences } from './schema/references.ts'
 import { readThings } from './schema/things.ts'
@@ -34,6 +36,8 @@ export interface ContentFiles extends Catalogue {
   readonly picturesOf: (item: string) => readonly string[]
   /** Path of the drawing of a cage's map. */
   readonly mapOfCage: (id: string) => string
+  /** Path of the picture above what a questionnaire asks about a topic. */
+  readonly pictureOfTopic: (topic: Topic) => string
   /** Path of the picture of a thing of a set. */
   readonly pictureOf: (set: string, thing: string) => string
   /** The floor of a world whose picture is in content/ or among a project's assets. */
@@ -46,6 +50,7 @@ export function contentIn(root: string): ContentFiles {
   const cards = cardsIn(folder)
   const items = itemsIn(folder)
   const zoo = zooIn(folder)
+  const questionnaires = questionnairesIn(folder)
   const maps = once(() => folder.foldersWith('maps/*/map.svg').map(idOf))
   const map = (id: string) => (maps().includes(id) ? folder.text('maps', id, 'map.svg') : null)
   const mapFile = (id: string) => {
@@ -93,6 +98,9 @@ export function contentIn(root: string): ContentFiles {
     get cages() {
       return zoo.cages()
     },
+    get forms() {
+      return questionnaires.forms()
+    },
     get items() {
       return items.items()
     },
@@ -102,9 +110,10 @@ export function contentIn(root: string): ContentFiles {
     ...{ map, mapFile, floorOf, path: folder.path, cardFolder: cards.folderOf },
     ...{ card: cards.card, program: cards.program, world: cards.world },
     ...{ pictureOfCard: cards.pictureOfCard, mapOfCage: zoo.mapOf },
+    pictureOfTopic: questionnaires.pictureOfTopic,
     filesBelow: () =>
-      globSync('{cards,free-lab,maps,materials,things,worlds,zoo}/**/*.*', { cwd: root }).map((file) =>
-        folder.path(file),
+      globSync('{cards,free-lab,maps,materials,questionnaires,things,worlds,zoo}/**/*.*', { cwd: root }).map(
+        (file) => folder.path(file),
       ),
     ...{
       freeLab: cards.freeLab,

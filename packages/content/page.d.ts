@@ -45,6 +45,18 @@ declare module 'content:sets' {
   export default part
 }
 
+declare module 'content:questionnaires' {
+  import type { AskedQuestion, Questionnaires } from '@botgarten/content/catalogue'
+  import type { Topic } from '@botgarten/content/questionnaires'
+  const part: Questionnaires & {
+    /** What a form can ask about Bo, with its words. */
+    readonly asked: readonly AskedQuestion[]
+    /** Addresses of the pictures above what is asked about a topic. */
+    readonly pictures: { readonly [topic in Topic]: string }
+  }
+  export default part
+}
+
 declare module 'content:items' {
   import type { Items, Lazy } from '@botgarten/content/catalogue'
   const part: Lazy<Items> & {

@@ -4,6 +4,7 @@ import { join } from 'node:path'
 import type { Plugin, Rolldown, ViteDevServer } from 'vite'
 import { contentIn, type ContentFiles } from './files.ts'
 import { nodesOf } from './items/walk.ts'
+import { topics } from './schema/formTypes.ts'
 import { packedPixels } from './pixels.ts'
 
 const prefix = 'content:'
@@ -114,6 +115,13 @@ const modules: Parts = {
       export default { sets: ${data(content.sets)}, pictureOf: (set, thing) => pictures[set + '/' + thing] }`
   },
 
+  questionnaires(content) {
+    const drawn = topics.map((topic) => [topic, content.pictureOfTopic(topic)] as const)
+    const pictures = addresses('picture', drawn, '?url')
+    return `${pictures.imports}
+      export default { forms: ${data(content.forms)}, asked: ${data(askedIn(content))}, pictures: ${pictures.table} }`
+  },
+
   // They come with the first item that shows one: the library shows none.
   'item-pictures'(content) {
     const files = content.items.flatMap(({ id }) => {
@@ -148,6 +156,20 @@ const modules: Parts = {
 
   'shown-programs': (content) => `export default ${data(shownPrograms(content))}`,
   'new-blocks': (content) => `export default ${data(content.newBlocks())}`,
+}
+
+/** Every question about Bo with its words, but not why: a form tells no answers. */
+function askedIn({ questions, languages, itemTexts }: ContentFiles) {
+  const texts = languages.map((language) => [language, itemTexts(language).questions] as const)
+  return questions.map((question) => ({
+    question,
+    text: Object.fromEntries(
+      texts.map(([language, all]) => {
+        const { question: asked, choices } = all[question.id]!
+        return [language, { question: asked, choices }]
+      }),
+    ),
+  }))
 }
 
 /** Programs of cards that an item or a question shows, by `card/file`. Start programs come with their cards. */

@@ -1,0 +1,53 @@
+import * as v from 'valibot'
+import { shuffled } from './shuffle.ts'
+import type { Answer, Chance } from './types.ts'
+
+/** Of a whole school over years. */
+const mostAnswers = 5000
+const mostLetters = 500
+
+/** The birds that a code may begin with. */
+export const birds = [
+  ...['blackbird', 'robin', 'blue-tit', 'sparrow', 'greenfinch', 'swallow', 'woodpecker', 'pigeon'],
+  ...['magpie', 'bullfinch', 'kingfisher', 'wren', 'nuthatch', 'starling', 'goldfinch', 'stork'],
+  ...['owl', 'duck', 'swan', 'crane', 'jay', 'cuckoo', 'heron', 'oriole'],
+] as const
+export type Bird = (typeof birds)[number]
+
+const id = v.pipe(v.string(), v.regex(/^[0-9a-f]{32}$/))
+const name = v.pipe(v.string(), v.regex(/^[a-z][a-z0-9-]{0,39}$/))
+const code = v.pipe(
+  v.string(),
+  v.regex(/^[a-z-]+-[1-9]\d\d$/),
+  v.check((text) => birds.includes(text.slice(0, -4) as Bird), 'There is no such bird.'),
+)
+
+const answer: v.GenericSchema<unknown, Answer> = v.strictObject({
+  id,
+  form: name,
+  grade: v.pipe(v.number(), v.integer(), v.minValue(3), v.maxValue(12)),
+  code: v.nullable(code),
+  day: v.pipe(v.string(), v.isoDate()),
+  values: v.record(name, v.pipe(v.string(), v.minLength(1), v.maxLength(mostLetters))),
+})
+
+const file = v.strictObject({
+  botgarten: v.literal('answers'),
+  version: v.literal(1),
+  answers: v.pipe(v.array(answer), v.maxLength(mostAnswers)),
+})
+
+/** Reads one answer. @throws ValiError where it is none */
+export const readAnswer = (json: unknown): Answer => v.parse(answer, json)
+
+/** Reads a file of answers; what stands there twice is one. @throws ValiError that names the place where it is wrong */
+export const readAnswersFile = (json: unknown): readonly Answer[] => merged([], v.parse(file, json).answers)
+
+/** The file of answers, in random order. */
+export const writeAnswersFile = (answers: readonly Answer[], chance: Chance): string =>
+  JSON.stringify({ botgarten: 'answers', version: 1, answers: shuffled(answers, chance) })
+
+/** All answers once. */
+export const merged = (some: readonly Answer[], more: readonly Answer[]): readonly Answer[] => [
+  ...new Map([...some, ...more].map((one) => [one.id, one])).values(),
+]
