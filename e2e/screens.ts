@@ -9,6 +9,7 @@ import { TimeHands } from './child-time.ts'
 import { looseNet, projectFile, sayingProject } from './projects.ts'
 import { lookingIn } from './screens-looking-in.ts'
 import { mapScreens } from './screens-maps.ts'
+import { questionnaireScreens } from './screens-questionnaires.ts'
 import { raceScreens } from './screens-races.ts'
 import { trainingScreens } from './screens-training.ts'
 
@@ -231,5 +232,6 @@ export const screens: readonly Screen[] = [
   ...lookingIn,
   ...trainingScreens,
   ...mapScreens,
+  ...questionnaireScreens,
   ...raceScreens,
 ]

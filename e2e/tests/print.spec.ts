@@ -84,6 +84,27 @@ for (const language of languagesOf(import.meta.filename))
       }
   })
 
+test('botgarten print: a questionnaire with numbers, and with faces', async () => {
+  const folder = fresh()
+  const call = botgarten([
+    'questionnaire-after',
+    'questionnaire-after-young',
+    '--lang',
+    'en',
+    '--out',
+    folder,
+  ])
+  expect(call).toMatchObject({ status: 0, stderr: '' })
+  const read = (name: string) => readPdf(readFileSync(join(folder, `questionnaire-after${name}-en.pdf`)))
+  const [older, young] = [await read(''), await read('-young')]
+  for (const { pages } of [older, young])
+    for (const { width, height } of pages) expect([width, height]).toEqual([210, 297])
+  const textOf = ({ pages }: typeof older) => pages.map(({ text }) => text).join(' ')
+  expect(textOf(older)).toContain('Was the topic “Reinforcement learning” difficult to understand?')
+  expect(textOf(young)).toContain('Was it easy to understand how Bo learns by trying?')
+  expect(young.tagged).toBe(true)
+})
+
 test('botgarten print without an address prints no code; what is wrong is said in words', () => {
   const out = fresh()
   const wrong = botgarten(['q-cty', '--out', out])

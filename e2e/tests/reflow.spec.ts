@@ -34,6 +34,11 @@ const pages: Faces = {
   'a worksheet': goes('/materials/worksheet/how-do-i-learn'),
   'questions of a module': goes('/materials/questions/1'),
   'all slides': goes('/materials/slides/can-robots-learn-alone'),
+  questionnaires: goes('/questionnaires'),
+  'results of a questionnaire': goes('/questionnaires?form=after&show=results'),
+  'a questionnaire on one device': goes('/questionnaires?form=after&show=ask'),
+  'counts from paper': goes('/questionnaires?form=after&show=type'),
+  'a questionnaire that is changed': goes('/questionnaires?form=after&show=change'),
   'a slide': goes('/materials/slides/can-robots-learn-alone?slide=3'),
 }
 

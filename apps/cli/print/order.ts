@@ -2,7 +2,7 @@ import { resolve } from 'node:path'
 import { CallError } from '../errors.ts'
 import { oneOf, options } from '../options.ts'
 import { languages, type Language } from '../words.ts'
-import { itemsNamed, type FoundItem } from './items.ts'
+import { printablesNamed, type Printable } from './items.ts'
 
 export const known = {
   paper: { type: 'string' },
@@ -14,7 +14,7 @@ export const known = {
 
 /** What a call asks to be printed, and how. */
 export interface Order {
-  readonly items: readonly FoundItem[]
+  readonly items: readonly Printable[]
   readonly languages: readonly Language[]
   /** What cards are printed on: one on A5, or two beside each other on A4. */
   readonly paper: 'a4' | 'a5'
@@ -31,7 +31,7 @@ export function orderOf(args: string[], language?: Language): Order {
   const { values, positionals } = options(args, known)
   if (positionals.length === 0) throw new CallError('call.printWhat')
   return {
-    items: itemsNamed(positionals),
+    items: printablesNamed(positionals),
     languages: language ? [language] : languages,
     paper: oneOf('paper', values.paper, ['a4', 'a5'] as const),
     turn: oneOf('turn', values.turn, ['short', 'long'] as const),

@@ -6,7 +6,7 @@ import { causeOf, FileError } from '../errors.ts'
 import { write } from '../files.ts'
 import { openBrowser } from './browser.ts'
 import { startServer } from './server.ts'
-import type { FoundItem } from './items.ts'
+import type { Printable } from './items.ts'
 import { known, orderOf, type Order } from './order.ts'
 import { message, type Language } from '../words.ts'
 
@@ -29,11 +29,11 @@ async function printAll(args: string[], asked?: Language): Promise<string> {
   const lines = written.map(({ file, bytes }) => `${file}  ${Math.ceil(bytes / 1000)} kB`)
   return [
     ...lines,
-    ...(order.paper === 'a4' && order.items.some(isCard) ? [message(`printed.turn-${order.turn}`)] : []),
+    ...(order.paper === 'a4' && order.items.some(({ isCard }) => isCard)
+      ? [message(`printed.turn-${order.turn}`)]
+      : []),
   ].join('\n')
 }
-
-const isCard = ({ item }: FoundItem) => item.paper === 'a5'
 
 async function printed(order: Order): Promise<Written[]> {
   const server = await startServer()
@@ -72,21 +72,25 @@ async function inLanguage(context: BrowserContext, language: string, order: Orde
 }
 
 /** `card-04-q-railway-de-a5.pdf`, `sheet-01-q-program-de.pdf`: the same in every run. */
-const nameOf = ({ item, folder }: FoundItem, language: string, paper: string) =>
-  `${item.kind}-${folder}-${language}${item.paper === 'a5' ? `-${paper}` : ''}.pdf`
+const nameOf = ({ file, isCard }: Printable, language: string, paper: string) =>
+  `${file}-${language}${isCard ? `-${paper}` : ''}.pdf`
 
-async function pdfOf(page: Page, { item }: FoundItem, { paper, turn, address }: Order): Promise<Buffer> {
+async function pdfOf(
+  page: Page,
+  { id, address: path }: Printable,
+  { paper, turn, address }: Order,
+): Promise<Buffer> {
   const options = new URLSearchParams({ paper, turn, address: address ?? '' })
   const errors: string[] = []
   const hear = (error: Error) => errors.push(error.message)
   page.on('pageerror', hear)
   try {
-    await page.goto(`/materials/${item.kind}/${item.id}?${options.toString()}`)
+    await page.goto(`${path}${options.toString()}`)
     await page.locator('html[data-print=ready]').waitFor({ state: 'attached', timeout })
     return await page.pdf({ preferCSSPageSize: true, printBackground: true, tagged: true, outline: true })
   } catch (error) {
     const said = errors[0] ?? (error as Error).message
-    throw new FileError('file.notPrinted', { id: item.id, message: said.split('\n')[0]! })
+    throw new FileError('file.notPrinted', { id, message: said.split('\n')[0]! })
   } finally {
     page.off('pageerror', hear)
   }

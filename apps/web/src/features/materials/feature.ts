@@ -8,6 +8,7 @@ export { default as Material } from './Material.svelte'
 export { default as MaterialsBar } from './MaterialsBar.svelte'
 export { default as PrintPage } from './print/PrintPage.svelte'
 export { default as Questions } from './questions/Questions.svelte'
+export { loadAskedPicture } from './questions/asked-picture.ts'
 export { default as Deck } from './slides/Deck.svelte'
 
 /** Cards, lessons, slides and sheets to read, to show and to print. What draws with the lab's own hands comes later. */

@@ -1,0 +1,13 @@
+import type { Feature } from '#parts/feature.ts'
+
+export { default as QuestionnairePage } from './view/QuestionnairePage.svelte'
+export { isView, type View } from './view/views.ts'
+
+/** Questionnaires: asked on this device or on paper, and what was answered beside the study of 2020. */
+export const questionnaires = {
+  id: 'questionnaires',
+  words: ['questionnaires'],
+  route: 'questionnaires',
+  load: () => import('./lazy.ts'),
+  budget: { page: 100_000, part: 60_000 },
+} satisfies Feature
