@@ -32,7 +32,9 @@ test('a new code is three words of the list, is found by its first letters, and 
 test('a new code never has the same word twice', () => {
   const drawn = [7, 7, 7, 8, 7, 8, 9]
   const list = codeWords('en')
-  expect(newCode('en', () => Uint8Array.of(0, drawn.shift()!))).toBe([7, 8, 9].map((at) => list[at]).join(' '))
+  expect(newCode('en', () => Uint8Array.of(0, drawn.shift()!))).toBe(
+    [7, 8, 9].map((at) => list[at]).join(' '),
+  )
 })
 
 test.each(['Fuchs', 'Mia 7', 'Łukasz', 'Özlem', '小明', 'Nguyễn', 'अमित', '42'])('%s is a nickname', (name) =>
