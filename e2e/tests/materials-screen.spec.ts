@@ -112,7 +112,7 @@ for (const language of languagesOf(import.meta.filename))
       await expect(aside.getByRole('heading', { name })).toBeVisible()
       await expect(aside.locator(ready)).toBeVisible()
       expect(await axeFindings(page)).toEqual([])
-      await aside.getByRole('link', { name: child.word('materials.onPaper') }).click()
+      await aside.getByRole('link', { name: child.word('materials.onPaper'), exact: true }).click()
       await expect(page.locator('.paper[aria-busy="false"]')).toBeVisible()
       await page.goBack()
       await aside
