@@ -211,6 +211,6 @@ test('what is kept for times without a network comes after the page, and is at m
   expect(door.asked).not.toContain('/service-worker.js')
   await isKept(page)
   expect(door.asked).toContain('/service-worker.js')
-  expect(door.asked.length - requests).toBeLessThanOrEqual(335)
+  expect(door.asked.length - requests).toBeLessThanOrEqual(350)
   expect(door.bytes - bytes).toBeLessThanOrEqual(2_000_000)
 })
