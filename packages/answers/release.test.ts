@@ -70,7 +70,7 @@ describe('what is published', () => {
     ...comparisons.flatMap(({ pairs }) => [pairs.map(([one]) => one), pairs.map(([, other]) => other)]),
   ]
 
-  it('never lets tables be subtracted to fewer than five people, whoever comes later', () => {
+  it('never lets tables be subtracted to fewer than five people, also when more come later', () => {
     const waves = fc.array(answersOf(forms), { minLength: 1, maxLength: 4 })
     fc.assert(
       fc.property(waves, fc.integer(), (given, seed) => {

@@ -53,7 +53,7 @@ const kept = v.object({
   ),
 })
 
-/** Where it lies: whoever uses the device, it is one collection. */
+/** Where it lies: it is one collection for all who use the device. */
 const place = 'botgarten.questionnaires'
 
 /** What this device holds; nothing where the browser keeps nothing, or something that is none of it. */

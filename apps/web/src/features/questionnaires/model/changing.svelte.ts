@@ -3,7 +3,7 @@ import { isOurs } from './forms.ts'
 
 const mostItems = 40
 
-/** A form while a teacher changes it: questions are worded anew, left out, added at the end. */
+/** A form while a teacher changes it: questions are changed, left out, or added at the end. */
 export class Changing {
   readonly #loaded: LoadedForm
   readonly #language: string
