@@ -15,8 +15,9 @@ const fresh = () => {
   folders.push(folder)
   return folder
 }
+// A worker that is given the file's tests in turns calls this after each of them.
 test.afterAll(() => {
-  for (const folder of folders) rmSync(folder, { recursive: true })
+  for (const folder of folders.splice(0)) rmSync(folder, { recursive: true })
 })
 
 /** Calls the command line as a teacher would. */
