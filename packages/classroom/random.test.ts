@@ -45,6 +45,10 @@ const names = [
   'grade',
   'endsOn',
   'up',
+  'on',
+  'hidden',
+  'card',
+  'to',
 ]
 const body = fc.oneof(
   fc.dictionary(fc.constantFrom(...names), entry),
@@ -58,6 +62,9 @@ const query = fc.oneof(
     '?base=1&save=save-0002',
     '?base=-1&save=x',
     '?base=1e9&save=save-0003',
+    '?share=share-0001',
+    '?by=hearts&from=0',
+    '?card=friendship',
   ),
   fc.webQueryParameters().map((parameters) => `?${parameters}`),
 )

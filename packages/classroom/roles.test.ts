@@ -32,11 +32,18 @@ const bodies: { readonly [route: string]: unknown } = {
   'POST /classes/:class/programs': projectText('c'),
   'POST /substitute': { token: 'none' },
   'POST /rehearsal': { pupils: 2, seconds: 1 },
+  'POST /gallery': projectText('g'),
+  'PUT /gallery/:shared/heart': { on: true },
+  'PUT /classes/:class/gallery': { on: true },
+  'PUT /classes/:class/gallery/:shared': { hidden: true },
+  'PUT /me/question': { card: 'friendship', to: 'pupil-1' },
+  'PUT /me/questions/:pupil': { answer: 'coming' },
 }
 
 interface Scene {
   readonly class: string
   readonly pupil: string
+  readonly shared: string
   readonly browser: Browser
 }
 
@@ -82,7 +89,9 @@ onBothDatabases((fresh) => {
     const { id, code } = await server.openClass(owner)
     const pupil = await server.pupil(code, 'Fuchs')
     await pupil.browser.put('/projects/project-1?base=0&save=save-0001', projectText('a'))
-    return { class: id, pupil: pupil.id, browser: pupil.browser }
+    const { body } = await pupil.browser.post('/gallery?share=share-0001', projectText('g'))
+    const { id: shared } = body as { id: string }
+    return { class: id, pupil: pupil.id, shared, browser: pupil.browser }
   }
 
   async function substitute(name: string, asked: Scene): Promise<Browser> {
@@ -121,7 +130,9 @@ onBothDatabases((fresh) => {
       .replace(':project', 'project-1')
       .replace(':revision', '1')
       .replace(':handout', 'handout-1')
+      .replace(':shared', asked.shared)
       .replace(/^(\/projects\/project-1)$/, '$1?base=1&save=save-0002')
+      .replace(/^\/gallery$/, '/gallery?share=share-0002')
 
   // These end the sessions of the sender, who would be somebody else for the next route.
   const endsSessions = new Set(['/auth/sign-out', '/teachers/me/end-sessions', '/substitute/leave'])

@@ -1,3 +1,6 @@
+import { askingRoutes } from './asking/routes.ts'
+import { galleryPupilRoutes } from './gallery/pupil-routes.ts'
+import { galleryTeacherRoutes } from './gallery/teacher-routes.ts'
 import { livePupilRoutes } from './live/pupil-routes.ts'
 import { liveTeacherRoutes } from './live/teacher-routes.ts'
 import { joiningRoutes } from './joining/routes.ts'
@@ -26,6 +29,9 @@ export const routes: readonly Route[] = [
   ...resultRoutes,
   ...dataRoutes,
   ...rehearsalRoutes,
+  ...galleryPupilRoutes,
+  ...galleryTeacherRoutes,
+  ...askingRoutes,
 ]
 
 export interface Found {

@@ -209,6 +209,8 @@ export interface Project {
   readonly progress?: Progress
   /** The toolbox that its child has chosen. */
   readonly shelf?: 'plain' | 'all'
+  /** What it was made from in the gallery of a class, the oldest first. No names: they stay in the class. */
+  readonly madeFrom?: readonly { readonly id: string; readonly title: string }[]
 }
 
 export type { Value }

@@ -1,6 +1,7 @@
 import { Migrator } from 'kysely'
 import type { Database } from './database.ts'
 import { first } from './first.ts'
+import { gallery } from './gallery.ts'
 import { live } from './live.ts'
 import { thrown } from './thrown.ts'
 import { wifi } from './wifi.ts'
@@ -10,6 +11,7 @@ const migrations = ({ kind }: Database) => ({
   '2026-11-live': live,
   '2026-11-thrown': thrown,
   '2026-11-wifi': wifi,
+  '2026-12-gallery': gallery,
 })
 
 const migrator = (database: Database) =>

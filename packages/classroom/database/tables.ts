@@ -1,4 +1,5 @@
-import type { Insertable, Selectable } from 'kysely'
+import type { Generated, Insertable, Selectable } from 'kysely'
+import type { GalleryTables } from './gallery-tables.ts'
 
 // Ids are text; times are milliseconds since 1970; booleans are 0 or 1: so one set of queries serves both databases.
 
@@ -62,6 +63,10 @@ export interface ClassTable {
   cards: string | null
   /** `plain` or `all`: which blocks there are; null: as each child chooses. */
   level: string | null
+  /** Is there a gallery of what pupils share? */
+  gallery: Generated<0 | 1>
+  /** May pupils ask each other? */
+  asking: Generated<0 | 1>
 }
 
 interface PupilTable {
@@ -205,7 +210,7 @@ interface TombstoneTable {
   id: string
 }
 
-export interface Tables {
+export interface Tables extends GalleryTables {
   teacher: TeacherTable
   operator: OperatorTable
   teacherSession: TeacherSessionTable

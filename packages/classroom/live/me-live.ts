@@ -1,15 +1,20 @@
 import { meOf } from '../joining/me.ts'
 import type { Pupil } from '../joining/sessions-store.ts'
+import { askedBy, askedOf } from '../asking/peers-store.ts'
 import type { Ports } from '../ports.ts'
 import { handoutsOf } from './handouts-store.ts'
 
-/** All that a pupil's page shows of the class: who, what is free, attention, who looks inside, what was sent. */
+/** All that a pupil's page shows of the class: who, what is free, attention, who looks inside, what was sent, who asks. */
 export async function liveOfPupil(ports: Ports, pupil: Pupil) {
   const me = await meOf(ports, pupil)
   // Before the pictures are shown nothing of what was sent is read.
   const handouts = pupil.fresh ? await handoutsOf(ports.database.db, pupil.id) : []
+  const asks = pupil.fresh && me.class.asking
   return {
     ...me,
+    /** What this pupil has asked a classmate, and what classmates ask. */
+    asked: (asks && (await askedBy(ports.database.db, pupil.id))) || null,
+    questions: asks ? await askedOf(ports.database.db, pupil.id) : [],
     attention: ports.live.attentionOf(pupil.class),
     inside: ports.live.insideOf(pupil.id),
     handouts,

@@ -17,7 +17,7 @@ export async function addAssets(db: Db, classId: string, assets: readonly Asset[
   return bytes
 }
 
-/** Deletes pictures of a class that no version shows, and counts its bytes again. @returns them */
+/** Deletes pictures of a class that no version and nothing shared shows, and counts its bytes again. @returns them */
 export async function recount(db: Db, classId: string): Promise<number> {
   await db
     .deleteFrom('asset')
@@ -33,21 +33,45 @@ export async function recount(db: Db, classId: string): Promise<number> {
         ),
       ),
     )
+    .where((row) =>
+      row.not(
+        row.exists(
+          row
+            .selectFrom('sharedAsset')
+            .select('sharedAsset.hash')
+            .whereRef('sharedAsset.class', '=', 'asset.class')
+            .whereRef('sharedAsset.hash', '=', 'asset.hash'),
+        ),
+      ),
+    )
     .execute()
-  const versions = await db
-    .selectFrom('version')
-    .select(sql<number>`coalesce(sum(bytes), 0)`.as('bytes'))
-    .where('class', '=', classId)
-    .executeTakeFirstOrThrow()
+  const bytesOf = async (table: 'version' | 'shared') =>
+    (
+      await db
+        .selectFrom(table)
+        .select(sql<number>`coalesce(sum(bytes), 0)`.as('bytes'))
+        .where('class', '=', classId)
+        .executeTakeFirstOrThrow()
+    ).bytes
   const assets = await db
     .selectFrom('asset')
     .select(sql<number>`coalesce(sum(length(base64)), 0)`.as('bytes'))
     .where('class', '=', classId)
     .executeTakeFirstOrThrow()
-  const space = versions.bytes + assets.bytes
+  const space = (await bytesOf('version')) + (await bytesOf('shared')) + assets.bytes
   await db.updateTable('class').set({ space }).where('id', '=', classId).execute()
   return space
 }
+
+interface NamedAsset {
+  readonly name: string
+  readonly type: string
+  readonly base64: string
+}
+
+/** Pictures as a project holds them. */
+export const assetsIn = (rows: readonly NamedAsset[]) =>
+  Object.fromEntries(rows.map(({ name, type, base64 }) => [name, { type, base64 }]))
 
 /** The pictures of a version, as a project holds them. */
 export async function assetsOf(db: Db, pupil: string, project: string, revision: number) {
@@ -61,5 +85,5 @@ export async function assetsOf(db: Db, pupil: string, project: string, revision:
     .where('project', '=', project)
     .where('revision', '=', revision)
     .execute()
-  return Object.fromEntries(rows.map(({ name, type, base64 }) => [name, { type, base64 }]))
+  return assetsIn(rows)
 }

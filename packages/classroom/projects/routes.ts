@@ -6,12 +6,12 @@ import { mostSpace } from './saves-store.ts'
 /** Ids are made on devices; each pupil has a space of their own. */
 const idOfDevice = /^[\w-]{8,64}$/
 
-function wholeNumber(text: string | null | undefined): number {
+export function wholeNumber(text: string | null | undefined): number {
   if (text === null || text === undefined || !/^\d{1,9}$/.test(text)) throw new Refusal(400, 'notUnderstood')
   return Number(text)
 }
 
-function deviceId(text: string | null | undefined): string {
+export function deviceId(text: string | null | undefined): string {
   if (!idOfDevice.test(text ?? '')) throw new Refusal(400, 'notUnderstood')
   return text!
 }

@@ -173,7 +173,7 @@ async function addVersion(db: Db, save: Save, revision: number): Promise<number>
 }
 
 /** @returns bytes of the class */
-async function addSpace(db: Db, classId: string, bytes: number): Promise<number> {
+export async function addSpace(db: Db, classId: string, bytes: number): Promise<number> {
   const row = await db
     .updateTable('class')
     .set((row) => ({ space: row('space', '+', bytes) }))

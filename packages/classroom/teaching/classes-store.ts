@@ -1,4 +1,5 @@
 import type { Insertable, Updateable } from 'kysely'
+import { clearQuestions } from '../asking/peers-store.ts'
 import type { Db } from '../database/database.ts'
 import type { ClassRow, ClassTable } from '../database/tables.ts'
 
@@ -26,10 +27,11 @@ export async function changeClass(db: Db, id: string, change: Updateable<ClassTa
   await db.updateTable('class').set(change).where('id', '=', id).execute()
 }
 
-/** The lesson is over: nobody is new any more, no hand is up. */
+/** The lesson is over: nobody is new any more, no hand is up, nobody is asked. */
 export async function closeClass(db: Db, id: string, now: number): Promise<void> {
   await changeClass(db, id, { openedAt: null, closedAt: now, joiningUntil: 0 })
   await db.updateTable('pupil').set({ isNew: 0, handAt: null }).where('class', '=', id).execute()
+  await clearQuestions(db, id)
 }
 
 /** How much a class holds. */
@@ -56,7 +58,7 @@ export async function giveCode(db: Db, id: string, code: string): Promise<boolea
 export const classOfPupil = (db: Db, id: string) =>
   db
     .selectFrom('class')
-    .select(['id', 'name', 'language', 'grade', 'openedAt', 'cards', 'level'])
+    .select(['id', 'name', 'language', 'grade', 'openedAt', 'cards', 'level', 'gallery', 'asking'])
     .where('id', '=', id)
     .executeTakeFirst()
 

@@ -1,3 +1,5 @@
+import { galleryOf } from '../gallery/about-pupil-store.ts'
+import { countAllShared } from '../gallery/shared-store.ts'
 import { pupilsOf } from '../joining/pupils-store.ts'
 import type { Ports } from '../ports.ts'
 import { projectsOf, versionOf } from '../projects/projects-store.ts'
@@ -18,6 +20,7 @@ async function data({ ports, who }: Call<undefined>): Promise<Answer> {
     body: {
       ...sizes,
       ...{ space, mostSpace, endsOn, endsSoon: announcedDay !== null },
+      shared: await countAllShared(ports.database.db, id),
       results: (await resultsOf(ports.database.db, id)).length,
       backups: ports.host.backups(),
       /** Deleted today, it is in no backup from this day on. */
@@ -38,7 +41,7 @@ async function* pieces({ database: { db } }: Ports, name: string, classId: strin
       yield `${mark}${JSON.stringify({ id: project, ...(await versionOf(db, id, project)) })}`
       mark = ','
     }
-    yield ']}'
+    yield `],"shared":${JSON.stringify((await galleryOf(db, id)).shared)}}`
   }
   yield ']}'
 }

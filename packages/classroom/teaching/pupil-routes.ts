@@ -2,6 +2,7 @@ import * as v from 'valibot'
 import { nicknameFrom, nicknameKey } from '../joining/nickname.ts'
 import { newSecret } from '../joining/pictures.ts'
 import { pupilOf, pupilsOf, rename, setHand, setPictures, unlock } from '../joining/pupils-store.ts'
+import { galleryOf } from '../gallery/about-pupil-store.ts'
 import { hashOfPictures } from '../joining/routes.ts'
 import { endSessionsOf } from '../joining/sessions-store.ts'
 import { projectsOf, versionOf } from '../projects/projects-store.ts'
@@ -82,7 +83,7 @@ async function everything(call: Call<undefined>): Promise<Answer> {
   const { db } = call.ports.database
   const all = []
   for (const { id: of } of await projectsOf(db, id)) all.push({ id: of, ...(await versionOf(db, id, of)) })
-  return { body: { nickname, joinedAt, projects: all } }
+  return { body: { nickname, joinedAt, projects: all, ...(await galleryOf(db, id)) } }
 }
 
 const one = '/classes/:class/pupils/:pupil'

@@ -50,6 +50,8 @@ const learned: v.GenericSchema<Learned> = v.object({
 
 const progress = v.object({ starts: v.array(whole), hints: whole })
 
+const madeFrom = v.pipe(v.array(v.object({ id: idSchema, title: textSchema })), v.maxLength(100))
+
 const programsExist = ({ programs, world }: Project) =>
   world.robots.every(({ program }) => Object.hasOwn(programs, program))
 
@@ -71,6 +73,7 @@ export const projectSchema: v.GenericSchema<unknown, Project> = v.pipe(
     assets: assetsSchema,
     progress: v.exactOptional(progress),
     shelf: v.exactOptional(v.picklist(['plain', 'all'])),
+    madeFrom: v.exactOptional(madeFrom),
   }),
   v.check((project) => programsExist(project), 'A robot has a program that is not there.'),
   v.check((project) => rowsIn(project) <= mostOf.projectRows, 'There are too many examples.'),

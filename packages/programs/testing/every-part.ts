@@ -101,4 +101,5 @@ export const project: Project = {
   assets: { [sha256]: { type: 'image/png', base64: 'iVBORw0KGgo=' } },
   progress: { starts: [0, 2], hints: 1 },
   shelf: 'all',
+  madeFrom: [{ id: 'shared-1', title: 'Rally, schnell' }],
 }
