@@ -6,11 +6,24 @@ const config: KnipConfig = {
     css: (text) => [...text.matchAll(/url\('(@[^']+)'\)/g)].map(([, font]) => `import '${font}'`).join('\n'),
   },
   workspaces: {
-    // The binaries are of Linux, for a root of its own in which a zip is tried.
+    // The binaries are of Linux, for a root of its own in which a zip is tried, and for the image of a card.
     '.': {
-      entry: ['scripts/*.{mjs,ts}'],
+      entry: ['scripts/*.{mjs,ts}', 'scripts/image/pi/{prepare,screen,stick,trial}.ts'],
       project: ['scripts/**/*.{mjs,ts}'],
-      ignoreBinaries: ['ldd', 'unshare'],
+      ignoreBinaries: [
+        ...[
+          'ldd',
+          'unshare',
+          'dpkg-query',
+          'xz',
+          'mtype',
+          'mcopy',
+          'findmnt',
+          'truncate',
+          'mkfs.vfat',
+          'debugfs',
+        ],
+      ],
     },
     'apps/web': {
       project: ['src/**/*.{ts,svelte,css}'],

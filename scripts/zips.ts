@@ -1,33 +1,21 @@
 // `npm run zips`: the lab with its own Node and database, a zip for each system, from npm packages alone.
 // `npm run zips -- linux-x64` makes that one.
 import { createHash } from 'node:crypto'
-import { cpSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs'
+import { mkdirSync, readFileSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'
 import { buildWhenNeeded } from './prepare/build.mjs'
 import { house, inHouse } from './prepare/house.mjs'
-import { needsInstall } from './prepare/install.mjs'
-import { asScript, npm, Trouble } from './prepare/run.mjs'
+import { asScript, Trouble } from './prepare/run.mjs'
 import { writeZip, type Entry } from './zips/archive.ts'
 import { machineOf } from './zips/binaries.ts'
 import { contentsFor } from './zips/contents.ts'
+import { installNodes } from './zips/nodes.ts'
 import { systems, type System } from './zips/systems.ts'
 
 const { version } = JSON.parse(readFileSync(inHouse('package.json'), 'utf8')) as { version: string }
 const target = inHouse('build', 'zips')
 /** Of all files: the same sources give the same bytes, whoever makes the zip. Zips know no time before 1980. */
 const date = new Date(2026, 0, 1)
-
-/** Installs the Nodes of all systems, whatever the system here is; the lock file says which bytes they have. */
-async function installNodes(): Promise<string> {
-  const folder = inHouse('build', 'zips-nodes')
-  cpSync(inHouse('scripts', 'zips', 'nodes'), folder, { recursive: true, preserveTimestamps: true })
-  if (needsInstall(folder)) {
-    console.log('Fetching Node for all systems …')
-    const code = await npm(['ci', '--force', '--ignore-scripts', '--loglevel=error'], { cwd: folder })
-    if (code !== 0) throw new Trouble('npm could not fetch the Nodes; what npm said stands above.')
-  }
-  return join(folder, 'node_modules')
-}
 
 function refuseOtherMachines({ id }: System, entries: readonly Entry[]) {
   for (const { path, read } of entries) {

@@ -1,4 +1,5 @@
 import type { Database } from './database/database.ts'
+import type { Wifi } from './database/tables.ts'
 import type { Hub } from './live/hub.ts'
 import type { CheckProject } from './projects/checked.ts'
 import type { SaveQueue } from './projects/save-queue.ts'
@@ -69,6 +70,8 @@ export interface Host {
   readonly addresses: () => readonly string[]
   /** When another device last reached it, ms since 1970; null: none has. */
   readonly otherDevice: () => number | null
+  /** A Wi-Fi that the machine itself makes, such as a Raspberry Pi; null: it makes none. */
+  readonly wifi: Wifi | null
   /** Of the product: `0.1.0`. */
   readonly version: string
   /** Nightly copies: how many, and the day of the newest; null where the database has tools of its own. */

@@ -18,6 +18,7 @@ import {
 import root from '../../package.json' with { type: 'json' }
 import { cardsInWorker } from './cards.ts'
 import { rehearsalsAt } from './rehearsals.ts'
+import { ownWifi } from './own-wifi.ts'
 
 /** The ISO day where this machine stands, so many days from today. */
 function dayHere(offset: number): string {
@@ -41,6 +42,7 @@ function hostOf(database: Database, { folder, addresses, otherDevice, address }:
     },
     addresses,
     otherDevice,
+    wifi: ownWifi(process.env),
     version: root.version,
     backups: () => {
       if (database.backup === null) return null

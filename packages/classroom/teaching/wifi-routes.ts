@@ -10,8 +10,9 @@ const wifi = v.strictObject({
   password: v.pipe(v.string(), v.regex(/^([\x20-\x7e]{8,63})?$/)),
 })
 
+/** Where the teacher has named none, the Wi-Fi of the machine itself is the one of the room. */
 async function shown({ ports, who }: Call<undefined>): Promise<Answer> {
-  return { body: { wifi: (await wifiOf(ports.database.db, who.class!.teacher)) ?? null } }
+  return { body: { wifi: (await wifiOf(ports.database.db, who.class!.teacher)) ?? ports.host.wifi } }
 }
 
 /** For all classes of this teacher: they meet in the same rooms. */

@@ -40,6 +40,16 @@ onBothDatabases((fresh) => {
     expect((await operator.get(path)).status).toBe(404)
   })
 
+  test('a machine that makes a Wi-Fi shows it where the teacher has named none', async () => {
+    const { host } = server.ports
+    const own = { name: 'Botgarten', password: 'abcd-efgh-jkmn' }
+    Object.assign(server.ports, { host: { ...host, wifi: own } })
+    expect((await teacher.get(path)).body).toEqual({ wifi: own })
+    await teacher.put(path, hall)
+    expect((await teacher.get(path)).body).toEqual({ wifi: hall })
+    Object.assign(server.ports, { host })
+  })
+
   test('a substitute shows it on the wall and changes nothing of it', async () => {
     await teacher.put(path, hall)
     const { token } = (await teacher.post(path.replace('wifi', 'substitute'))).body as { token: string }

@@ -50,7 +50,7 @@ export class Server {
         Promise.resolve([{ id: 'friendship', starts: 3, title: { en: 'Friendship', de: 'Freundschaft' } }]),
       host: {
         ...{ memory: () => 1, freeSpace: () => 1, addresses: () => ['http://lab.test'] },
-        ...{ otherDevice: () => null, version: '0.1.0' },
+        ...{ otherDevice: () => null, wifi: null, version: '0.1.0' },
         ...{ backups: () => ({ count: 0, last: null }), backUp: () => Promise.resolve() },
         rehearse: ({ pupils, seconds }, hear) => {
           hear({ pupils, joined: pupils, saves: 1, slowest: 7, seconds: 1, of: seconds })
