@@ -25,7 +25,7 @@ const mayKnow = {
   programs: ['blocks', 'learning', 'simulation', 'numbers'],
   lab: ['programs', 'blocks', 'learning', 'simulation', 'numbers'],
   maps: ['programs', 'blocks', 'learning', 'simulation', 'numbers'],
-  experiments: ['lab', 'maps', 'programs', 'learning', 'simulation', 'numbers'],
+  experiments: ['lab', 'maps', 'programs', 'blocks', 'learning', 'simulation', 'numbers'],
   // Reads forms, and what was answered to them.
   answers: ['content', 'numbers'],
   // To check what is uploaded and to read forms; nothing of the lab.

@@ -34,6 +34,7 @@ export const commands: Commands = {
     drive: withLab(async () => (await import('./map.ts')).mapDrive),
   },
   record: withLab(async () => (await import('./net/record.ts')).record),
+  replay: withLab(async () => (await import('./replay.ts')).replay),
   examples: withLab(async () => (await import('./net/examples.ts')).examples),
   convert: withLab(async () => (await import('./convert.ts')).convert),
   print: withLab(async () => (await import('./print/print.ts')).print),

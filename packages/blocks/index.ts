@@ -20,6 +20,7 @@ export {
   mapIn,
   mostEpisodes,
   mostMoves,
+  openMaps,
   ownMapIn,
   type KnownMaps,
 } from './parts/maps.ts'

@@ -281,6 +281,11 @@ class OneLab implements Lab {
       this.#run.robotAt(robot),
       this.#other !== null,
     )
+  now = () => ({
+    tick: this.#run.tick,
+    phase: this.#run.inPast ? ('paused' as const) : this.#phase,
+    practising: this.#run.school.state.wanted.length > 0,
+  })
   missing = () => missing(this.#run.checks, this.#run.watches, this.#run.seconds, this.#run.seen)
   document = () => this.#document
   floor = () => this.#floor

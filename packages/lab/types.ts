@@ -233,6 +233,8 @@ export interface Lab {
   view(robot?: string): View
   /** What the checks that are open lack, as the run stands; first what was broken. */
   missing(): readonly Missing[]
+  /** Where the lab stands, cheaper than a view. `practising`: no time passes until practice that a program asked for is done. */
+  now(): { readonly tick: number; readonly phase: Phase; readonly practising: boolean }
   /** The document with the weights and start poses of the present. */
   document(): Document
   /** The floor as sensors see it at present. */

@@ -26,6 +26,13 @@ export function knowMaps(maps: KnownMaps): void {
   known = maps
 }
 
+let open: readonly string[] | null = null
+
+/** Leaves only these maps of everybody's to choose from; null: all. */
+export function openMaps(maps: readonly string[] | null): void {
+  open = maps
+}
+
 const countOf = (map: string) => (known === null ? Infinity : (known.stations[map] ?? 0))
 
 /** A map of the project itself stands in a block's field as `own:<id>`. */
@@ -48,9 +55,9 @@ export function stationsOf(name: string, mine: { readonly [id: string]: number }
   return id === null ? countOf(mapIn(name)) : Object.hasOwn(mine, id) ? mine[id]! : 0
 }
 
-/** The maps that everybody has, small ones first. */
+/** The maps that everybody has and that are open, small ones first. */
 export const knownMaps = (): readonly string[] =>
-  (known?.maps ?? []).toSorted((a, b) => countOf(a) - countOf(b))
+  (known?.maps ?? []).filter((map) => open?.includes(map) ?? true).toSorted((a, b) => countOf(a) - countOf(b))
 
 /** The field of a block that says on which map: all that are known then, and those of the project. */
 export const mapChoice = (preset: string): FieldLook => ({

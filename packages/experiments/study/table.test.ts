@@ -1,0 +1,37 @@
+import { spawnSync } from 'node:child_process'
+import { readFileSync } from 'node:fs'
+import { join } from 'node:path'
+import { expect, test } from 'vitest'
+import { readLog, tableOf } from './index.ts'
+import reference from './reference/study.json' with { type: 'json' }
+
+const folder = join(import.meta.dirname, 'reference')
+const docs = readFileSync(join(import.meta.dirname, '../../../docs/study.md'), 'utf8')
+const { lines } = readLog(readFileSync(join(folder, 'log.jsonl'), 'utf8'))
+const table = tableOf(lines)
+
+test('the table of a log is the one that pandas makes of it', () => {
+  expect(table).toEqual(reference.table)
+})
+
+test('the lines for pandas in the docs are those that were run, and print tries and first runs', () => {
+  const [code] = [.../```python\n(.*?)```/s.exec(docs)!].slice(1)
+  expect(code).toBe(reference.lines)
+  expect(code!.trim().split('\n')).toHaveLength(3)
+  const printed = reference.printed.filter(([first]) => /^\d{4}[A-Z]$/.test(first!))
+  const runs = table.filter(({ tries }) => tries > 0)
+  expect(printed.map(([pseudonym, tries]) => [pseudonym, Number(tries)])).toEqual(
+    runs.map(({ pseudonym, tries }) => [pseudonym, tries]),
+  )
+})
+
+test('pandas says the same today, where there is one', () => {
+  const { status, stdout } = spawnSync('python3', [join(folder, 'study.py')], { encoding: 'utf8' })
+  const said = status === 0 ? (JSON.parse(stdout) as typeof reference) : reference
+  expect(said).toEqual(reference)
+})
+
+test('the lines for R in the docs are three', () => {
+  const [, code] = /```r\n(.*?)```/s.exec(docs)!
+  expect(code!.trim().split('\n')).toHaveLength(3)
+})
