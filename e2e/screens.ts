@@ -11,6 +11,7 @@ import { lookingIn } from './screens-looking-in.ts'
 import { mapScreens } from './screens-maps.ts'
 import { questionnaireScreens } from './screens-questionnaires.ts'
 import { raceScreens } from './screens-races.ts'
+import { studyScreens } from './screens-study.ts'
 import { trainingScreens } from './screens-training.ts'
 
 /** One picture: how a child gets there. `phone`: one part of the lab at a time. */
@@ -233,5 +234,6 @@ export const screens: readonly Screen[] = [
   ...trainingScreens,
   ...mapScreens,
   ...questionnaireScreens,
+  ...studyScreens,
   ...raceScreens,
 ]

@@ -34,6 +34,7 @@ const pages: Faces = {
   'a worksheet': goes('/materials/worksheet/how-do-i-learn'),
   'questions of a module': goes('/materials/questions/1'),
   'all slides': goes('/materials/slides/can-robots-learn-alone'),
+  'study mode': goes('/study'),
   questionnaires: goes('/questionnaires'),
   'results of a questionnaire': goes('/questionnaires?form=after&show=results'),
   'a questionnaire on one device': goes('/questionnaires?form=after&show=ask'),

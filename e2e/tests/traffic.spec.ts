@@ -33,7 +33,7 @@ test('the whole lab comes in at most 40 requests and 0.8 MB', async ({ page, chi
   expect(bytes).toBeLessThanOrEqual(800_000)
 })
 
-test('without a class nothing of it travels, and the lab has not a byte more than where there is no class server', async ({
+test('without a class or a study nothing of it travels, and the lab has not a byte more than where there is no class server', async ({
   page,
   child,
 }) => {
@@ -52,8 +52,10 @@ test('without a class nothing of it travels, and the lab has not a byte more tha
   )
   expect(pages.length).toBeGreaterThan(1)
   const ofPages = scriptsWith(pages)
-  const ofClass = [...scriptsWith(['src/features/class/lazy.ts'])].filter((file) => !ofPages.has(file))
-  expect(ofClass).toContain(manifest['src/features/class/lazy.ts']!.file)
-  expect(ofClass.filter((file) => travelled.has(file))).toEqual([])
+  for (const part of ['src/features/class/lazy.ts', 'src/features/study/lazy.ts']) {
+    const ofPart = [...scriptsWith([part])].filter((file) => !ofPages.has(file))
+    expect(ofPart).toContain(manifest[part]!.file)
+    expect(ofPart.filter((file) => travelled.has(file))).toEqual([])
+  }
   for (const server of [alone, beside]) await server.close()
 })

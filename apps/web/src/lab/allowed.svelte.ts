@@ -2,9 +2,11 @@
 interface Today {
   readonly cards: readonly string[] | null
   readonly level: 'plain' | 'all' | null
+  /** Is the free lab, too, open only where it is among the cards? */
+  readonly strict?: boolean
 }
 
-/** What may be opened today. Without a class that is everything; a class sets it. */
+/** What may be opened today. Without a class or a study that is everything; they set it. */
 class Allowed {
   #today = $state.raw<Today>({ cards: null, level: null })
 
@@ -14,7 +16,8 @@ class Allowed {
   }
   /** @param place a card by its id, or `free` */
   isOpen(place: string): boolean {
-    return place === 'free' || (this.#today.cards?.includes(place) ?? true)
+    const { cards, strict } = this.#today
+    return (place === 'free' && !strict) || (cards?.includes(place) ?? true)
   }
   get level() {
     return this.#today.level

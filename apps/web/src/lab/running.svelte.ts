@@ -43,6 +43,12 @@ export class RunningLab {
     this.#show()
   }
 
+  /** Puts something between the screen and the lab that passes every verb on: who writes down what is done. */
+  tap(put: (lab: Lab) => Lab): void {
+    this.#lab = put(this.#lab)
+    this.#show()
+  }
+
   get view() {
     return this.#view
   }

@@ -1,4 +1,8 @@
+import { redirect } from '@sveltejs/kit'
+import { resolve } from '$app/paths'
+import { studyIsOn } from '#storage/study-sign.ts'
 import { fetchWords } from '#words/message.ts'
+import type { LayoutLoad } from './$types'
 
 // The lab lives in the browser; pages are shells that start with the network cable pulled.
 export const ssr = false
@@ -6,4 +10,10 @@ export const prerender = true
 // A web space answers with the index.html of a folder, and only with that.
 export const trailingSlash = __WEB_SPACE__ ? 'always' : 'never'
 
-export const load = () => fetchWords('app')
+/** Pages that no study leaves open: what is done there stands in no log, and projects are those of all children. */
+const closedInStudy = ['/maps', '/open', '/projects', '/projects/bin', '/race', '/sorting', '/zoo']
+
+export const load: LayoutLoad = ({ route }) => {
+  if (studyIsOn() && closedInStudy.includes(route.id ?? '')) redirect(307, resolve('/study'))
+  return fetchWords('app')
+}

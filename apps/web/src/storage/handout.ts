@@ -2,6 +2,7 @@ import { writeProjectFile, type Project } from '@botgarten/programs/project'
 
 const types = {
   json: 'application/json',
+  jsonl: 'application/jsonl',
   xml: 'application/xml',
   csv: 'text/csv',
   zip: 'application/zip',

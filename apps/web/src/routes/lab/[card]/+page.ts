@@ -1,5 +1,7 @@
-import { error } from '@sveltejs/kit'
+import { error, redirect } from '@sveltejs/kit'
+import { resolve } from '$app/paths'
 import { bringClassWork } from '#app/class-work.ts'
+import { studyPlace } from '#app/study-here.ts'
 import { editor, fetchBlocklyWords, packs } from '#features/editor/feature.ts'
 import { allCards } from '#content/cards.ts'
 import { openLab } from '#lab/opening.ts'
@@ -13,11 +15,12 @@ export const entries: EntryGenerator = () => [{ card: 'free' }, ...allCards.map(
 export const load: PageLoad = async ({ params, url }) => {
   // The heaviest part travels while the screen is made. The screen asks for it too, and says so where it cannot come.
   editor.load().catch(() => undefined)
-  await bringClassWork(url.searchParams.get('p') ?? params.card)
-  const [opened] = await Promise.all([
-    openLab(params.card, url.searchParams.get('p'), packs),
-    fetchBlocklyWords(),
-  ])
+  const place = await studyPlace(params.card)
+  if (place === null) redirect(307, resolve('/study'))
+  // A child of a study has projects of its own, and sees no other's.
+  const project = place?.project ?? url.searchParams.get('p')
+  await bringClassWork(project ?? params.card)
+  const [opened] = await Promise.all([openLab(params.card, project, packs), fetchBlocklyWords()])
   if (!opened) error(404, params.card)
   return { opened, startAtOnce: url.searchParams.has('start') }
 }
