@@ -56,6 +56,16 @@ export default ts.config(
   { files: ['**/*.svelte', '**/*.svelte.ts'], languageOptions: { parserOptions: { parser: ts.parser } } },
   { ignores: ['packages/content/**'], rules: { 'no-restricted-syntax': ['error', ...ofContent] } },
   {
+    files: ['apps/web/src/**/*.{ts,svelte}'],
+    rules: {
+      'no-restricted-properties': [
+        'error',
+        { object: 'crypto', property: 'randomUUID', message: 'Pages over plain http have none: freshId.' },
+        { object: 'crypto', property: 'subtle', message: 'Pages over plain http have none.' },
+      ],
+    },
+  },
+  {
     files: ['packages/**/*.ts'],
     // The server is where clock, timers and network come from.
     ignores: ['**/*.test.ts', '**/testing/**', 'packages/server/**'],

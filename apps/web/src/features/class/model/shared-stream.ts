@@ -1,5 +1,6 @@
 // One stream a browser: HTTP/1.1 allows six connections. The page that was used last holds it, the others hear from that one.
 import { ownName } from '#storage/account.ts'
+import { freshId } from '#storage/projects.ts'
 import { LiveStream } from '#parts/page/live-stream.ts'
 import type { Source } from '#parts/page/source.ts'
 import * as v from 'valibot'
@@ -38,7 +39,8 @@ export class SharedStream {
   readonly #stream: LiveStream
   readonly #hear: StreamListener
   readonly #channel: Channel
-  readonly #page = crypto.randomUUID()
+  /** Pages over plain http have no `crypto.randomUUID`. */
+  readonly #page = freshId('page')
   /** Since when this page holds the stream, ms; 0: another one does. */
   #since = 0
   #heardAt = Date.now()
