@@ -77,7 +77,8 @@ function application(root: string): Entry[] {
   )
   const built = entriesOf(join(web, 'build'), 'app/apps/web/build', /\.map$/)
   const content = entriesOf(join(root, 'content'), 'app/content', ourTests)
-  const files = ['package.json', 'LICENSE', 'NOTICE'].map((name) =>
+  const docs = ['docs/running-a-class.md', 'docs/running-a-server.md']
+  const files = ['package.json', 'LICENSE', 'NOTICE', ...docs].map((name) =>
     textEntry(`app/${name}`, readFileSync(join(root, name), 'utf8')),
   )
   return [...files, ...packages, ...built, ...content]
