@@ -73,6 +73,9 @@ test('a device finds over plain http how to trust the server, and where https is
   await expect(page.getByRole('img', { name: /Code of this page/ })).toBeVisible()
   for (const system of ['Windows', 'iPadOS', 'Android', 'ChromeOS', 'macOS'])
     await expect(page.getByRole('heading', { name: system })).toBeVisible()
+  // Three steps each, and a picture of each.
+  await expect(page.locator('main ol ol svg')).toHaveCount(15)
+  await expect(page.getByText(/^To remove it:/)).toHaveCount(5)
   const place = `https://localhost:${room.securePort}`
   await expect(page.getByRole('link', { name: place })).toHaveAttribute('href', place)
 })
