@@ -10,7 +10,7 @@ import { Child } from '../e2e/child.ts'
 import { buildWhenNeeded } from '../scripts/prepare/build.mjs'
 import { startServer } from '../scripts/server.ts'
 import { median, ms, type Table } from './bench.ts'
-import { frameCells, framesDuring, freshPage, rounds, throttle, throttled, untilKept } from './slow.ts'
+import { frameCells, framesDuring, freshPage, rounds, throttle, throttled } from './slow.ts'
 
 const examples = 600
 
@@ -70,7 +70,6 @@ async function opened(page: Page): Promise<Child> {
   await child.opensHome()
   await child.opensFileAtHome('bench.botgarten.json', JSON.stringify(project()))
   await child.seesLab()
-  await untilKept(page)
   await child.presses('network.letPractise')
   await page.locator('.practise .bar').waitFor()
   return child

@@ -13,6 +13,8 @@ export interface NodeOptions {
   readonly prefix?: readonly string[]
   /** Further options of Node. */
   readonly flags?: readonly string[]
+  /** What runs `botgarten` in place of these sources: the start script of an unpacked zip. */
+  readonly program?: string
   readonly env?: NodeJS.ProcessEnv
 }
 
@@ -42,6 +44,11 @@ async function portOf(running: ChildProcess): Promise<number> {
   })
 }
 
+const sources = (flags: readonly string[]) => [
+  ...[process.execPath, '--disable-warning=ExperimentalWarning', ...serverFlags, ...flags],
+  inRepository('apps', 'cli', 'botgarten.ts'),
+]
+
 /** Starts `botgarten serve` and waits until it answers. */
 export async function startNode({
   data,
@@ -49,15 +56,18 @@ export async function startNode({
   port = 0,
   prefix = [],
   flags: further = [],
+  program,
   env = {},
 }: NodeOptions): Promise<ServingNode> {
-  const [program = process.execPath, ...before] = [...prefix, process.execPath]
   const address = database === undefined ? [] : ['--database', database]
   const serve = ['serve', '--port', String(port), '--data', data, '--lang', 'en', ...address]
-  const flags = ['--disable-warning=ExperimentalWarning', ...serverFlags, ...further]
-  const args = [...before, ...flags, inRepository('apps', 'cli', 'botgarten.ts'), ...serve]
-  const running = spawn(program, args, {
-    env: { ...process.env, ...serverEnv, ...env },
+  const [first = '', ...args] = [
+    ...prefix,
+    ...(program === undefined ? sources(further) : [program]),
+    ...serve,
+  ]
+  const running = spawn(first, args, {
+    env: { ...process.env, ...(program === undefined ? serverEnv : {}), ...env },
     stdio: ['ignore', 'pipe', 'pipe'],
   })
   const opened = await portOf(running)

@@ -4,6 +4,7 @@ chcp 65001 >nul
 title Botgarten
 if not exist "%~dp0app\complete" goto packed
 if not defined BOTGARTEN_DATA set "BOTGARTEN_DATA=%LOCALAPPDATA%\Botgarten"
+set "NODE_COMPILE_CACHE=%BOTGARTEN_DATA%\cache"
 if "%~1"=="" goto serve
 "%~dp0node\node.exe" --disable-warning=ExperimentalWarning "%~dp0app\apps\cli\botgarten.ts" %*
 exit /b %errorlevel%
