@@ -10,10 +10,12 @@ import {
   type RunningServer,
 } from '../packages/server/index.ts'
 
-/** The product as `npm start` opens it. No teacher has made it theirs. */
-export async function serverWithData(): Promise<RunningServer & { readonly classServer: ClassServer }> {
+/** The product as `npm start` opens it. No teacher has made it theirs. @param publicAddress the announced one; none where it is left out */
+export async function serverWithData(
+  publicAddress?: string,
+): Promise<RunningServer & { readonly classServer: ClassServer }> {
   const data = mkdtempSync(join(tmpdir(), 'botgarten-data-'))
-  const classServer = await openClassServer({ data })
+  const classServer = await openClassServer({ data, publicAddress })
   const server = await startServer({ port: 0, host: '127.0.0.1', classServer })
   return {
     ...server,
@@ -84,8 +86,11 @@ export async function pupilOf(url: string, code: string, nickname: string) {
 }
 
 /** A server with a teacher and an open class. */
-export async function classOfTest(language: 'en' | 'de' = 'en'): Promise<ClassOfTest> {
-  const server = await serverWithData()
+export async function classOfTest(
+  language: 'en' | 'de' = 'en',
+  publicAddress?: string,
+): Promise<ClassOfTest> {
+  const server = await serverWithData(publicAddress)
   const teacher = new Asker(server.url)
   const token = await server.classServer.firstTeacher()
   const done = async (method: string, path: string, body?: unknown) => {

@@ -21,6 +21,8 @@ const sizes = [
 type Size = (typeof sizes)[number]
 const isPhone = ({ width }: Size) => width < 640
 const folder = inHouse('pictures')
+/** As a machine in a room has it. */
+const announced = 'http://192.168.0.5:4173'
 
 /** A server, and how its page comes to what is wanted. */
 interface Stage {
@@ -92,7 +94,7 @@ const inClass = (screen: ClassScreen): Wish[] =>
     [...sizes.filter((size) => !screen.neverPhone || !isPhone(size)), ...(screen.more ?? [])].map((size) => ({
       ...{ name: screen.name, language, size },
       opens: async () => {
-        const made = await classOfTest(language)
+        const made = await classOfTest(language, announced)
         return { ...made, show: (child) => screen.show(child, made) }
       },
     })),
@@ -105,7 +107,7 @@ const beforeAll = (screen: StartScreen): Wish[] =>
       .map((size) => ({
         ...{ name: screen.name, language, size },
         opens: async () => {
-          const empty = await serverWithData()
+          const empty = await serverWithData(announced)
           return { ...empty, show: (child) => screen.show(child, empty) }
         },
       })),

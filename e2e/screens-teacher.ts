@@ -195,6 +195,14 @@ const account: readonly ClassScreen[] = [
     },
   },
   {
+    name: 'teacher-health',
+    async show(child, made) {
+      await teaches(child.page, made)
+      await child.page.goto('/teacher/health')
+      await expect(child.page.getByText(child.word('teacher.about.backup'), { exact: true })).toBeVisible()
+    },
+  },
+  {
     name: 'teacher-classes',
     async show(child, made) {
       const day = made.classServer.ports.day(10)

@@ -37,7 +37,7 @@ test('what is wrong is said as a sentence in either language, and as one line of
   expect(fits.errors).toBeNull()
   expect(json()).toMatchObject({
     ok: false,
-    findings: [{ about: 'port', verdict: 'taken' }, {}, {}, {}, {}, {}],
+    findings: [{ about: 'port', verdict: 'taken' }, {}, {}, {}, {}, {}, {}],
   })
   other.close()
 })

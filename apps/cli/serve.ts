@@ -152,8 +152,7 @@ function invitation(
   folder: string,
 ): string {
   if (token === null) return ''
-  const [own, other = own] = server.addresses()
-  const link = `${classServer.ports.publicOrigin ?? other!}/teacher/start#${token}`
+  const link = `${classServer.place().announced ?? server.url}/teacher/start#${token}`
   if (!process.stdout.isTTY) return message('serve.linkInFile', { path: writeLink(folder, link) })
   return message('serve.link', { link, code: codeInTerminal(link) })
 }

@@ -1,6 +1,7 @@
 import { fill, type Facts, type Message, type Table } from '@botgarten/messages'
 import { languagesIn, tableOf, wordsOf } from '@botgarten/messages/folder'
 import type cli from '../../content/words/en/cli.json'
+import type doctor from '../../content/words/en/doctor.json'
 
 export type { Facts }
 
@@ -15,7 +16,7 @@ type KeysOf<Words> = {
 }[keyof Words & string]
 
 /** A sentence of the command line: `call.needsMap`. */
-export type Key = KeysOf<typeof cli>
+export type Key = KeysOf<typeof cli> | KeysOf<Omit<typeof doctor, '$schema'>>
 
 /** The language of the machine, as far as there are words in it. */
 export function languageOfMachine(): Language {
@@ -62,5 +63,5 @@ const cached = (read: (language: Language) => Table) => {
     return table
   }
 }
-const own = cached((language) => tableOf('cli', language))
+const own = cached((language) => ({ ...tableOf('cli', language), ...tableOf('doctor', language) }))
 const all = cached((language) => wordsOf(language))

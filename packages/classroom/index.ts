@@ -7,6 +7,7 @@ export type { Database } from './database/database.ts'
 export type {
   Caller,
   CardOfClass,
+  Finding,
   Host,
   LogLine,
   Ports,

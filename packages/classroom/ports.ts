@@ -60,6 +60,15 @@ export interface RehearsalWish {
   readonly seconds: number
 }
 
+/** What was found about the server or its machine. Words for it: `doctor.<verdict>`. */
+export interface Finding<Verdict extends string = string> {
+  /** Its thing and how that is, such as `port.taken`. */
+  readonly verdict: Verdict
+  /** Nothing has to be done. */
+  readonly fine: boolean
+  readonly facts: { readonly [name: string]: string | number }
+}
+
 /** The machine that the server runs on. */
 export interface Host {
   /** Bytes that the process takes. */
@@ -74,6 +83,8 @@ export interface Host {
   readonly wifi: Wifi | null
   /** Of the product: `0.1.0`. */
   readonly version: string
+  /** How it is, as `botgarten doctor` sees it, and what only the running server knows. @param streams open ones */
+  readonly findings: (streams: number) => readonly Finding[]
   /** Nightly copies: how many, and the day of the newest; null where the database has tools of its own. */
   readonly backups: () => { readonly count: number; readonly last: string | null } | null
   /** Makes the copy of today. */
@@ -109,6 +120,8 @@ export interface Ports {
   readonly log: (line: LogLine) => void
   /** How pages reach the server where a proxy stands before it, such as `https://lab.example.org`; else null. */
   readonly publicOrigin: string | null
+  /** The one address under which whoever asks should have the lab; null where it is not known. */
+  readonly announced: (caller: Caller) => string | null
   /** The first teacher is there: the link that lies about is of no use any more. */
   readonly teacherMade: () => void
   /** Who is where, and the streams of pages. */
@@ -122,4 +135,6 @@ export interface Ports {
 export interface Caller {
   readonly address: string
   readonly secure: boolean
+  /** This machine's own address that was asked; null behind a proxy. */
+  readonly reached: string | null
 }

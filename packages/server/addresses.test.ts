@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest'
-import { addresses } from './addresses.ts'
+import { addresses, listenedAt } from './addresses.ts'
 
 const at = (address: string, family: 'IPv4' | 'IPv6', internal = false) => ({
   ...{ address, internal, mac: '00:00:00:00:00:00', netmask: '', cidr: null },
@@ -18,6 +18,14 @@ test('this machine comes first, then every address of the network, IPv6 in brack
     'http://[2001:db8::7]:4173',
     'http://198.51.100.9:4173',
   ])
+})
+
+test('a server that listens at one address alone has no other', () => {
+  const all = { lo: [at('127.0.0.1', 'IPv4', true)], eth0: [at('192.0.2.7', 'IPv4')] }
+  const of = (host?: string) => addresses(80, listenedAt(all, host))
+  expect(of('127.0.0.1')).toEqual(['http://localhost:80'])
+  for (const host of ['192.0.2.7', '0.0.0.0', 'lab.example.org', undefined])
+    expect(of(host)).toEqual(['http://localhost:80', 'http://192.0.2.7:80'])
 })
 
 test('link-local IPv6 is left out: a browser takes no zone', () => {

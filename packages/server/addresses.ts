@@ -1,7 +1,19 @@
+import { isIP } from 'node:net'
 import type { NetworkInterfaceInfo } from 'node:os'
 import { isPrivate } from './https/constraints.ts'
 
 type Interfaces = { readonly [name: string]: readonly NetworkInterfaceInfo[] | undefined }
+
+/** Of which a server that listens at one address alone is reached under none but that one. @param host none: all */
+export function listenedAt(interfaces: Interfaces, host?: string): Interfaces {
+  if (host === undefined || isIP(host) === 0 || host === '0.0.0.0' || host === '::') return interfaces
+  return Object.fromEntries(
+    Object.entries(interfaces).map(([name, list = []]) => [
+      name,
+      list.filter(({ address }) => address === host),
+    ]),
+  )
+}
 
 /** This machine's addresses in private networks: those that an authority of a classroom may vouch for. */
 export const privateAddresses = (interfaces: Interfaces): string[] =>

@@ -18,6 +18,7 @@ import {
   type Ports,
 } from '@botgarten/classroom'
 import { brokenIn, prepareDataFolder } from './data-folder.ts'
+import type { Here } from './here.ts'
 import { callerOf, requestOf, send } from './http.ts'
 import { lockFolder } from './lock.ts'
 import { startLive } from './live.ts'
@@ -48,12 +49,15 @@ export interface ClassServer {
   answer(request: IncomingMessage, response: ServerResponse): Promise<void>
   /** The secret of the link that makes the first teacher; null where there is one already. */
   firstTeacher(): Promise<string | null>
-  /** Where its folder is, and when another device last reached it (ms since 1970; null: none has). */
-  place(): { readonly folder: string; readonly otherDevice: number | null }
+  /** What the machine that serves is told of it. */
+  place(): Pick<Here, 'announced' | 'folder' | 'otherDevice'>
   /** The server listens. @param addresses under which it is reached, asked anew each time: networks come and go */
   reachedAt(addresses: () => readonly string[]): void
   close(): Promise<void>
 }
+
+/** Who asks on the machine that serves. */
+const thisMachine: Caller = { address: '127.0.0.1', secure: true, reached: '127.0.0.1' }
 
 const linkFile = 'first-teacher.txt'
 
@@ -143,9 +147,9 @@ function serverOn(
     folder,
     address,
     publicAddress: publicAddress ?? null,
+    proxied: proxies.length > 0,
     teacherMade,
-    addresses: () => addresses(),
-    otherDevice: () => record.otherDevice,
+    reached: { addresses: () => addresses(), record },
     bus,
   })
   const stopLive = startLive(ports.live)
@@ -179,7 +183,10 @@ function serverOn(
     owns: (path) => path === base || path.startsWith(`${base}/`),
     answer,
     firstTeacher: () => firstTeacherToken(ports),
-    place: () => ({ folder: resolve(folder), otherDevice: record.otherDevice }),
+    place: () => ({
+      announced: ports.announced(thisMachine),
+      ...{ folder: resolve(folder), otherDevice: record.otherDevice },
+    }),
     reachedAt(now) {
       addresses = now
       record.startAt(now())

@@ -4,6 +4,8 @@ import type { IncomingMessage, ServerResponse } from 'node:http'
 export interface Here {
   /** How it is reached, its own name first. */
   readonly addresses: readonly string[]
+  /** The one that other devices are told; null: there is none. */
+  readonly announced: string | null
   /** Where all that is saved lies; null: nothing is. */
   readonly folder: string | null
   /** When another device last reached it, ms since 1970; null: none has. */

@@ -34,13 +34,15 @@ const plain = (address = '') => address.replace(/^::ffff:/, '')
  */
 export function callerOf({ socket, headers }: IncomingMessage, proxies: readonly string[]): Caller {
   const address = plain(socket.remoteAddress)
-  if (!proxies.includes(address)) return { address, secure: 'encrypted' in socket }
+  const reached = plain(socket.localAddress)
+  if (!proxies.includes(address)) return { address, secure: 'encrypted' in socket, reached }
   // The last address is the one that the proxy itself has seen.
   const forwarded = String(headers['x-forwarded-for'] ?? '')
     .split(',')
     .at(-1)!
     .trim()
-  return { address: plain(forwarded) || address, secure: headers['x-forwarded-proto'] === 'https' }
+  const secure = headers['x-forwarded-proto'] === 'https'
+  return { address: plain(forwarded) || address, secure, reached: null }
 }
 
 /** Sends an answer. JSON goes in one piece; all else, such as events that go on, as it comes. */

@@ -16,7 +16,10 @@ import {
   type Ports,
 } from '@botgarten/classroom'
 import root from '../../package.json' with { type: 'json' }
+import { announcedTo } from './announced.ts'
 import { cardsInWorker } from './cards.ts'
+import { examineRunning } from './doctor/running.ts'
+import type { ReachedRecord } from './reached.ts'
 import { rehearsalsAt } from './rehearsals.ts'
 import { ownWifi } from './own-wifi.ts'
 
@@ -33,16 +36,25 @@ function logTrouble({ method, route, status, error = '' }: LogLine): void {
   if (status >= 500) console.error(`${method} ${route} ${status} ${error}`.trim())
 }
 
-function hostOf(database: Database, { folder, addresses, otherDevice, address }: PortOptions): Host {
+function hostOf(database: Database, { folder, address, reached }: PortOptions): Host {
+  const memory = () => process.memoryUsage.rss()
+  const { addresses } = reached
+  const otherDevice = () => reached.record.otherDevice
+  const wifi = ownWifi(process.env)
+  const findings = (streams: number) =>
+    examineRunning({
+      ...{ folder, streams, memory: memory(), now: Date.now(), version: root.version },
+      ...{ addresses: addresses(), before: reached.record.addresses, otherDevice: otherDevice() },
+      ...{ devices: reached.record.devices(Date.now()), ownTools: database.backup === null },
+      hotSpot: wifi?.name ?? null,
+    })
   return {
-    memory: () => process.memoryUsage.rss(),
+    memory,
     freeSpace: () => {
       const { bavail, bsize } = statfsSync(folder)
       return bavail * bsize
     },
-    addresses,
-    otherDevice,
-    wifi: ownWifi(process.env),
+    ...{ addresses, otherDevice, findings, wifi },
     version: root.version,
     backups: () => {
       if (database.backup === null) return null
@@ -59,10 +71,15 @@ export interface PortOptions {
   /** `postgres://…` where the database is no file in the folder. */
   readonly address?: string | undefined
   readonly publicAddress: string | null
+  /** A proxy stands before the server: its own addresses are none for pages. */
+  readonly proxied: boolean
   readonly teacherMade: () => void
   readonly bus?: Bus
-  readonly addresses: () => readonly string[]
-  readonly otherDevice: () => number | null
+  readonly reached: {
+    /** Under which the server is reached now. */
+    readonly addresses: () => readonly string[]
+    readonly record: ReachedRecord
+  }
 }
 
 /** Everything real: clock, randomness, a worker that checks projects. */
@@ -80,6 +97,7 @@ export function portsOn(database: Database, secret: Uint8Array, options: PortOpt
     bury: (tombstone) => Promise.resolve(bury(options.folder, tombstone)),
     log: logTrouble,
     publicOrigin: options.publicAddress,
+    announced: ({ reached }) => announcedTo(reached, { ...options, addresses: options.reached.addresses }),
     teacherMade: options.teacherMade,
     live: new Hub(options.bus ?? noBus, () => Date.now()),
     cards: cardsInWorker(),

@@ -29,6 +29,16 @@ test('it is written once an hour, and again when the clock was set back', () => 
   expect(seen).toEqual([1000, 1000, 3_602_000, 500])
 })
 
+test('devices are counted for as long as they ask, and written down nowhere', () => {
+  const record = new ReachedRecord(folder)
+  record.startAt(own)
+  for (const at of [1, 2, 3]) record.note(`192.168.0.${at}`, at * 1000)
+  record.note('192.168.0.5', 3000)
+  expect(record.devices(4000)).toBe(3)
+  expect(record.devices(302_500)).toBe(1)
+  expect(JSON.stringify(readReached(folder))).not.toContain('192.168.0.3')
+})
+
 test('a record that was cut off counts as none', () => {
   writeFileSync(join(folder, 'reached.json'), '{"addr')
   expect(readReached(folder)).toEqual({ addresses: [], otherDevice: null })

@@ -5,7 +5,8 @@ import type { AddressInfo } from 'node:net'
 import { networkInterfaces } from 'node:os'
 import { join } from 'node:path'
 import { pathToFileURL } from 'node:url'
-import { addresses, secureAddresses } from './addresses.ts'
+import { addresses, listenedAt, secureAddresses } from './addresses.ts'
+import { announcedTo } from './announced.ts'
 import { answerHere, type Here } from './here.ts'
 import { startSecure, type SecureServer } from './https/secure-server.ts'
 import { readOperator } from './operator.ts'
@@ -110,9 +111,10 @@ function sendAuthority(secure: SecureServer, response: ServerResponse) {
 /** Plain http keeps its port: that is where devices learn to trust the other one. */
 const nextPort = ({ port }: ServerOptions) => (port === 0 ? 0 : port + 1)
 
-function allAddresses(port: number, securePort: number | null): readonly string[] {
-  const [own, ...others] = addresses(port, networkInterfaces())
-  const secure = securePort === null ? [] : secureAddresses(securePort, networkInterfaces())
+function allAddresses(port: number, securePort: number | null, host?: string): readonly string[] {
+  const interfaces = listenedAt(networkInterfaces(), host)
+  const [own, ...others] = addresses(port, interfaces)
+  const secure = securePort === null ? [] : secureAddresses(securePort, interfaces)
   return [own!, ...secure, ...others]
 }
 
@@ -126,7 +128,9 @@ export async function startServer(options: ServerOptions): Promise<RunningServer
   const { operator = readOperator(process.env), classServer = null } = options
   let secure: SecureServer | null = null
   const here = (): Here => ({
-    ...{ addresses: reached(), folder: null, otherDevice: null },
+    addresses: reached(),
+    announced: announcedTo(null, { publicAddress: null, proxied: false, addresses: reached }),
+    ...{ folder: null, otherDevice: null },
     ...classServer?.place(),
   })
   const listener = (request: IncomingMessage, response: ServerResponse) => {
@@ -153,7 +157,7 @@ export async function startServer(options: ServerOptions): Promise<RunningServer
     throw error
   }
   const securePort = secure?.port ?? null
-  const reached = () => allAddresses(port, securePort)
+  const reached = () => allAddresses(port, securePort, options.host)
   classServer?.reachedAt(reached)
   const url = `http://localhost:${port}`
   return { port, url, securePort, addresses: reached, close: () => closeAll(server, secure, classServer) }

@@ -45,6 +45,24 @@ onBothDatabases((fresh) => {
     expect(all.map(({ status }) => status).toSorted()).toEqual([201, 409, 409, 409, 409])
   })
 
+  test('forty devices behind one address join at once: each is in, with pictures of its own', async () => {
+    const { id, code } = await server.openClass(teacher)
+    const all = await Promise.all(
+      Array.from({ length: 40 }, async (_, at) => {
+        const browser = server.browser('192.168.0.1')
+        await browser.post('/look', { code })
+        return { browser, joined: await browser.post('/join', { code, nickname: `Kind ${at}` }) }
+      }),
+    )
+    expect(all.map(({ joined }) => joined.status)).toEqual(Array.from({ length: 40 }, () => 201))
+    const { body } = await teacher.get(`/classes/${id}/pupils`)
+    expect(
+      new Set((body as { pupils: { nickname: string }[] }).pupils.map(({ nickname }) => nickname)).size,
+    ).toBe(40)
+    for (const [at, { browser }] of all.entries())
+      expect((await browser.get('/me')).body).toMatchObject({ nickname: `Kind ${at}` })
+  })
+
   test('the three pictures in their order open the same work on another device', async () => {
     const { code } = await server.openClass(teacher)
     const child = await server.pupil(code, 'Otter')

@@ -49,6 +49,7 @@ async function state({ ports, headers, caller }: Call<undefined>): Promise<Answe
       ...{ firstTeacher: first ?? null, secure: caller.secure, teacher },
       ...(await pupilAsking(ports, headers)),
       substitute: await substituteAsking(ports, headers),
+      address: ports.announced(caller),
     },
   }
 }

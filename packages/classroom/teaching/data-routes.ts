@@ -7,6 +7,7 @@ import { mostSpace } from '../projects/saves-store.ts'
 import { Refusal } from '../refusal.ts'
 import { route, type Answer, type Call, type Route } from '../route.ts'
 import { sizesOf } from './classes-store.ts'
+import { isOperator } from './operators-store.ts'
 import { resultsOf } from './results-store.ts'
 
 /** How many nights a deleted class is still in the backups. */
@@ -78,6 +79,13 @@ const health = ({ ports, caller }: Call<undefined>): Promise<Answer> =>
     },
   })
 
+/** The same in sentences. Where things lie on the machine is for who runs it alone. */
+async function findings({ ports, who }: Call<undefined>): Promise<Answer> {
+  const all = ports.host.findings(ports.live.size)
+  const operates = await isOperator(ports.database.db, who.teacher!.id)
+  return { body: { findings: operates ? all : all.filter(({ verdict }) => !verdict.startsWith('folder.')) } }
+}
+
 async function backUp({ ports }: Call<undefined>): Promise<Answer> {
   if (!ports.database.backup) throw new Refusal(409, 'byOwnTools')
   await ports.host.backUp()
@@ -88,5 +96,6 @@ export const dataRoutes: readonly Route[] = [
   route('GET', '/classes/:class/data', ['owner'], data),
   route('GET', '/classes/:class/export', ['owner'], exported),
   route('GET', '/health', ['teacher'], health),
+  route('GET', '/findings', ['teacher'], findings),
   route('POST', '/backup', ['operator'], backUp),
 ]

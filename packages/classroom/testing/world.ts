@@ -44,6 +44,7 @@ export class Server {
       bury: (tombstone) => Promise.resolve(void this.buried.push(tombstone)),
       log: (line) => void this.logged.push(line),
       publicOrigin: null,
+      announced: () => 'http://lab.test',
       teacherMade: () => {},
       live: new Hub(noBus, () => this.now),
       cards: () =>
@@ -51,6 +52,10 @@ export class Server {
       host: {
         ...{ memory: () => 1, freeSpace: () => 1, addresses: () => ['http://lab.test'] },
         ...{ otherDevice: () => null, wifi: null, version: '0.1.0' },
+        findings: () => [
+          { verdict: 'version.is', fine: true, facts: {} },
+          { verdict: 'folder.inUse', fine: true, facts: {} },
+        ],
         ...{ backups: () => ({ count: 0, last: null }), backUp: () => Promise.resolve() },
         rehearse: ({ pupils, seconds }, hear) => {
           hear({ pupils, joined: pupils, saves: 1, slowest: 7, seconds: 1, of: seconds })
@@ -66,7 +71,10 @@ export class Server {
   }
 
   ask(request: Request, caller: Partial<Caller> = {}) {
-    return handle(request, this.ports, { address: '192.168.0.9', secure: false, ...caller })
+    return handle(request, this.ports, {
+      ...{ address: '192.168.0.9', secure: false, reached: '192.168.0.5' },
+      ...caller,
+    })
   }
 
   browser(address = '192.168.0.9') {

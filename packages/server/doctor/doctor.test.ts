@@ -5,9 +5,11 @@ import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import { afterEach, beforeEach, expect, test } from 'vitest'
 import { openClassServer } from '../class-server.ts'
+import { examineBackup } from './backup.ts'
 import { examineClock, examineDisk, examineFolder } from './machine.ts'
 import { examineAddress, examineFirewall } from './network.ts'
 import { examinePort } from './port.ts'
+import { examineHotSpot, examineMemory, examineRunning } from './running.ts'
 
 let folder: string
 beforeEach(() => void (folder = mkdtempSync(join(tmpdir(), 'botgarten doctor ü-'))))
@@ -72,6 +74,39 @@ test.each([
 ])('with %d MB the disk is %s', (free, verdict) =>
   expect(examineDisk(join(folder, 'not', 'there'), () => free).verdict).toBe(`disk.${verdict}`),
 )
+
+test.each([
+  ['none', { exists: true, nights: [] }],
+  ['noData', { exists: false, nights: [] }],
+  ['made', { exists: true, nights: ['2026-11-19.db', '2026-11-20.db'] }],
+  ['old', { exists: true, nights: ['2026-11-19.db'] }],
+])('the backup is %s with %j on 25 November', (verdict, saved) =>
+  expect(examineBackup(saved, Date.UTC(2026, 10, 25)).verdict).toBe(`backup.${verdict}`),
+)
+
+test('memory above what a class takes, and the ninth device in the hot spot of a Raspberry Pi, are named', () => {
+  expect([190e6, 250e6].map((bytes) => examineMemory(bytes).verdict)).toEqual(['memory.fine', 'memory.high'])
+  expect([8, 9].map((devices) => examineHotSpot('Botgarten', devices).verdict)).toEqual([
+    'hotspot.fine',
+    'hotspot.crowded',
+  ])
+})
+
+test('a running server says all of it but its port, and whether it answers https', () => {
+  const addresses = [own, first]
+  const running = {
+    ...{ folder, addresses, before: addresses, otherDevice: null, devices: 0, streams: 0 },
+    ...{ memory: 90e6, ownTools: false, version: '0.1.0', now: Date.now(), hotSpot: null },
+  }
+  const verdicts = (more: object) => examineRunning({ ...running, ...more }).map(({ verdict }) => verdict)
+  const about = (some: readonly string[]) => some.map((verdict) => verdict.split('.')[0])
+  expect(about(verdicts({}))).toEqual([
+    ...['address', 'firewall', 'clients', 'https', 'memory', 'disk', 'clock', 'backup', 'folder', 'version'],
+  ])
+  expect(verdicts({})).toContain('https.off')
+  const secure = verdicts({ addresses: [own, 'https://192.168.0.5:4174', first], hotSpot: 'Botgarten' })
+  expect(secure).toEqual(expect.arrayContaining(['address.found', 'https.on', 'hotspot.fine']))
+})
 
 test('a folder with blanks and umlauts is a place for data, and looking makes nothing', () => {
   expect(examineDisk(folder).facts['free']).toBeGreaterThan(0)

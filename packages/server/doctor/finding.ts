@@ -1,11 +1,4 @@
-/** What was found about one thing. Words for it: `doctor.<verdict>` in the command line's. */
-export interface Finding<Verdict extends string = string> {
-  /** Its thing and how that is, such as `port.taken`. */
-  readonly verdict: Verdict
-  /** Nothing has to be done. */
-  readonly fine: boolean
-  readonly facts: { readonly [name: string]: string | number }
-}
+import type { Finding } from '@botgarten/classroom'
 
 const found =
   (isFine: boolean) =>

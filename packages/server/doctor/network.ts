@@ -1,3 +1,4 @@
+import { existsSync, readFileSync } from 'node:fs'
 import { fine, wrong } from './finding.ts'
 
 /** What a device gives itself where no router has given it an address (RFC 3927). */
@@ -30,6 +31,16 @@ export interface Firewall {
   /** When another device has reached the server, ms since 1970; null: none has. */
   readonly reachedAt: number | null
 }
+
+const ufwFile = '/etc/ufw/ufw.conf'
+
+/** @param reachedAt as in `Firewall` */
+export const firewallHere = (port: number, reachedAt: number | null): Firewall => ({
+  platform: process.platform,
+  port,
+  ufw: existsSync(ufwFile) ? readFileSync(ufwFile, 'utf8') : null,
+  reachedAt,
+})
 
 /**
  * Does a firewall keep other devices out? No program sees that from the inside: what counts is that another device has

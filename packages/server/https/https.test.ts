@@ -9,6 +9,7 @@ import { afterEach, beforeEach, expect, test } from 'vitest'
 import { newAuthority, newLeaf, type Pair } from './certificates.ts'
 import { isPrivate } from './constraints.ts'
 import { privateAddresses } from '../addresses.ts'
+import { timeAtLeast } from '../doctor/old-files.ts'
 import { certificatesIn } from './key-folder.ts'
 
 let folder: string
@@ -63,6 +64,13 @@ test('a certificate lasts 90 days and is made anew before; the authority lasts t
   expect(later.authority).toBe(first.authority)
   const last = await certificatesIn(folder, names, now + 701 * day)
   expect(last.authority).not.toBe(first.authority)
+})
+
+test('a clock in 1970 makes certificates for a time after the product was made, and keeps them when it is set', async () => {
+  const first = await certificatesIn(folder, names, timeAtLeast(folder, 0))
+  expect(Date.parse(new X509Certificate(first.authority).validFrom)).toBeGreaterThan(Date.UTC(2025, 11, 1))
+  const set = await certificatesIn(folder, names, timeAtLeast(folder, now))
+  expect(set.authority).toBe(first.authority)
 })
 
 test('keys are readable by their owner alone', async () => {

@@ -4,6 +4,7 @@ import { createServer, type Server } from 'node:https'
 import type { AddressInfo } from 'node:net'
 import { networkInterfaces } from 'node:os'
 import { privateAddresses } from '../addresses.ts'
+import { timeAtLeast } from '../doctor/old-files.ts'
 import { certificatesIn, type Certificates } from './key-folder.ts'
 
 export interface SecureServer {
@@ -33,13 +34,15 @@ export async function startSecure(
   port: number,
   host?: string,
 ): Promise<SecureServer> {
-  let now = await certificatesIn(data, names(), Date.now())
+  // A certificate of 1970 would be worth nothing on devices whose clocks are right.
+  const made = () => certificatesIn(data, names(), timeAtLeast(data, Date.now()))
+  let now = await made()
   const server = createServer(chainOf(now), listener)
   server.listen({ port, host })
   await once(server, 'listening')
 
   async function look() {
-    const next = await certificatesIn(data, names(), Date.now())
+    const next = await made()
     if (next.certificate === now.certificate) return
     now = next
     server.setSecureContext(chainOf(next))

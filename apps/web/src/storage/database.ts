@@ -107,7 +107,8 @@ class BlockedError extends Error {
   override readonly name = 'BlockedError'
 }
 
-const name = 'botgarten'
+/** Of the device's database; each pupil has one of their own beside it. */
+export const name = 'botgarten'
 let opened: Promise<Opened> | undefined
 
 const forget = () => (opened = undefined)

@@ -3,7 +3,7 @@ import { placeHere } from './place.ts'
 
 const answers = (response: Response) => () => Promise.resolve(response)
 const place = {
-  addresses: ['http://localhost:4173', 'http://192.168.0.5:4173'],
+  announced: 'http://192.168.0.5:4173',
   folder: '/home/weber/.local/share/botgarten',
   otherDevice: null,
 }
@@ -16,5 +16,5 @@ test.each([
   ['another machine', answers(new Response(null, { status: 204 }))],
   ['a lab of files', answers(new Response('<html>', { status: 200 }))],
   ['a server that has ended', () => Promise.reject(new TypeError('Failed to fetch'))],
-  ['something else', answers(Response.json({ addresses: 'none' }))],
+  ['something else', answers(Response.json({ announced: 'none' }))],
 ])('%s hears nothing', async (_who, fetch) => expect(await placeHere(fetch)).toBe(null))

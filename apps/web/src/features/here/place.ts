@@ -1,7 +1,7 @@
 import * as v from 'valibot'
 
 const answer = v.object({
-  addresses: v.array(v.pipe(v.string(), v.url())),
+  announced: v.nullable(v.pipe(v.string(), v.url())),
   folder: v.nullable(v.string()),
   otherDevice: v.nullable(v.number()),
 })

@@ -5,8 +5,6 @@ export type Place = Pick<Location, 'hostname' | 'origin'>
 export const isOwnMachine = (hostname: string): boolean =>
   /^(localhost|127(\.\d+){3}|\[::1\])$/.test(hostname)
 
-/** The address that other devices type: where the page is, or one that the server names. */
-export function addressFor(at: Place, addresses: readonly string[]): string {
-  if (!isOwnMachine(at.hostname)) return at.origin
-  return addresses.find((address) => !isOwnMachine(new URL(address).hostname)) ?? at.origin
-}
+/** The address that other devices type: the one that the server announces, or where the page is. */
+export const addressFor = (at: Pick<Place, 'origin'>, announced: string | null): string =>
+  announced ?? at.origin

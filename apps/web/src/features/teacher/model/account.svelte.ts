@@ -15,6 +15,7 @@ export class Account {
   #access = $state.raw<Access>({ kind: 'asking' })
   /** Is the page read over https, or on the machine of the server? */
   #secure = $state(true)
+  #address = $state<string | null>(null)
 
   constructor(api: ClassApi) {
     this.#api = api
@@ -33,6 +34,11 @@ export class Account {
     return this.#secure
   }
 
+  /** The address that the server announces; null: not known. */
+  get address(): string | null {
+    return this.#address
+  }
+
   /** Asks the server; for the start of a page, and after a session may have ended. */
   async look(): Promise<void> {
     this.#access = await this.#asked().catch((error: unknown) => {
@@ -43,8 +49,9 @@ export class Account {
 
   async #asked(): Promise<Access> {
     const state = await this.#api.ask(serverState, 'GET', '/state')
-    const { firstTeacher, secure, teacher, substitute } = state
+    const { firstTeacher, secure, teacher, substitute, address } = state
     this.#secure = secure
+    this.#address = address
     if (teacher) return { kind: 'in', ...teacher }
     if (substitute) return { kind: 'substitute', ...substitute }
     if (!firstTeacher) return { kind: 'unmade' }

@@ -9,6 +9,8 @@ export const serverState = v.object({
   secure: v.boolean(),
   teacher: v.nullable(v.object({ username: v.string(), operator: v.boolean() })),
   substitute: v.nullable(v.object({ class: v.string(), name: v.string() })),
+  /** The one address that devices of the room should use; null: not known. */
+  address: v.nullable(v.string()),
 })
 
 const schoolClass = v.object({
@@ -151,6 +153,15 @@ export const health = v.object({
   backups,
 })
 export type Health = v.InferOutput<typeof health>
+const finding = v.object({
+  verdict: v.string(),
+  fine: v.boolean(),
+  facts: v.record(v.string(), v.union([v.string(), v.number()])),
+})
+export type Finding = v.InferOutput<typeof finding>
+export const findings = v.object({ findings: list(finding) })
+export const sizes = v.object({ classes: list(v.object({ space: v.number(), pupils: v.number() })) })
+
 export const backedUp = v.object({ backups })
 
 const wifi = v.object({

@@ -18,8 +18,8 @@ const megabytes = (bytes: number) => Math.round(bytes / 1_000_000)
 const gigabytes = (bytes: number, locale: string) =>
   (bytes / 1_000_000_000).toLocaleString(locale, { maximumFractionDigits: 1 })
 
-function addressFact(at: Place, addresses: readonly string[], wifi: string | null): Fact {
-  const address = new URL(addressFor(at, addresses))
+function addressFact(at: Place, announced: string | null, wifi: string | null): Fact {
+  const address = new URL(addressFor(at, announced))
   const fine = !isOwnMachine(address.hostname)
   const reached = wifi === null ? m['teacher.addressText']() : m['teacher.wifiFact']({ name: wifi })
   const text = fine ? reached : m['teacher.addressOwn']()
@@ -83,6 +83,8 @@ const versionFact = ({ version }: Health): Fact => ({
 
 interface Known {
   readonly secure: boolean
+  /** The address that the server announces; null: not known. */
+  readonly announced: string | null
   /** What the server reports to a teacher; null: nothing yet. */
   readonly health: Health | null
   /** The time by this device's clock when it was reported. */
@@ -92,7 +94,11 @@ interface Known {
 }
 
 /** How the server is, a line a fact. */
-export function healthOf(at: Place, { secure, health, here, wifi }: Known, locale: string): readonly Fact[] {
+export function healthOf(
+  at: Place,
+  { secure, announced, health, here, wifi }: Known,
+  locale: string,
+): readonly Fact[] {
   const known = health
     ? [
         clientsFact(health),
@@ -103,5 +109,5 @@ export function healthOf(at: Place, { secure, health, here, wifi }: Known, local
       ]
     : []
   const last = health ? [versionFact(health)] : []
-  return [addressFact(at, health?.addresses ?? [], wifi), ...known, offlineFact(secure), ...last]
+  return [addressFact(at, announced, wifi), ...known, offlineFact(secure), ...last]
 }

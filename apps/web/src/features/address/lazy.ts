@@ -1,0 +1,2 @@
+export { default as Elsewhere } from './Elsewhere.svelte'
+export { keptHere } from './kept.ts'

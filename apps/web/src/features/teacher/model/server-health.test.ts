@@ -1,0 +1,54 @@
+import { firstTeacherToken } from '@botgarten/classroom'
+import { expect, test } from 'vitest'
+import { apiOn, freshServer } from '../testing/class-server.ts'
+import { ServerHealth } from './server-health.svelte.ts'
+
+const findings = [
+  { verdict: 'clock.fine', fine: true, facts: { now: '2026-11-24' } },
+  { verdict: 'backup.none', fine: false, facts: {} },
+  { verdict: 'folder.inUse', fine: true, facts: { path: '/data' } },
+]
+
+test('what needs somebody comes first; where the data lie and how much that is, is for who runs the server', async () => {
+  const server = await freshServer()
+  Object.assign(server.ports.host, { findings: () => findings })
+  const operator = await server.firstTeacher()
+  await server.openClass(operator)
+  const { token } = (await operator.post('/invitations')).body as { token: string }
+
+  const invited = apiOn(server)
+  await invited.send('POST', '/teachers', { token, username: 'k.otto', password: 'ein anderer satz' })
+  const theirs = new ServerHealth(invited)
+  await theirs.look(false)
+  expect(theirs.findings!.map(({ verdict }) => verdict)).toEqual(['backup.none', 'clock.fine'])
+  expect(theirs.sizes).toBeNull()
+
+  const running = apiOn(server)
+  await running.send('POST', '/auth/sign-in/username', {
+    username: 'm.weber',
+    password: 'kastanie im regen',
+  })
+  const ours = new ServerHealth(running)
+  await ours.look(true)
+  expect(ours.findings!.at(-1)!.verdict).toBe('folder.inUse')
+  expect(ours.sizes).toMatchObject({ classes: 1, pupils: 0 })
+})
+
+test('a copy is made by a press, and is then there', async () => {
+  const server = await freshServer()
+  let made = false
+  Object.assign(server.ports.host, {
+    backUp: () => Promise.resolve(void (made = true)),
+    findings: () => [{ verdict: made ? 'backup.made' : 'backup.none', fine: made, facts: {} }],
+  })
+  const api = apiOn(server)
+
+  const token = await firstTeacherToken(server.ports)
+  await api.send('POST', '/teachers', { token, username: 'm.weber', password: 'kastanie im regen' })
+  const health = new ServerHealth(api)
+  await health.look(true)
+  expect(health.findings![0]!.verdict).toBe('backup.none')
+  await health.backUp()
+  expect(health.findings![0]!.verdict).toBe('backup.made')
+  expect(health.refused).toBeNull()
+})

@@ -1,0 +1,35 @@
+import { expect, test } from 'vitest'
+import { everyNight } from './teaching/every-night.ts'
+import { onBothDatabases } from './testing/databases.ts'
+import { projectText } from './testing/projects.ts'
+import { quickAccounts, Server } from './testing/world.ts'
+
+onBothDatabases((fresh) => {
+  test('a clock that begins in 1970 and then finds the time loses nothing: the pictures are asked', async () => {
+    const database = await fresh()
+    const server = new Server(database, quickAccounts(database))
+    server.now = 60_000
+    const teacher = await server.firstTeacher()
+    const { id, code } = await server.openClass(teacher)
+    const child = await server.pupil(code, 'Fuchs')
+    const save = (base: number) =>
+      child.browser.put(`/projects/project-1?base=${base}&save=save-000${base}`, projectText(`${base}`))
+    expect((await save(0)).status).toBe(200)
+    await everyNight(server.ports)
+
+    server.now = Date.UTC(2026, 10, 24, 8)
+    await everyNight(server.ports)
+    // Whoever was here in 1970 may have gone: what is sent is saved, and nothing is read.
+    expect((await save(1)).body).toMatchObject({ revision: 2 })
+    const read = () => child.browser.get('/projects/project-1')
+    expect(await read()).toMatchObject({ status: 401, body: { error: 'showPictures' } })
+    await teacher.post(`/classes/${id}/open`)
+    expect((await child.browser.post('/me/pictures', { pictures: child.pictures })).status).toBe(204)
+    expect((await read()).body).toMatchObject({ revision: 2 })
+
+    // A plug that is pulled takes the time along again.
+    server.now = 120_000
+    await everyNight(server.ports)
+    expect((await save(2)).body).toMatchObject({ revision: 3 })
+  })
+})
