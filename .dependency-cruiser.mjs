@@ -1,4 +1,4 @@
-// The arrows of the house: numbers ← learning, simulation ← blocks ← programs ← lab, maps ← experiments ← content ← answers, classroom ← server, apps; messages ← apps.
+// The arrows of the house: numbers ← learning, simulation ← blocks ← programs ← lab, maps ← experiments ← content ← answers ← classroom ← server, apps; messages ← apps.
 const rooms = [
   'numbers',
   'learning',
@@ -28,8 +28,8 @@ const mayKnow = {
   experiments: ['lab', 'maps', 'programs', 'blocks', 'learning', 'simulation', 'numbers'],
   // Reads forms, and what was answered to them.
   answers: ['content', 'numbers'],
-  // To check what is uploaded and to read forms; nothing of the lab.
-  classroom: ['programs', 'content'],
+  // To check what is uploaded, to read forms and to count answers; nothing of the lab.
+  classroom: ['programs', 'content', 'answers'],
   // One process for lab and class: real clock, disk, sockets.
   server: ['classroom', 'content'],
   content: ['experiments', 'lab', 'maps', 'programs', 'blocks', 'learning', 'simulation', 'numbers'],

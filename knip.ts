@@ -35,7 +35,7 @@ const config: KnipConfig = {
       entry: ['projects/check-worker.ts', 'testing/child-process.ts'],
       ignoreBinaries: ['mount', 'umount'],
     },
-    'packages/server': { entry: ['cards-worker.ts', 'rehearsal/process.ts'] },
+    'packages/server': { entry: ['content-worker.ts', 'rehearsal/process.ts'] },
     // The contract test finds them by the folder they lie in.
     'packages/learning': { entry: ['*/testing/example.ts'] },
     // A process of its own, and a function of a test.

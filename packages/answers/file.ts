@@ -1,6 +1,8 @@
 import * as v from 'valibot'
+import { bands } from './atoms.ts'
 import { shuffled } from './shuffle.ts'
-import type { Answer, Chance } from './types.ts'
+import type { PaperCounts } from './tally.ts'
+import { fewest, type Answer, type Chance } from './types.ts'
 
 /** Of a whole school over years. */
 const mostAnswers = 5000
@@ -36,6 +38,20 @@ const file = v.strictObject({
   version: v.literal(1),
   answers: v.pipe(v.array(answer), v.maxLength(mostAnswers)),
 })
+
+const count = v.pipe(v.number(), v.integer(), v.minValue(0), v.maxValue(1000))
+const sentences = v.pipe(v.array(v.pipe(v.string(), v.maxLength(mostLetters))), v.maxLength(300))
+
+const paper: v.GenericSchema<unknown, PaperCounts> = v.strictObject({
+  form: name,
+  bands: v.pipe(v.array(v.picklist(bands)), v.minLength(1), v.maxLength(bands.length)),
+  n: v.pipe(count, v.minValue(fewest)),
+  counts: v.record(name, v.pipe(v.array(count), v.maxLength(6))),
+  open: v.record(name, sentences),
+})
+
+/** Reads counts from paper. @throws ValiError where they are none, or of fewer than five sheets */
+export const readPaper = (json: unknown): PaperCounts => v.parse(paper, json)
 
 /** Reads one answer. @throws ValiError where it is none */
 export const readAnswer = (json: unknown): Answer => v.parse(answer, json)

@@ -2,7 +2,8 @@ import { bands as allBands, type Band } from './atoms.ts'
 import { valueOf } from './columns.ts'
 import { countsOf, sumOf } from './count.ts'
 import type { Release } from './release.ts'
-import { fewest, type Answer, type Column } from './types.ts'
+import { shuffled } from './shuffle.ts'
+import { fewest, type Answer, type Chance, type Column } from './types.ts'
 
 /** What a group of at least five people answered. */
 export interface Tally {
@@ -97,6 +98,14 @@ export function talliesOf(
   const first = ({ bands }: Tally) => allBands.indexOf(bands[0]!)
   return [...joined([...batches, ...typed])].sort((a, b) => first(a) - first(b))
 }
+
+/** Sentences of each item in an order of their own: beside each other they would say what one child wrote. */
+export const mixed = (tally: Tally, chance: Chance): Tally => ({
+  ...tally,
+  open: Object.fromEntries(
+    Object.entries(tally.open).map(([item, sentences]) => [item, shuffled(sentences, chance)]),
+  ),
+})
 
 /** All groups as one; null where there are none. */
 export const total = ([first, ...others]: readonly Tally[]): Tally | null =>

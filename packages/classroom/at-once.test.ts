@@ -34,9 +34,10 @@ const reading: readonly Act[] = [
     ofClass('GET', path),
   ),
   ...['/projects', '/everything'].map((path) => ofPupil('GET', path)),
+  ...['/questionnaires', '/questionnaires/results'].map((path) => ofClass('GET', path)),
   ofPupil('POST', '/inside'),
-  ...['/me', '/projects', '/projects/project-1', '/projects/project-1/versions'].map((path) =>
-    byPupil('GET', path),
+  ...['/me', '/me/questionnaire', '/projects', '/projects/project-1', '/projects/project-1/versions'].map(
+    (path) => byPupil('GET', path),
   ),
 ]
 
@@ -52,6 +53,8 @@ const changing: readonly Act[] = [
   ofPupil('POST', '/pictures'),
   ofPupil('DELETE', ''),
   ofClass('POST', '/handouts', { to: 'all', kind: 'hint', card: 'friendship', hint: 1 }),
+  ofClass('POST', '/questionnaires', { form: 'after' }),
+  ofClass('POST', '/questionnaires/after/close'),
   ofClass('POST', '/code'),
   ofClass('POST', '/sign-out-all'),
   ofClass('POST', '/close'),

@@ -40,11 +40,11 @@ function jsonIn(text: string): unknown {
 const hasZero = (text: string) => text.includes('\0') || text.includes('\\u0000')
 
 /** The body as its route wants it. @throws Refusal 400, 413 or 415 where it is something else */
-export async function bodyOf(request: Request, { body }: Route): Promise<unknown> {
+export async function bodyOf(request: Request, { body, most = mostOfForm }: Route): Promise<unknown> {
   if (body === undefined) return undefined
   if (!/^application\/json\b/i.test(request.headers.get('content-type') ?? ''))
     throw new Refusal(415, 'notJson')
-  const text = await textOf(request, body === 'project' ? mostOfProject : mostOfForm)
+  const text = await textOf(request, body === 'project' ? mostOfProject : most)
   if (hasZero(text)) throw new Refusal(400, 'notUnderstood')
   if (body === 'project') return text
   const result = v.safeParse(body, jsonIn(text))

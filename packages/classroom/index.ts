@@ -11,11 +11,14 @@ export type {
   Host,
   LogLine,
   Ports,
+  Questionnaires,
   RehearsalOutcome,
   RehearsalProgress,
   RehearsalWish,
   Tombstone,
 } from './ports.ts'
+export { ChosenCodes } from './questionnaires/codes.ts'
+export { dropAnswers } from './database/answers/postgres.ts'
 export { checkInWorker } from './projects/check-in-worker.ts'
 export { saveQueueOn } from './projects/save-queue.ts'
 export { noBus, type Bus, type Message } from './live/bus.ts'

@@ -1,6 +1,9 @@
 import type { Database } from './database/database.ts'
 import type { Wifi } from './database/tables.ts'
 import type { Hub } from './live/hub.ts'
+import type { LoadedForm } from '@botgarten/content/questionnaires'
+import type { Question } from '@botgarten/content/questions'
+import type { ChosenCodes } from './questionnaires/codes.ts'
 import type { CheckProject } from './projects/checked.ts'
 import type { SaveQueue } from './projects/save-queue.ts'
 import type { Accounts } from './teaching/accounts.ts'
@@ -27,6 +30,11 @@ export interface CardOfClass {
   /** Number of its start places. */
   readonly starts: number
   readonly title: { readonly [language: string]: string }
+}
+
+export interface Questionnaires {
+  readonly forms: readonly LoadedForm[]
+  readonly questions: readonly Question[]
 }
 
 /** How far a rehearsal is. */
@@ -128,6 +136,10 @@ export interface Ports {
   readonly live: Hub
   /** All cards, in the order of the home page. */
   readonly cards: () => Promise<readonly CardOfClass[]>
+  /** The product's questionnaires, and the questions about what Bo does that a form may ask. */
+  readonly questionnaires: () => Promise<Questionnaires>
+  /** Codes that children have chosen and not yet sent. */
+  readonly codes: ChosenCodes
   readonly host: Host
 }
 

@@ -38,6 +38,10 @@ const bodies: { readonly [route: string]: unknown } = {
   'PUT /classes/:class/gallery/:shared': { hidden: true },
   'PUT /me/question': { card: 'friendship', to: 'pupil-1' },
   'PUT /me/questions/:pupil': { answer: 'coming' },
+  'POST /classes/:class/questionnaires': { form: 'after' },
+  'POST /classes/:class/questionnaires/:form/paper': { bands: ['5-6'], n: 5, counts: {}, open: {} },
+  'POST /answers': { key: 'a'.repeat(32), id: 'b'.repeat(32), code: null, values: {} },
+  'POST /answers/code': { key: 'a'.repeat(32), id: 'b'.repeat(32), code: 'owl-200' },
 }
 
 interface Scene {
@@ -131,6 +135,7 @@ onBothDatabases((fresh) => {
       .replace(':revision', '1')
       .replace(':handout', 'handout-1')
       .replace(':shared', asked.shared)
+      .replace(':form', 'after')
       .replace(/^(\/projects\/project-1)$/, '$1?base=1&save=save-0002')
       .replace(/^\/gallery$/, '/gallery?share=share-0002')
 

@@ -33,6 +33,8 @@ export interface Route {
   readonly roles: readonly Role[]
   /** What the body must be; `project`: a project's text, up to 5 MB. None: the route takes no body. */
   readonly body?: v.GenericSchema | 'project'
+  /** Most bytes of a body that is longer than a short form's. */
+  readonly most?: number
   handle(call: Call<unknown>): Promise<Answer | Response>
 }
 
@@ -49,8 +51,10 @@ export const route = <const Schema extends v.GenericSchema | 'project' | undefin
   roles: readonly Role[],
   handle: (call: Call<BodyOf<Schema>>) => Promise<Answer | Response>,
   body?: Schema,
+  most?: number,
 ): Route => ({
   ...{ method, path, roles },
   ...(body === undefined ? {} : { body }),
+  ...(most === undefined ? {} : { most }),
   handle,
 })

@@ -4,6 +4,8 @@ import { galleryTeacherRoutes } from './gallery/teacher-routes.ts'
 import { livePupilRoutes } from './live/pupil-routes.ts'
 import { liveTeacherRoutes } from './live/teacher-routes.ts'
 import { joiningRoutes } from './joining/routes.ts'
+import { answerRoutes } from './questionnaires/answer-routes.ts'
+import { questionnaireRoutes } from './questionnaires/routes.ts'
 import { projectRoutes } from './projects/routes.ts'
 import type { Method, Route } from './route.ts'
 import { accountRoutes } from './teaching/account-routes.ts'
@@ -28,6 +30,8 @@ export const routes: readonly Route[] = [
   ...wifiRoutes,
   ...resultRoutes,
   ...dataRoutes,
+  ...questionnaireRoutes,
+  ...answerRoutes,
   ...rehearsalRoutes,
   ...galleryPupilRoutes,
   ...galleryTeacherRoutes,

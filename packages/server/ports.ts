@@ -2,6 +2,7 @@ import { randomBytes } from 'node:crypto'
 import { statfsSync } from 'node:fs'
 import {
   accountsOn,
+  ChosenCodes,
   Hub,
   noBus,
   nightlyBackup,
@@ -17,7 +18,7 @@ import {
 } from '@botgarten/classroom'
 import root from '../../package.json' with { type: 'json' }
 import { announcedTo } from './announced.ts'
-import { cardsInWorker } from './cards.ts'
+import { cardsInWorker, questionnairesInWorker } from './content.ts'
 import { examineRunning } from './doctor/running.ts'
 import type { ReachedRecord } from './reached.ts'
 import { rehearsalsAt } from './rehearsals.ts'
@@ -101,6 +102,8 @@ export function portsOn(database: Database, secret: Uint8Array, options: PortOpt
     teacherMade: options.teacherMade,
     live: new Hub(options.bus ?? noBus, () => Date.now()),
     cards: cardsInWorker(),
+    questionnaires: questionnairesInWorker(),
+    codes: new ChosenCodes(),
     host: hostOf(database, options),
   }
   return { ports, close: checker.close }

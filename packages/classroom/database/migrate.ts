@@ -1,5 +1,6 @@
 import { Migrator } from 'kysely'
 import type { Database } from './database.ts'
+import { migrateAnswers } from './answers/migrate.ts'
 import { first } from './first.ts'
 import { gallery } from './gallery.ts'
 import { live } from './live.ts'
@@ -28,6 +29,7 @@ export async function needsMigration(database: Database): Promise<boolean> {
 
 /** Takes the steps that are missing, forward only, under the migrator's lock. @throws the error of the step that failed */
 export async function migrate(database: Database): Promise<void> {
+  await migrateAnswers(database.answers)
   const { error } = await migrator(database).migrateToLatest()
   if (error !== undefined) throw error instanceof Error ? error : new Error('A migration failed.')
 }

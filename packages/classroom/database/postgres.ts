@@ -1,18 +1,9 @@
 import { Kysely, PostgresDialect } from 'kysely'
 import pg from 'pg'
+import { openAnswersOn } from './answers/postgres.ts'
 import type { Database } from './database.ts'
+import { asNumbers } from './postgres-numbers.ts'
 import type { Tables } from './tables.ts'
-
-const int8 = 20
-const numeric = 1700
-/** PostgreSQL gives wide numbers and sums as text; all of ours fit a double. */
-const asNumbers = {
-  getTypeParser: (id: number, format?: 'text' | 'binary'): unknown => {
-    if (id === int8 || id === numeric) return Number
-    const usual: unknown = pg.types.getTypeParser(id, format)
-    return usual
-  },
-}
 
 /** @param address `postgres://user:password@host/database` */
 export function openPostgres(address: string): Database {
@@ -25,5 +16,10 @@ export function openPostgres(address: string): Database {
   // A connection that breaks while nobody uses it: the next query opens another one.
   pool.on('error', () => {})
   const db = new Kysely<Tables>({ dialect: new PostgresDialect({ pool }) })
-  return { kind: 'postgres', db, backup: null, checkpoint: null, close: () => db.destroy() }
+  const answers = openAnswersOn(address)
+  const close = async () => {
+    await answers.close()
+    await db.destroy()
+  }
+  return { kind: 'postgres', db, answers, backup: null, checkpoint: null, close }
 }

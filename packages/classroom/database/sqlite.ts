@@ -1,28 +1,9 @@
 import SqliteFile from 'better-sqlite3'
-import { Kysely, SqliteDialect, type Driver } from 'kysely'
+import { Kysely } from 'kysely'
+import { answersBeside, openAnswersFile } from './answers/sqlite.ts'
 import type { Database } from './database.ts'
+import { busyTimeout, Dialect } from './sqlite-dialect.ts'
 import type { Tables } from './tables.ts'
-
-/** How long a statement waits while another process holds the file, ms. It stops everything else in this process. */
-const busyTimeout = 1000
-
-/** SQLite rolls back by itself when the disk is full: rolling back again would hide that error behind another one. */
-class Dialect extends SqliteDialect {
-  private readonly file: SqliteFile.Database
-
-  constructor(file: SqliteFile.Database) {
-    super({ database: file })
-    this.file = file
-  }
-
-  override createDriver(): Driver {
-    const driver = super.createDriver()
-    const rollback = driver.rollbackTransaction.bind(driver)
-    driver.rollbackTransaction = (connection) =>
-      this.file.inTransaction ? rollback(connection) : Promise.resolve()
-    return driver
-  }
-}
 
 /** Pages of the journal after which a commit puts it away itself, 16 MB: `checkpoint` comes long before. */
 const mostPages = 4000
@@ -48,6 +29,15 @@ function keepStatements(sqlite: SqliteFile.Database): void {
   Object.assign(sqlite, { prepare })
 }
 
+function answersOf(sqlite: SqliteFile.Database, file: string) {
+  try {
+    return openAnswersFile(answersBeside(file))
+  } catch (error) {
+    sqlite.close()
+    throw error
+  }
+}
+
 /**
  * One file, one connection, so one writer. A save is acknowledged once it is on the disk (`synchronous=FULL`).
  * @param file path, or `:memory:`
@@ -69,12 +59,17 @@ export function openSqlite(file: string): Database {
     throw error
   }
   keepStatements(sqlite)
+  const answers = answersOf(sqlite, file)
   const db = new Kysely<Tables>({ dialect: new Dialect(sqlite) })
   return {
     kind: 'sqlite',
     db,
+    answers,
     backup: async (copy) => void (await sqlite.backup(copy)),
     checkpoint: () => void sqlite.pragma('wal_checkpoint(PASSIVE)'),
-    close: () => db.destroy(),
+    close: async () => {
+      await answers.close()
+      await db.destroy()
+    },
   }
 }

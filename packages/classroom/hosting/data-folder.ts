@@ -2,6 +2,8 @@
 import { randomBytes } from 'node:crypto'
 import { existsSync, mkdirSync, readFileSync, renameSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'
+import { migrateAnswers } from '../database/answers/migrate.ts'
+import { answersBeside } from '../database/answers/sqlite.ts'
 import type { Database } from '../database/database.ts'
 import { codeOf } from '../database/errors.ts'
 import { isSound } from '../database/sound.ts'
@@ -21,7 +23,7 @@ export function secretIn(folder: string): Uint8Array {
 
 type Opened =
   | { readonly kind: 'open'; readonly database: Database }
-  /** The file was broken: it is kept under another name, and nothing was put in its place. */
+  /** A file was broken: it is kept under another name, and nothing was put in its place. */
   | { readonly kind: 'broken'; readonly aside: string; readonly lastBackup: string | null }
 
 /**
@@ -32,10 +34,12 @@ export async function openDataFolder(folder: string): Promise<Opened> {
   mkdirSync(folder, { recursive: true })
   const file = databaseIn(folder)
   const isNew = !existsSync(file)
-  if (!isNew && !isSound(file))
-    return { kind: 'broken', aside: setAside(file, 'broken'), lastBackup: lastBackup(folder) }
+  const broken = [file, answersBeside(file)].find((one) => existsSync(one) && !isSound(one))
+  if (broken !== undefined)
+    return { kind: 'broken', aside: setAside(broken, 'broken'), lastBackup: lastBackup(folder) }
   const database = openSqlite(file)
   try {
+    await migrateAnswers(database.answers)
     if (!isNew && (await needsMigration(database))) await backupInto(folder, database, 'before-migration')
     await migrate(database)
   } catch (error) {

@@ -62,8 +62,8 @@ test('a backup made while children save is sound and holds what was acknowledged
 test('one copy a night is made, and seven are kept', async () => {
   const database = await open()
   for (let day = 10; day < 20; day++) await nightlyBackup(folder, database, `2026-11-${day}`)
-  expect(readdirSync(join(folder, 'backups'))).toEqual(
-    Array.from({ length: 7 }, (_, at) => `2026-11-${13 + at}.db`),
+  expect(readdirSync(join(folder, 'backups')).toSorted()).toEqual(
+    Array.from({ length: 7 }, (_, at) => [`2026-11-${13 + at}.answers.db`, `2026-11-${13 + at}.db`]).flat(),
   )
   expect(lastBackup(folder)).toBe(join(folder, 'backups', '2026-11-19.db'))
   await database.close()

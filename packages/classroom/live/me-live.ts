@@ -1,4 +1,5 @@
 import { meOf } from '../joining/me.ts'
+import { openAskingOf } from '../questionnaires/askings-store.ts'
 import type { Pupil } from '../joining/sessions-store.ts'
 import { askedBy, askedOf } from '../asking/peers-store.ts'
 import type { Ports } from '../ports.ts'
@@ -8,6 +9,7 @@ import { handoutsOf } from './handouts-store.ts'
 export async function liveOfPupil(ports: Ports, pupil: Pupil) {
   const me = await meOf(ports, pupil)
   // Before the pictures are shown nothing of what was sent is read.
+  const asking = await openAskingOf(ports.database.answers.db, pupil.class)
   const handouts = pupil.fresh ? await handoutsOf(ports.database.db, pupil.id) : []
   const asks = pupil.fresh && me.class.asking
   return {
@@ -18,5 +20,7 @@ export async function liveOfPupil(ports: Ports, pupil: Pupil) {
     attention: ports.live.attentionOf(pupil.class),
     inside: ports.live.insideOf(pupil.id),
     handouts,
+    /** The form that the class is asked now, by its key. */
+    asking: asking?.key ?? null,
   }
 }

@@ -4,6 +4,7 @@ import { newCode, codeKey } from '../joining/code.ts'
 import { endSessionsOfClass } from '../joining/sessions-store.ts'
 import type { Ports } from '../ports.ts'
 import { mostSpace } from '../projects/saves-store.ts'
+import { forgetClass } from '../questionnaires/askings-store.ts'
 import { Refusal } from '../refusal.ts'
 import { route, type Answer, type Call, type Route } from '../route.ts'
 import { addClass, changeClass, classesOf, closeClass, giveCode, sizesOf } from './classes-store.ts'
@@ -116,6 +117,7 @@ async function remove({ ports, who, body }: Call<{ readonly name: string }>): Pr
 
 export async function deleteForGood(ports: Ports, tombstone: { kind: 'class' | 'pupil'; id: string }) {
   await ports.bury(tombstone)
+  if (tombstone.kind === 'class') await forgetClass(ports.database.answers.db, tombstone.id)
   await ports.database.db.transaction().execute((inside) => carryOut(inside, tombstone))
 }
 

@@ -4,6 +4,7 @@ import { pupilsOf } from '../joining/pupils-store.ts'
 import type { Ports } from '../ports.ts'
 import { projectsOf, versionOf } from '../projects/projects-store.ts'
 import { mostSpace } from '../projects/saves-store.ts'
+import { askingsOf } from '../questionnaires/askings-store.ts'
 import { Refusal } from '../refusal.ts'
 import { route, type Answer, type Call, type Route } from '../route.ts'
 import { sizesOf } from './classes-store.ts'
@@ -23,6 +24,7 @@ async function data({ ports, who }: Call<undefined>): Promise<Answer> {
       ...{ space, mostSpace, endsOn, endsSoon: announcedDay !== null },
       shared: await countAllShared(ports.database.db, id),
       results: (await resultsOf(ports.database.db, id)).length,
+      forms: (await askingsOf(ports.database.answers.db, id)).length,
       backups: ports.host.backups(),
       /** Deleted today, it is in no backup from this day on. */
       goneFromBackupsOn: ports.day(nights),

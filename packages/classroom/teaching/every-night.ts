@@ -1,5 +1,6 @@
 import type { Ports } from '../ports.ts'
 import { deleteUnheld } from '../live/handouts-store.ts'
+import { settleAll } from '../questionnaires/nightly.ts'
 import { recount } from '../projects/assets-store.ts'
 import { deleteForGood } from './class-routes.ts'
 import { allClasses, clearAway } from './clearing-store.ts'
@@ -16,6 +17,7 @@ export async function everyNight(ports: Ports): Promise<void> {
   const now = ports.now()
   await countDay(ports)
   for (const id of await endingNow(ports)) await endClass(ports, id)
+  await settleAll(ports)
   await clearAway(db, now, ports.day(0))
   await deleteUnheld(db)
   for (const id of await allClasses(db)) await db.transaction().execute((inside) => recount(inside, id))

@@ -1,9 +1,11 @@
+import { content } from '@botgarten/content/files'
 import type { Database } from '../database/database.ts'
 import { handle } from '../handle.ts'
 import type { Caller, LogLine, Ports, Tombstone } from '../ports.ts'
 import { checkProject } from '../projects/checked.ts'
 import { noBus } from '../live/bus.ts'
 import { Hub } from '../live/hub.ts'
+import { ChosenCodes } from '../questionnaires/codes.ts'
 import { saveQueueOn } from '../projects/save-queue.ts'
 import { hashOf } from '../hashes.ts'
 import { accountsOn, type Hashing } from '../teaching/accounts.ts'
@@ -49,6 +51,8 @@ export class Server {
       live: new Hub(noBus, () => this.now),
       cards: () =>
         Promise.resolve([{ id: 'friendship', starts: 3, title: { en: 'Friendship', de: 'Freundschaft' } }]),
+      questionnaires: () => Promise.resolve({ forms: content.forms, questions: content.questions }),
+      codes: new ChosenCodes(),
       host: {
         ...{ memory: () => 1, freeSpace: () => 1, addresses: () => ['http://lab.test'] },
         ...{ otherDevice: () => null, wifi: null, version: '0.1.0' },

@@ -1,3 +1,4 @@
+import { dropAnswers } from '@botgarten/classroom'
 import pg from 'pg'
 
 /** Makes a schema of its own in a database. @returns an address that leads into it, and how to remove it */
@@ -14,5 +15,10 @@ export async function ownSchema(address: string, name: string) {
   await run(`create schema ${name}`)
   const url = new URL(address)
   url.searchParams.set('options', `-c search_path=${name}`)
-  return { address: url.href, remove: () => run(`drop schema ${name} cascade`) }
+  const remove = async () => {
+    // Its answers lie beside it, and are another role's.
+    await dropAnswers(url.href)
+    await run(`drop schema ${name} cascade`)
+  }
+  return { address: url.href, remove }
 }

@@ -1,0 +1,82 @@
+// What children's devices send without a cookie: nothing of it says who they are.
+import type { Answer as Given } from '@botgarten/answers'
+import * as v from 'valibot'
+import { cookieIn, deviceCookie, pupilCookie } from '../joining/cookies.ts'
+import type { Ports } from '../ports.ts'
+import { Refusal } from '../refusal.ts'
+import { route, type Call, type Route } from '../route.ts'
+import { hasAnswer, hasCode, takeAnswer } from './answers-store.ts'
+import { askingByKey } from './askings-store.ts'
+import { readSent } from './asked.ts'
+import { chanceOf } from './chance.ts'
+
+/** More children than any class has. */
+const mostAnswers = 300
+const mostBytes = 100_000
+
+const hex = v.pipe(v.string(), v.regex(/^[0-9a-f]{32}$/))
+const sent = v.strictObject({
+  key: hex,
+  id: hex,
+  code: v.nullable(v.string()),
+  values: v.record(v.string(), v.string()),
+})
+const chosen = v.strictObject({ key: hex, id: hex, code: v.pipe(v.string(), v.maxLength(40)) })
+
+/** No cookie is set, so that none is sent the next time. */
+const done = (body?: unknown) =>
+  body === undefined ? new Response(null, { status: 204 }) : Response.json(body)
+
+/** A page that sends along who sits there has a fault that would join an answer to a pupil. */
+function refuseKnown(headers: Headers): void {
+  if ([pupilCookie, deviceCookie].some((name) => cookieIn(headers, name) !== null))
+    throw new Refusal(400, 'withCookie')
+}
+
+async function asking({ answers }: Ports['database'], key: string) {
+  const found = await askingByKey(answers.db, key)
+  if (!found) throw new Refusal(404, 'noSuchForm')
+  return found
+}
+
+function readAs(read: () => Given): Given {
+  try {
+    return read()
+  } catch {
+    throw new Refusal(400, 'notUnderstood')
+  }
+}
+
+async function take({ ports, headers, body }: Call<v.InferOutput<typeof sent>>): Promise<Response> {
+  refuseKnown(headers)
+  const { database, random, now } = ports
+  const row = await asking(database, body.key)
+  const { key: _, ...given } = body
+  const { id, code, values } = readAs(() => readSent(row, given))
+  const isOver = row.state === 'closed' || (row.state === 'closing' && (row.closesAt ?? 0) <= now())
+  if (isOver) {
+    if (await hasAnswer(database.answers.db, row.key, id)) return done()
+    throw new Refusal(409, 'formClosed')
+  }
+  const answer = { asking: row.key, id, code, chosen: JSON.stringify(values) }
+  if (!(await takeAnswer(database.answers, row, answer, mostAnswers, chanceOf(random))))
+    throw new Refusal(409, 'formFull')
+  return done()
+}
+
+/** Has another child of the class chosen this code for this form? If not, it is this one's. */
+async function choose({ ports, headers, body }: Call<v.InferOutput<typeof chosen>>): Promise<Response> {
+  refuseKnown(headers)
+  const { key, id, code } = body
+  const row = await asking(ports.database, key)
+  readAs(() => readSent(row, { id, code, values: {} }))
+  const isTaken =
+    (await hasCode(ports.database.answers.db, key, code, id)) ||
+    !ports.codes.choose(key, id, code, ports.now())
+  return done({ taken: isTaken })
+}
+
+export const answerRoutes: readonly Route[] = [
+  route('POST', '/answers', ['anyone'], take, sent, mostBytes),
+  route('POST', '/answers/code', ['anyone'], choose, chosen),
+]

@@ -1,0 +1,59 @@
+import type { AnswersDb } from '../database/answers/database.ts'
+import type { AskingRow } from '../database/answers/tables.ts'
+
+/** All that a class was asked. */
+export const askingsOf = (db: AnswersDb, classId: string): Promise<AskingRow[]> =>
+  db.selectFrom('asking').selectAll().where('class', '=', classId).execute()
+
+/** What a class is asked now; undefined while it is asked nothing. */
+export const openAskingOf = (db: AnswersDb, classId: string): Promise<AskingRow | undefined> =>
+  db
+    .selectFrom('asking')
+    .selectAll()
+    .where('class', '=', classId)
+    .where('state', '=', 'open')
+    .executeTakeFirst()
+
+export const askingByKey = (db: AnswersDb, key: string): Promise<AskingRow | undefined> =>
+  db.selectFrom('asking').selectAll().where('key', '=', key).executeTakeFirst()
+
+export const askingOf = (db: AnswersDb, classId: string, form: string): Promise<AskingRow | undefined> =>
+  db.selectFrom('asking').selectAll().where('class', '=', classId).where('form', '=', form).executeTakeFirst()
+
+export async function addAsking(db: AnswersDb, row: AskingRow): Promise<void> {
+  await db.insertInto('asking').values(row).execute()
+}
+
+/** @param closesAt while it closes, ms since 1970 */
+export async function setState(
+  db: AnswersDb,
+  key: string,
+  state: AskingRow['state'],
+  closesAt: number | null = null,
+): Promise<void> {
+  await db.updateTable('asking').set({ state, closesAt }).where('key', '=', key).execute()
+}
+
+/** Classes with a form whose answers have all had their time. */
+export async function classesToSettle(db: AnswersDb, now: number): Promise<readonly string[]> {
+  const rows = await db
+    .selectFrom('asking')
+    .select('class')
+    .distinct()
+    .where('state', '=', 'closing')
+    .where('closesAt', '<=', now)
+    .execute()
+  return rows.map((row) => row.class)
+}
+
+/** Classes that were asked anything. */
+export async function askedClasses(db: AnswersDb): Promise<readonly string[]> {
+  const rows = await db.selectFrom('asking').select('class').distinct().execute()
+  return rows.map((row) => row.class)
+}
+
+/** Deletes whatever a class was asked and has answered. */
+export async function forgetClass(db: AnswersDb, classId: string): Promise<void> {
+  await db.deleteFrom('asking').where('class', '=', classId).execute()
+  await db.deleteFrom('published').where('class', '=', classId).execute()
+}
