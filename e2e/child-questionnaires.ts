@@ -1,4 +1,4 @@
-import { expect } from '@playwright/test'
+import { expect, type Locator } from '@playwright/test'
 import { content } from '@botgarten/content/files'
 import type { FormItem } from '@botgarten/content/questionnaires'
 import type { Child } from './child.ts'
@@ -6,10 +6,15 @@ import type { Child } from './child.ts'
 /** What a teacher and children do with questionnaires on one device. */
 export class Asker {
   readonly child: Child
+  readonly #by: 'click' | 'tap'
 
-  constructor(child: Child) {
+  constructor(child: Child, by: 'click' | 'tap' = 'click') {
     this.child = child
+    this.#by = by
   }
+
+  #press = (thing: Locator) => thing[this.#by]()
+  presses = (key: string) => this.#press(this.child.button(key).first())
 
   get #page() {
     return this.child.page
@@ -49,12 +54,12 @@ export class Asker {
   }
 
   async choosesCode(bird: string, number: number) {
-    await this.child.presses(`form.bird.${bird}`)
+    await this.presses(`form.bird.${bird}`)
     await this.#page.getByLabel(this.child.word('form.number'), { exact: true }).fill(String(number))
   }
 
   async begins() {
-    await this.child.presses('form.begin')
+    await this.presses('form.begin')
   }
 
   /** The words of an option as they are tapped. */
@@ -80,7 +85,7 @@ export class Asker {
     if (item.kind === 'text') return this.#page.getByRole('textbox', { name: asked, exact: true }).fill(value)
     const name = this.#option(form, item, value, young)
     const group = this.#page.getByRole('group', { name: asked, exact: true })
-    await group.getByRole('button', { name, exact: true }).click()
+    await this.#press(group.getByRole('button', { name, exact: true }))
     await expect(group.getByRole('button', { name, exact: true })).toHaveAttribute('aria-pressed', 'true')
   }
 
@@ -111,7 +116,7 @@ export class Asker {
         const item = items.find((one) => one.id === id)!
         await this.answers(form, item, valueOf(item), young)
       }
-      await this.child.presses(at === shown.length - 1 ? 'form.done' : 'form.next')
+      await this.presses(at === shown.length - 1 ? 'form.done' : 'form.next')
     }
     await expect(this.child.words('form.thanks')).toBeVisible()
   }

@@ -1,4 +1,5 @@
 import { expect, type Page } from '@playwright/test'
+import { opensForm } from './asked-class.ts'
 import { leftEye, leftWheel, type Child } from './child.ts'
 import { Pupil } from './child-class.ts'
 import { joins, saves, signsIn, type Joined, type MadeClass } from './made-class.ts'
@@ -42,6 +43,24 @@ async function disagrees(child: Child, made: MadeClass) {
 }
 
 const gate: readonly ClassScreen[] = [
+  {
+    name: 'class-asked',
+    async show(child, made) {
+      await opensForm(made, 'after')
+      await signsIn(child.page, made, await joins(made, 'Kiwi'))
+      await child.page.goto('/')
+      await expect(child.words('class.askedTitle')).toBeVisible()
+    },
+  },
+  {
+    name: 'class-question-code',
+    async show(child, made) {
+      await opensForm(made, 'after')
+      await signsIn(child.page, made, await joins(made, 'Kiwi'))
+      await child.page.goto('/questionnaires/class')
+      await expect(child.words('form.codeTitle')).toBeVisible()
+    },
+  },
   ...(['asks', 'back'] as const).map((as): ClassScreen => ({
     name: as === 'asks' ? 'are-you' : 'welcome-back',
     async show(child, made) {

@@ -1,10 +1,11 @@
 import { expect, type Page } from '@playwright/test'
+import { isAnswered, opensForm, sends } from './asked-class.ts'
 import type { Child } from './child.ts'
 import { fills, teaches, type MadeClass } from './made-class.ts'
 import type { ClassScreen } from './screens-class.ts'
 import { projector } from './screens-projector.ts'
 
-type View = 'live' | 'cards' | 'class' | 'data'
+type View = 'live' | 'cards' | 'questionnaires' | 'class' | 'data'
 
 const opensView = async (child: Child, made: MadeClass, view: View) => {
   await teaches(child.page, made)
@@ -145,6 +146,28 @@ const lists: readonly ClassScreen[] = [
       await expect(child.page.getByRole('dialog').getByRole('listitem')).toHaveCount(3)
     },
   })),
+  {
+    name: 'class-questionnaires',
+    async show(child, made) {
+      await isAnswered(made, 'before', 22)
+      const key = await opensForm(made, 'after')
+      for (let n = 0; n < 12; n += 1) await sends(made, key, 'after', n)
+      await opensView(child, made, 'questionnaires')
+      await expect(child.words('form.class.open')).toBeVisible()
+    },
+  },
+  {
+    name: 'class-results',
+    async show(child, made) {
+      for (const form of ['before', 'after']) await isAnswered(made, form, 22)
+      await opensView(child, made, 'questionnaires')
+      await child.page
+        .getByRole('button', { name: child.word('form.results'), exact: true })
+        .nth(1)
+        .click()
+      await expect(child.words('form.answers', { count: 22 })).toBeVisible()
+    },
+  },
   {
     name: 'class-data',
     async show(child, made) {

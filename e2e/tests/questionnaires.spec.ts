@@ -144,3 +144,18 @@ test('a teacher copies a form, leaves questions out, adds one and asks it', asyn
   await child.presses('form.done')
   await expect(child.words('form.thanks')).toBeVisible()
 })
+
+test('every page of a questionnaire can be used by everybody', async ({ child, page }) => {
+  const asker = new Asker(child)
+  await asker.comes()
+  expect(await axeFindings(page), 'all').toEqual([])
+  await asker.asks('after', 5)
+  expect(await axeFindings(page), 'code').toEqual([])
+  await child.presses('form.codeForgot')
+  expect(await axeFindings(page), 'older').toEqual([])
+  for (const show of ['type', 'change', 'paper']) {
+    await page.goto(`/questionnaires?form=after&show=${show}`)
+    await child.seesTitle()
+    expect(await axeFindings(page), show).toEqual([])
+  }
+})

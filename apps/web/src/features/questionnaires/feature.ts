@@ -1,6 +1,7 @@
 import type { Feature } from '#parts/feature.ts'
 
 export { default as QuestionnairePage } from './view/QuestionnairePage.svelte'
+export { default as ClassQuestionPage } from './view/ClassQuestionPage.svelte'
 export { isView, type View } from './view/views.ts'
 
 /** Questionnaires: asked on this device or on paper, and what was answered beside the study of 2020. */

@@ -1,5 +1,7 @@
 // What asks, counts and shows; a page has one of them.
 export { default as Asking } from './view/asking/Asking.svelte'
+export { default as ClassAsking } from './view/asking/ClassAsking.svelte'
+export { default as ClassForms } from './view/teacher/ClassForms.svelte'
 export { default as ChangeForm } from './view/teacher/ChangeForm.svelte'
 export { default as Overview } from './view/teacher/Overview.svelte'
 export { default as PaperForm } from './view/paper/PaperForm.svelte'

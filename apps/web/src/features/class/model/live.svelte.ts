@@ -65,6 +65,10 @@ export class PupilLive {
   get handouts(): readonly Handout[] {
     return this.#heard?.me.handouts ?? []
   }
+  /** The questionnaire that the class is asked now, by its key; undefined until the class was heard of. */
+  get asking(): string | null | undefined {
+    return this.#heard?.me.asking
+  }
   /** Card or `free` that is open here and that the teacher has not left open today; null: there is none. */
   get closedPlace(): string | null {
     const place = this.#work?.place

@@ -34,6 +34,8 @@ export const me = v.object({
   inside: v.nullable(v.object({ by: v.nullable(v.string()) })),
   /** What the teacher has sent and the child has not put away, the oldest first. */
   handouts: v.array(handout),
+  /** The questionnaire that the class is asked now, by its key. A server that is older asks none. */
+  asking: v.optional(v.nullable(v.string()), null),
 })
 
 export type Me = v.InferOutput<typeof me>

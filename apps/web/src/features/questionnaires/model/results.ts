@@ -1,14 +1,11 @@
 import {
-  growthOf,
   meanOf,
   medianOf,
   study2020,
   sumOf,
-  talliesOf,
   total,
   type Band,
   type Column,
-  type Growth,
   type StudyGroup,
   type Tally,
 } from '@botgarten/answers'
@@ -20,7 +17,7 @@ import {
   type Topic,
 } from '@botgarten/content/questionnaires'
 import { columnsIn } from './forms.ts'
-import type { Sheets } from './sheets.svelte.ts'
+import type { Source } from './source.ts'
 
 /** A scale item of a group: null where fewer than five answered. */
 export interface ScaleRow {
@@ -32,10 +29,6 @@ export interface ScaleRow {
   /** The printed mean of the study's group of the same grades. */
   readonly study: number | null
 }
-
-/** What is published of a form. */
-export const publishedOf = (sheets: Sheets, loaded: LoadedForm): readonly Tally[] =>
-  talliesOf(loaded.form.id, columnsIn(loaded), sheets)
 
 /** The group of the study of 2020 with the same grades; undefined where there is none, or several. */
 export const studyOf = ({ bands }: Tally): StudyGroup | undefined =>
@@ -98,15 +91,15 @@ function shareOf(loaded: LoadedForm, topic: Topic, tally: Tally | null) {
 }
 
 /** One form a moment: where there are several, the one that is looked at, else the first. */
-export const formsInTime = (sheets: Sheets, looked: LoadedForm): readonly LoadedForm[] =>
+export const formsInTime = (source: Source, looked: LoadedForm): readonly LoadedForm[] =>
   moments.flatMap((moment) => {
     if (looked.form.moment === moment) return [looked]
-    return sheets.forms.find(({ form }) => form.moment === moment) ?? []
+    return source.forms.find(({ form }) => form.moment === moment) ?? []
   })
 
-export function slopesOf(sheets: Sheets, forms: readonly LoadedForm[]): readonly Slope[] {
+export function slopesOf(source: Source, forms: readonly LoadedForm[]): readonly Slope[] {
   const tallies = forms.map((loaded) =>
-    sheets.asking?.form === loaded.form.id ? null : total(publishedOf(sheets, loaded)),
+    source.isOpen(loaded.form.id) ? null : total(source.tallies(loaded)),
   )
   return topics.flatMap((topic): Slope[] => {
     const points = forms.flatMap((loaded, at) => {
@@ -114,17 +107,6 @@ export function slopesOf(sheets: Sheets, forms: readonly LoadedForm[]): readonly
       return found ? [{ at, ...found }] : []
     })
     return points.length > 0 ? [{ topic, points }] : []
-  })
-}
-
-/** What children guessed right before and after, joined by their codes. */
-export function growthsOf(sheets: Sheets, forms: readonly LoadedForm[]) {
-  const { release, answers } = sheets
-  const named = (id: string) => forms.find(({ form }) => form.id === id)
-  return release.comparisons.flatMap((one): { before: LoadedForm; after: LoadedForm; growth: Growth }[] => {
-    const [before, after] = [named(one.before), named(one.after)]
-    const growth = before && after && growthOf(one, columnsIn(before), columnsIn(after), answers)
-    return growth ? [{ before, after, growth }] : []
   })
 }
 

@@ -1,23 +1,27 @@
 import {
+  growthOf,
   merged,
+  mixed,
   nothingReleased,
   readAnswersFile,
   released,
+  rowsOf,
   shuffled,
+  talliesOf,
   writeAnswersFile,
   type Answer,
   type PaperCounts,
+  type Tally,
 } from '@botgarten/answers'
 import { readFormFile, type LoadedForm } from '@botgarten/content/questionnaires'
 import { today } from './day.ts'
-import { allForms, isKnown, isOurs } from './forms.ts'
+import { allForms, columnsIn, isKnown, isOurs } from './forms.ts'
+import type { JoinedGrowth, Rows, Source } from './source.ts'
 import { readKept, writeKept, type Kept } from '#storage/questionnaires.ts'
+import { newAnswerId, secretChance } from '#storage/waiting-answers.ts'
 
-/** Chance that nobody can foretell: the order of answers is a secret. */
-export const chance = (): number => crypto.getRandomValues(new Uint32Array(1))[0]! / 0x1_0000_0000
-
-const newId = () =>
-  [...crypto.getRandomValues(new Uint8Array(16))].map((byte) => byte.toString(16).padStart(2, '0')).join('')
+/** The order of answers is a secret. */
+export const chance = secretChance
 
 /** What a child has chosen. */
 export type Values = Answer['values']
@@ -27,7 +31,7 @@ export type Taken =
   { readonly kind: 'answers'; readonly count: number } | { readonly kind: 'form' | 'refused' }
 
 /** Every answer that this device holds, and what is asked on it. */
-export class Sheets {
+export class Sheets implements Source {
   #kept = $state.raw<Kept>(readKept())
   /** The device has kept the last change. */
   saved = $state(true)
@@ -49,6 +53,25 @@ export class Sheets {
   }
   form = (id: string | null): LoadedForm | undefined => this.forms.find((one) => one.form.id === id)
 
+  isOpen = (form: string): boolean => this.asking?.form === form
+
+  tallies = (loaded: LoadedForm): readonly Tally[] =>
+    talliesOf(loaded.form.id, columnsIn(loaded), this).map((tally) => mixed(tally, chance))
+
+  rows(loaded: LoadedForm): Promise<Rows> {
+    const columns = columnsIn(loaded)
+    return Promise.resolve(rowsOf(loaded.form.id, columns, this.tallies(loaded), this, chance))
+  }
+
+  growths(forms: readonly LoadedForm[]): readonly JoinedGrowth[] {
+    const named = (id: string) => forms.find(({ form }) => form.id === id)
+    return this.release.comparisons.flatMap((one): JoinedGrowth[] => {
+      const [before, after] = [named(one.before), named(one.after)]
+      const growth = before && after && growthOf(one, columnsIn(before), columnsIn(after), this.answers)
+      return growth ? [{ before, after, growth }] : []
+    })
+  }
+
   /** Another tab may have written since. */
   #change(make: (kept: Kept) => Partial<Kept>): void {
     const before = readKept()
@@ -59,9 +82,12 @@ export class Sheets {
 
   /** So many answered a form here or on paper; never told where they are fewer than five. */
   count(form: string): number {
-    const paper = this.paper.filter((one) => one.form === form).reduce((sum, { n }) => sum + n, 0)
-    return this.answers.filter((one) => one.form === form).length + paper
+    return this.answers.filter((one) => one.form === form).length + this.typed(form)
   }
+
+  /** So many sheets of paper were typed in. */
+  typed = (form: string): number =>
+    this.paper.filter((one) => one.form === form).reduce((sum, { n }) => sum + n, 0)
 
   /** Has somebody answered this form under this code? */
   isTaken = (form: string, code: string): boolean =>
@@ -73,7 +99,7 @@ export class Sheets {
 
   /** Takes what a child has answered, in a random place among the others. */
   take(form: string, grade: number, code: string | null, values: Values): void {
-    const answer: Answer = { id: newId(), form, grade, code, day: today(), values }
+    const answer: Answer = { id: newAnswerId(), form, grade, code, day: today(), values }
     this.#change(({ answers }) => ({ answers: shuffled([...answers, answer], chance) }))
   }
 

@@ -1,9 +1,10 @@
-import { countsTable, csv, rowsOf, sentencesTable, total, type Tally } from '@botgarten/answers'
+import { countsTable, csv, sentencesTable, total } from '@botgarten/answers'
 import type { FormItem, LoadedForm } from '@botgarten/content/questionnaires'
 import { zipSync } from 'fflate'
 import { message } from '#words/message.ts'
 import { columnsIn, optionOf, optionsOf, questionOf, textOf } from './forms.ts'
-import { chance, type Sheets } from './sheets.svelte.ts'
+import { chance } from './sheets.svelte.ts'
+import type { Source } from './source.ts'
 
 /** What each column holds: the question, and what each value means. */
 function codeBook(loaded: LoadedForm): readonly (readonly string[])[] {
@@ -27,18 +28,15 @@ function codeBook(loaded: LoadedForm): readonly (readonly string[])[] {
 }
 
 /** All that is published of a form as tables: children, counts, sentences an item, and what the columns mean. */
-export function tablesOf(
-  sheets: Sheets,
-  loaded: LoadedForm,
-  tallies: readonly Tally[],
-): Uint8Array<ArrayBuffer> {
+export async function tablesOf(source: Source, loaded: LoadedForm): Promise<Uint8Array<ArrayBuffer>> {
   const columns = columnsIn(loaded)
+  const tallies = source.tallies(loaded)
   const { id } = loaded.form
   const sentences = columns
     .filter(({ kind }) => kind === 'text')
     .map((column) => [`${id}-${column.id}.csv`, sentencesTable(column.id, total(tallies), chance)] as const)
   const tables = {
-    [`${id}.csv`]: rowsOf(id, columns, tallies, sheets, chance),
+    [`${id}.csv`]: await source.rows(loaded),
     [`${id}-counts.csv`]: countsTable(columns, tallies),
     ...Object.fromEntries(sentences),
     'code-book.csv': codeBook(loaded),

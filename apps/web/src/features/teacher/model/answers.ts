@@ -127,6 +127,8 @@ export const data = v.object({
   projects: v.number(),
   versions: v.number(),
   results: v.number(),
+  /** Questionnaires that the class was asked; a server that is older asks none. */
+  forms: v.optional(v.number(), 0),
   /** Bytes, and how many there may be. */
   space: v.number(),
   mostSpace: v.number(),

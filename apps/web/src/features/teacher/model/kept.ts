@@ -58,6 +58,12 @@ export function keptOf(data: Data, locale: string): readonly KeptRow[] {
       text: m['teacher.keptResultsText'](),
       much: m['teacher.countResults']({ count: data.results }),
     },
+    {
+      ...{ id: 'forms', icon: 'bars', until },
+      title: m['teacher.keptForms'](),
+      text: m['teacher.keptFormsText'](),
+      much: m['teacher.countForms']({ count: data.forms }),
+    },
     backupRow(data),
   ]
 }

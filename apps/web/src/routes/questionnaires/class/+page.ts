@@ -1,0 +1,4 @@
+import { questionnaires } from '#features/questionnaires/feature.ts'
+import { fetchWords } from '#words/message.ts'
+
+export const load = () => fetchWords(...questionnaires.words)

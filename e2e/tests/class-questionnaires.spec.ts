@@ -1,0 +1,149 @@
+// Rooms: class, questionnaires, teacher
+import { readFileSync } from 'node:fs'
+import type { Page } from '@playwright/test'
+import { unzipSync } from 'fflate'
+import { opensForm, passes, sends } from '../asked-class.ts'
+import { axeFindings } from '../axe.ts'
+import { Child } from '../child.ts'
+import { Asker, nth } from '../child-questionnaires.ts'
+import { classOfTest } from '../class-server.ts'
+import { expect, test as base } from '../house.ts'
+import { joins, signsIn, teaches, type MadeClass } from '../made-class.ts'
+
+const test = base.extend<{ made: MadeClass }, { school: MadeClass }>({
+  school: [
+    // eslint-disable-next-line no-empty-pattern -- Playwright reads the names of what is asked for
+    async ({}, use) => {
+      const school = await classOfTest()
+      await use(school)
+      await school.close()
+    },
+    { scope: 'worker' },
+  ],
+  house: [({ school }, use) => use(school.url), { scope: 'worker' }],
+  complaints: [/net::ERR_/],
+})
+
+const minutes = 60_000
+
+/** The child sees that something is asked, and goes there. */
+async function goesThere(child: Child) {
+  await child.page.goto('/')
+  await expect(child.words('class.askedTitle')).toBeVisible()
+  await child.page.getByRole('link', { name: child.word('class.askedGo'), exact: true }).click()
+  await expect(child.words('form.codeTitle')).toBeVisible()
+}
+
+/** What the page sends, and whether it says who sits there. */
+const sentBy = (page: Page) =>
+  page
+    .waitForResponse((response) => response.url().endsWith('/api/class/answers'))
+    .then(async (response) => ({
+      status: response.status(),
+      headers: await response.request().allHeaders(),
+      body: response.request().postDataJSON() as object,
+    }))
+
+test('a class of thirty: five answer on their devices, results come when the teacher has closed the form', async ({
+  browser,
+  school,
+  contextOptions,
+  house,
+}) => {
+  test.setTimeout(240_000)
+  const options = { ...contextOptions, baseURL: house, locale: 'en-GB' }
+  const teacher = new Child(await (await browser.newContext(options)).newPage(), 'en')
+  await teaches(teacher.page, school)
+  await teacher.page.goto(`/teacher?class=${school.id}&view=questionnaires`)
+  const card = teacher.page
+    .getByRole('article')
+    .filter({ hasText: new Asker(teacher).form('after').text['en']!.title })
+  await card.getByRole('button', { name: teacher.word('form.class.ask'), exact: true }).click()
+  await expect(card.getByText(teacher.word('form.class.open'), { exact: true })).toBeVisible()
+  expect(await axeFindings(teacher.page)).toEqual([])
+
+  const children = await Promise.all(
+    ['Ananas', 'Biber', 'Dachs', 'Eule', 'Falke'].map(async (nickname, n) => {
+      const context = await browser.newContext(options)
+      const child = new Child(await context.newPage(), 'en')
+      await child.page.clock.install()
+      await signsIn(child.page, school, await joins(school, nickname))
+      return { child, context, n }
+    }),
+  )
+  for (const { child, n } of children) {
+    const asker = new Asker(child)
+    await goesThere(child)
+    // The second child takes another number than the first one.
+    await asker.choosesCode('owl', 200)
+    if (n > 0) {
+      await expect(child.words('form.codeTaken')).toBeVisible()
+      await asker.choosesCode('owl', 200 + n)
+    }
+    await expect(child.button('form.begin')).toBeEnabled()
+    await asker.begins()
+    await asker.fillsIn('after', false, nth(n))
+    if (n === 0) expect(await axeFindings(child.page)).toEqual([])
+    const sending = sentBy(child.page)
+    await child.page.clock.fastForward(2 * minutes)
+    const { status, headers, body } = await sending
+    expect([status, headers['cookie']]).toEqual([204, undefined])
+    expect(Object.keys(body).toSorted()).toEqual(['code', 'id', 'key', 'values'])
+    await child.page.goto('/')
+    await expect(child.words('class.askedTitle')).toHaveCount(0)
+  }
+
+  const { asker } = await school.pupil('Reh')
+  const { key } = (await asker.ask('GET', '/me/questionnaire')).body as { key: string }
+  for (let n = 5; n < 30; n += 1) expect(await sends(school, key, 'after', n)).toBe(204)
+  await expect(card.getByText(teacher.word('form.answers', { count: 30 }))).toBeVisible()
+  await card.getByRole('button', { name: teacher.word('form.close'), exact: true }).click()
+  await expect(card.getByText(teacher.word('form.class.closing'), { exact: true })).toBeVisible()
+  passes(school, 2)
+  await card.getByRole('button', { name: teacher.word('form.results'), exact: true }).click()
+  await expect(teacher.page.getByRole('heading', { level: 2 }).first()).toBeVisible()
+  const row = teacher.page.getByRole('row').filter({ hasText: 'Teach Bo' }).first()
+  await expect(row).toContainText('3.00')
+  await expect(row).toContainText('4.57')
+  expect(await axeFindings(teacher.page)).toEqual([])
+  const [file] = await Promise.all([
+    teacher.page.waitForEvent('download'),
+    teacher.page.getByRole('button', { name: 'CSV' }).click(),
+  ])
+  const rows = new TextDecoder()
+    .decode(unzipSync(readFileSync(await file.path()))['after.csv'])
+    .trim()
+    .split('\r\n')
+  expect(rows).toHaveLength(31)
+  expect(rows.join()).not.toMatch(/owl|swan|Bo |20\d\d-/)
+  for (const { context } of children) await context.close()
+  await teacher.page.context().close()
+})
+
+test('with the cable pulled a child answers all the same, and its answers come when the cable is back', async ({
+  child,
+  page,
+  school,
+  context,
+}) => {
+  const made = school
+  await opensForm(made, 'before')
+  await page.clock.install()
+  await signsIn(page, made, await joins(made, 'Igel'))
+  const asker = new Asker(child)
+  await goesThere(child)
+  await context.setOffline(true)
+  await child.presses('form.codeForgot')
+  await asker.fillsIn('before', false, nth(1))
+  await page.clock.fastForward(3 * minutes)
+  const waiting = () =>
+    page.evaluate(() => JSON.parse(localStorage.getItem('botgarten.answers') ?? '[]') as object[])
+  const [kept, ...others] = await waiting()
+  expect(others).toEqual([])
+  expect(Object.keys(kept!).toSorted()).toEqual(['code', 'id', 'key', 'values'])
+  expect(JSON.stringify(kept)).not.toMatch(/Igel|20\d\d-/)
+  await context.setOffline(false)
+  await page.clock.fastForward(3 * minutes)
+  await expect.poll(async () => (await waiting()).length).toBe(0)
+  await made.teacher.ask('POST', `/classes/${made.id}/questionnaires/before/close`)
+})
