@@ -1,6 +1,8 @@
+import { spawnSync } from 'node:child_process'
 import { readFile } from 'node:fs/promises'
 import { expect } from '@playwright/test'
 import { pseudonymOf } from '../packages/experiments/study/index.ts'
+import { inHouse } from '../scripts/prepare/house.mjs'
 import type { Child } from './child.ts'
 
 /** A study of two modules, as its file. */
@@ -89,4 +91,17 @@ export class StudyHands {
     const path = await download.path()
     return { path, text: await readFile(path, 'utf8') }
   }
+}
+
+interface Replayed {
+  readonly runs: readonly { readonly same: boolean; readonly photo: boolean; readonly ticks: number }[]
+  readonly pupils: readonly { readonly pseudonym: string; readonly tries: number; readonly knobs: number }[]
+}
+
+/** What the command line says of a log that came out of the browser. */
+export function replayed(path: string): Replayed {
+  const call = [inHouse('apps', 'cli', 'botgarten.ts'), 'replay', path, '--json', '--lang', 'en']
+  const { stdout, stderr } = spawnSync(process.execPath, call, { encoding: 'utf8' })
+  expect(stderr).toBe('')
+  return JSON.parse(stdout) as Replayed
 }

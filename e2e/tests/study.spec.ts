@@ -1,26 +1,9 @@
 // Rooms: study, lab, app, storage
-import { spawnSync } from 'node:child_process'
 import { axeFindings } from '../axe.ts'
 import { leftEye, leftWheel } from '../child.ts'
-import { StudyHands, studyFile } from '../child-study.ts'
+import { StudyHands, replayed, studyFile } from '../child-study.ts'
 import { expect, test } from '../house.ts'
 import { languages } from '../words.ts'
-import { inHouse } from '../../scripts/prepare/house.mjs'
-
-interface Replayed {
-  readonly runs: readonly { readonly same: boolean; readonly ticks: number }[]
-  readonly pupils: readonly { readonly pseudonym: string; readonly tries: number; readonly knobs: number }[]
-}
-
-/** The log that came out of the browser, replayed by the command line. */
-function replayed(path: string): Replayed {
-  const cli = inHouse('apps', 'cli', 'botgarten.ts')
-  const { stdout, stderr } = spawnSync(process.execPath, [cli, 'replay', path, '--json', '--lang', 'en'], {
-    encoding: 'utf8',
-  })
-  expect(stderr).toBe('')
-  return JSON.parse(stdout) as Replayed
-}
 
 for (const language of languages)
   test.describe(`a study in ${language}`, () => {

@@ -24,6 +24,8 @@ export interface Sitting {
   readonly yes: boolean
   /** Does it let the log rest? */
   readonly rests: boolean
+  /** The page that was opened last, by its own random name: it alone writes. */
+  readonly page: string
 }
 
 /** The study that is open on this device. */
@@ -52,7 +54,7 @@ const kept = v.object({
         part: count,
         lines: count,
       },
-      ...{ yes: v.boolean(), rests: v.boolean() },
+      ...{ yes: v.boolean(), rests: v.boolean(), page: v.string() },
     }),
   ),
 })
@@ -107,6 +109,11 @@ const database = () =>
     upgrade(db) {
       const lines = db.createObjectStore('lines', { keyPath: ['began', 'session', 'n'] })
       lines.createIndex('pseudonym', 'pseudonym')
+    },
+    // Another tab deletes all of it: this one lets go.
+    blocking: (_now, _wanted, event) => {
+      ;(event.target as IDBDatabase).close()
+      opened = undefined
     },
     terminated: () => (opened = undefined),
   }))

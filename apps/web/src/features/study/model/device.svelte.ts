@@ -9,6 +9,7 @@ import {
   type StudyPlan,
 } from '@botgarten/experiments/study'
 import { version } from '@botgarten/programs'
+import { placeOfStudy } from '#storage/study-sign.ts'
 import {
   putAside,
   putLines,
@@ -23,12 +24,13 @@ import {
 /** Lines wait so long for others, in milliseconds, before they are kept. */
 const pause = 1000
 
-const freshSession = () =>
+const randomName = () =>
   `s${[...crypto.getRandomValues(new Uint8Array(4))].map((byte) => byte.toString(16).padStart(2, '0')).join('')}`
 
 /** The study of this device, the child that sits at it, and the pen that writes for it. */
 class Device {
   #open = $state.raw<OpenStudy | null>(readStudy())
+  readonly #page = randomName()
   /** Did this device keep everything so far? */
   keeps = $state(true)
   #waiting: Line[] = []
@@ -48,13 +50,27 @@ class Device {
   /** Is what happens written down now? */
   get writes(): boolean {
     const { child } = this
-    return child !== null && child.yes && !child.rests
+    return child !== null && child.yes && !child.rests && this.holds
+  }
+  /** Does this page write, and not one that was opened after it? */
+  get holds(): boolean {
+    return this.child?.page === this.#page
   }
   /** Modules in the order of the child's group. */
   get modules(): StudyPlan['modules'] {
     const { plan, child } = this
     if (!plan || !child) return []
     return orderOf(plan.modules, plan.order, plan.seed, child.group) as StudyPlan['modules']
+  }
+
+  /** A page that was opened, or goes on, writes from now on. */
+  hold(): void {
+    if (!this.holds) this.#change({ page: this.#page })
+  }
+
+  /** Another page has changed something. */
+  look = ({ key }: Pick<StorageEvent, 'key'>): void => {
+    if (key === placeOfStudy) this.#take(readStudy())
   }
 
   /** Is told when somebody begins, rests, goes on or ends. Returns how to listen no more. */
@@ -84,7 +100,15 @@ class Device {
     if (!plan || !found || found.group > plan.groups || found.child > plan.children) return false
     const pseudonym = typed.replace(/[\s.-]/g, '').toUpperCase()
     const { group } = found
-    const sitting = { session: freshSession(), began: Date.now(), last: 0, lines: 0, part: 0, rests: false }
+    const sitting = {
+      session: randomName(),
+      began: Date.now(),
+      last: 0,
+      lines: 0,
+      part: 0,
+      rests: false,
+      page: this.#page,
+    }
     this.#set({ plan, ready: true, child: { pseudonym, group, yes: yes && plan.log, ...sitting } })
     const order = this.modules.map(({ id }) => id)
     this.write({ event: 'session', format, version, study: plan.id, group, seed: plan.seed, order })
@@ -97,6 +121,7 @@ class Device {
   goOn(): void {
     const { child } = this
     if (!child || child.part + 1 >= this.modules.length) return
+    this.hold()
     this.#change({ part: child.part + 1 })
     this.write({ event: 'part', module: this.modules[child.part + 1]!.id })
     this.keep()
@@ -111,11 +136,12 @@ class Device {
   }
 
   wake(): void {
-    this.#change({ rests: false })
+    this.#change({ rests: false, page: this.#page })
   }
 
   /** The child has ended: the next one can come. */
   end(): void {
+    this.hold()
     this.#before()
     this.write({ event: 'over' })
     this.keep()
@@ -144,6 +170,7 @@ class Device {
   }
 
   #put = (line: Line): void => {
+    if (!this.writes) return
     this.#waiting.push(line)
     this.#timer ??= setTimeout(() => this.keep(), pause)
   }
@@ -192,11 +219,16 @@ class Device {
   }
 
   #set(open: OpenStudy | null): void {
+    this.keeps = writeStudy(open) && this.keeps
+    this.#take(open)
+  }
+
+  #take(open: OpenStudy | null): void {
     if (open?.child?.session !== this.child?.session) {
       this.#pen = null
       this.#last = 0
     }
-    this.#save(open)
+    this.#open = open
     for (const listener of this.#listeners) listener()
   }
 

@@ -122,3 +122,30 @@ test('one number is deleted without a trace, and the others stay', async () => {
   expect((await logged()).map(({ says }) => says.pseudonym)).toEqual(Array(3).fill(pseudonymOf(1, 2)))
   expect(await logFile()).not.toContain(pseudonymOf(1, 1))
 })
+
+test('the page that was opened last writes, after the lines of the one before', async () => {
+  device.begin(pseudonymOf(1, 2), true)
+  vi.resetModules()
+  const { device: other } = await import('./device.svelte.ts')
+  expect(other.writes).toBe(false)
+  other.hold()
+  device.look({ key: 'botgarten.study' })
+  expect([device.writes, other.writes]).toEqual([false, true])
+  device.write({ event: 'hint', shown: 1 })
+  other.write({ event: 'hint', shown: 2 })
+  other.keep()
+  await vi.waitFor(async () => expect(await logged()).toHaveLength(3))
+  expect((await logged()).map(({ says }) => says)).toMatchObject([
+    { event: 'session' },
+    { event: 'part' },
+    { event: 'hint', shown: 2 },
+  ])
+})
+
+test('what was on its way when the page was left is taken up by the next one', async () => {
+  device.begin(pseudonymOf(1, 2), true)
+  device.write({ event: 'hint', shown: 1 })
+  device.leave()
+  expect(kept.get('botgarten.study-aside')).toContain('hint')
+  expect((await logged()).map(({ says }) => says.event)).toEqual(['session', 'part', 'hint'])
+})

@@ -32,7 +32,9 @@ export function follow(session: LabSession): () => void {
     device.listen(sync),
     session.listen(hears(session.progress.hints)),
     heard('pagehide', () => (held?.flush(), device.leave())),
+    heard('storage', device.look),
   ]
+  device.hold()
   sync()
   return () => {
     for (const one of leave) one()
@@ -57,7 +59,10 @@ function hears(hints: number): (event: LabEvent) => void {
   }
 }
 
-function heard(event: 'pagehide', act: () => void): () => void {
+function heard<Name extends keyof WindowEventMap>(
+  event: Name,
+  act: (event: WindowEventMap[Name]) => void,
+): () => void {
   addEventListener(event, act)
   return () => removeEventListener(event, act)
 }
