@@ -66,7 +66,7 @@ test('cards, blocks, maps and the order of parts are locked until the researcher
   const hands = new StudyHands(child)
   await hands.handsOut()
   await hands.begins(2, 3, 'no')
-  for (const closed of ['/lab/fear', '/lab/free', '/zoo', '/projects']) {
+  for (const closed of ['/lab/fear', '/lab/free', '/zoo', '/projects', '/']) {
     await page.goto(closed)
     await expect(page).toHaveURL(/\/study$/)
   }

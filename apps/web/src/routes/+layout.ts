@@ -10,8 +10,8 @@ export const prerender = true
 // A web space answers with the index.html of a folder, and only with that.
 export const trailingSlash = __WEB_SPACE__ ? 'always' : 'never'
 
-/** Pages that no study leaves open: what is done there stands in no log, and projects are those of all children. */
-const closedInStudy = ['/maps', '/open', '/projects', '/projects/bin', '/race', '/sorting', '/zoo']
+/** Pages that no study leaves open: what is done there stands in no log, and home and projects show those of all children. */
+const closedInStudy = ['/', '/maps', '/open', '/projects', '/projects/bin', '/race', '/sorting', '/zoo']
 
 export const load: LayoutLoad = ({ route }) => {
   if (studyIsOn() && closedInStudy.includes(route.id ?? '')) redirect(307, resolve('/study'))
