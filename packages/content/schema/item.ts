@@ -1,9 +1,11 @@
 import * as v from 'valibot'
 import type { Item, ItemKind } from './itemTypes.ts'
+import { plan } from './plan.ts'
 
 /** What kinds of items there are: each has its folder under `content/materials`. */
 const itemKinds: readonly ItemKind[] = [
   'curriculum',
+  'plan',
   'slides',
   'card',
   'observation',
@@ -16,6 +18,12 @@ const itemKinds: readonly ItemKind[] = [
   'links',
 ]
 
+/** `3.1`, `E7.2`, `P 3`, `K 5`, `A NN`, `NN 0`. */
+const code = v.pipe(
+  v.string(),
+  v.regex(/^(([EL])?\d+\.\d|[A-Z]{1,4} [A-Z]{1,2}|[A-Z]{1,4} ([EL] )?\d+|[A-Z]{1,2})$/),
+)
+
 const grade = v.pipe(v.number(), v.integer(), v.minValue(1), v.maxValue(13))
 
 const harder = v.strictObject({ upTo: v.number(), reason: v.pipe(v.string(), v.minLength(20)) })
@@ -23,6 +31,7 @@ const harder = v.strictObject({ upTo: v.number(), reason: v.pipe(v.string(), v.m
 const item: v.GenericSchema<unknown, Item> = v.strictObject({
   id: v.pipe(v.string(), v.regex(/^[a-z][a-z0-9-]*$/)),
   kind: v.picklist(itemKinds),
+  code: v.exactOptional(code),
   audience: v.picklist(['pupils', 'teachers']),
   grades: v.pipe(
     v.tuple([grade, grade]),
@@ -36,6 +45,7 @@ const item: v.GenericSchema<unknown, Item> = v.strictObject({
   competences: v.pipe(v.array(v.string()), v.minLength(1)),
   unplugged: v.boolean(),
   harder: v.exactOptional(v.record(v.string(), harder)),
+  plan: v.exactOptional(plan),
 })
 
 /** Reads `item.json`. @throws ValiError that names the place where the file is wrong. */

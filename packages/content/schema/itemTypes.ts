@@ -1,9 +1,12 @@
 import type { Embed } from './embed.ts'
+import type { Plan } from './planTypes.ts'
 
 /** `item.json` of a folder `content/materials/<kind>/<nn-id>/`: what is the same in every language. */
 export interface Item {
   readonly id: string
   readonly kind: ItemKind
+  /** What it is called on paper, in plans and in packs: `3.1`, `P 3`, `K 5`. */
+  readonly code?: string
   /** Who reads it. What teachers read is not held to a grade's readability. */
   readonly audience: 'pupils' | 'teachers'
   /** Youngest and oldest grade. */
@@ -20,10 +23,13 @@ export interface Item {
   readonly unplugged: boolean
   /** A text that is harder than its youngest grade, by language, and why it has to be. */
   readonly harder?: { readonly [language: string]: { readonly upTo: number; readonly reason: string } }
+  /** Of a lesson plan. */
+  readonly plan?: Plan
 }
 
 export type ItemKind =
   | 'curriculum'
+  | 'plan'
   | 'slides'
   | 'card'
   | 'observation'

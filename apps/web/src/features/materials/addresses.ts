@@ -24,7 +24,7 @@ export function nameOfTarget(target: string): string {
 
 /**
  * What somebody looks for who has only paper: `Folien 1: Wie lernt dein Roboter?`, `NN 5: Freundschaft`.
- * Where the words of the link already end with the number, the name is enough.
+ * Where the words of the link already end with the number, the name is enough; where they are the name, its number is.
  */
 export function numberedName(target: string, words = ''): string {
   const [kind, id] = target.split(':') as [string, string]
@@ -32,9 +32,11 @@ export function numberedName(target: string, words = ''): string {
   const name = nameOfTarget(target)
   if (item && new RegExp(`\\b${item.number}$`).test(words)) return name
   const number = item
-    ? m['materials.kindAndNumber']({ kind: message(`materials.kind.${item.kind}`), number: item.number })
+    ? (item.code ??
+      m['materials.kindAndNumber']({ kind: message(`materials.kind.${item.kind}`), number: item.number }))
     : allCards.find((card) => card.id === id)?.code
-  return number === undefined ? name : m['materials.numberedName']({ number, name })
+  if (number === undefined) return name
+  return words.trim() === name ? number : m['materials.numberedName']({ number, name })
 }
 
 /** Address of a picture by its path below `content/materials`. */

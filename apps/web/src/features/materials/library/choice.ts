@@ -6,7 +6,7 @@ export const shelves = {
   slides: ['slides'],
   sheets: ['sheet', 'worksheet'],
   unplugged: ['kit'],
-  plans: ['curriculum', 'checklist'],
+  plans: ['plan', 'curriculum', 'checklist'],
   solutions: ['solution'],
   more: ['observer', 'links'],
 } as const satisfies { readonly [shelf: string]: readonly Item['kind'][] }

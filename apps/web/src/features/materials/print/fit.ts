@@ -77,8 +77,8 @@ export function fitAll(paper: HTMLElement): void {
 /** What is printed straight from its page (Ctrl+P) is laid out as paper as long as it is printed. */
 export function printable(article: HTMLElement): () => void {
   const { paper = 'a4', kind = '' } = article.dataset
-  const sheet = paper === 'a4'
-  const names = ['paper', 'by-hand', sheet ? 'sheet' : 'cards-a5', kind]
+  const sheet = paper === 'a4' && kind !== 'plan'
+  const names = ['paper', 'by-hand', ...(sheet ? ['sheet'] : paper === 'a5' ? ['cards-a5'] : []), kind]
   const flows = sheet ? [...article.querySelectorAll('.side')] : []
   const before = () => {
     article.classList.add(...names)

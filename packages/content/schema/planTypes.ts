@@ -1,0 +1,46 @@
+/** What a lesson plan says besides its words: times, copies, and what Bo does as it claims. */
+export interface Plan {
+  /** `3` of the six lessons, or `E 7`. */
+  readonly lesson: string
+  /** The double lesson that it is a half of. */
+  readonly double: { readonly name: string; readonly lessons: readonly [string, string] } | null
+  readonly copies: readonly Copies[]
+  /** In order; their words stand in a section each. */
+  readonly steps: readonly PlanStep[]
+  readonly claims: readonly Claim[]
+}
+
+export interface Copies {
+  /** `item:<id>` or `card:<id>`. */
+  readonly of: string
+  /** One for the teacher, for each child, for a pair, or for so many children together. */
+  readonly for: 'teacher' | 'child' | 'pair' | number
+}
+
+export interface PlanStep {
+  readonly minutes: number
+}
+
+/** What the plan says of a run: with these weights on a card's network, the checks that have not passed after its seconds. */
+export interface Claim {
+  readonly card: string
+  readonly weights: { readonly [from: string]: { readonly [to: string]: number } }
+  /** Number of the start pose, from 1 as children count. */
+  readonly place: number
+  /** The second in which all checks have passed; null: they do not. */
+  readonly passed: number | null
+}
+
+/** Text of a plan, in the parts of its two pages. */
+export interface PlanParts<Section> {
+  readonly minute: Section
+  readonly goals: Section
+  readonly prepare: Section
+  readonly network: Section
+  readonly words: Section
+  readonly wrong: Section
+  readonly easier: Section
+  readonly harder: Section
+  readonly steps: readonly Section[]
+  readonly check: Section
+}
