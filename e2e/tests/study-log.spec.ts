@@ -14,13 +14,13 @@ const deeds: {
   readonly [what: string]: {
     readonly card: string
     readonly events: readonly string[]
-    act(child: Child): Promise<void>
+    readonly act: (child: Child) => Promise<void>
   }
 } = {
   'goes back in time, turns a knob there and goes on': {
     card: 'friendship',
     events: ['knob', 'pause', 'look', 'branch'],
-    async act(child) {
+    act: async (child) => {
       const time = new TimeHands(child)
       await child.typesWeight(leftEye, leftWheel, 0.6)
       await child.typesWeight(leftEye, rightWheel, 0.25)
@@ -37,7 +37,7 @@ const deeds: {
   'lets Bo learn its way by trying, and drive it': {
     card: 'railway',
     events: ['learned', 'rebuild'],
-    async act(child) {
+    act: async (child) => {
       const learner = new Learner(child)
       await learner.hurries()
       await child.presses('lab.start')
@@ -48,7 +48,7 @@ const deeds: {
   'shows examples and practises': {
     card: 'four-wrong',
     events: ['training', 'brain'],
-    async act(child) {
+    act: async (child) => {
       await practises(
         child,
         tasks.find(({ card }) => card.id === 'four-wrong')!,
@@ -61,7 +61,7 @@ const deeds: {
   'builds a world and steps through a program': {
     card: 'free',
     events: ['rebuild', 'step'],
-    async act(child) {
+    act: async (child) => {
       const builder = new Builder(child)
       await builder.begins()
       await builder.addsThing('rectangle')
