@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest'
-import { securePlace } from './secure-place.ts'
+import { plainPlace, securePlace } from './secure-place.ts'
 
 const answering =
   (body: string | null, status = 200) =>
@@ -16,3 +16,13 @@ test.each([
   ['another port', answering('{"port":"4174/evil"}')],
   ['no network', () => Promise.reject(new TypeError('fetch'))],
 ])('%s has no such place', async (_, fetch) => expect(await securePlace('localhost', fetch)).toBe(null))
+
+const own = { hostname: 'localhost', origin: 'http://localhost:4173' }
+const addresses = ['http://localhost:4173', 'https://192.168.1.5:4174', 'http://192.168.1.5:4173']
+
+test('the sheet of the machine that serves leads others to plain http, where they do not need to trust yet', async () => {
+  expect(await plainPlace(own, answering(JSON.stringify({ addresses })))).toBe('http://192.168.1.5:4173')
+  expect(await plainPlace(own, answering(null, 204))).toBe(own.origin)
+  const inRoom = { hostname: '192.168.1.5', origin: 'http://192.168.1.5:4173' }
+  expect(await plainPlace(inRoom, answering('never asked', 500))).toBe(inRoom.origin)
+})
