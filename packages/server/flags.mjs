@@ -11,5 +11,5 @@ export const serverEnv = {
   /** What a large save took goes back to the system at once. Left alone, the limit rises with the first that is freed. */
   MALLOC_MMAP_THRESHOLD_: '131072',
   /** From the second start on Node strips no types any more, and does without the 24 MB of what strips them. */
-  NODE_COMPILE_CACHE: fileURLToPath(cache),
+  NODE_COMPILE_CACHE: process.env['NODE_COMPILE_CACHE'] ?? fileURLToPath(cache),
 }
