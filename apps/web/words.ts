@@ -51,13 +51,18 @@ export function chunkOfWords(id: string): string | null {
   return size < smallTable ? `words-${language}` : null
 }
 
+/** What a language is called in itself. A browser would take some milliseconds of every start to say it. */
+const nameOf = (language: string) => new Intl.DisplayNames([language], { type: 'language' }).of(language)
+
 function indexOf(folder: string): string {
   const languages = languagesIn(folder)
   const files = [...filesOfScreens(folder), ofBlockly]
   const loads = (language: string) =>
     files.map((file) => `${JSON.stringify(file)}: () => import("content:words/${language}/${file}")`)
   const tables = languages.map((language) => `${JSON.stringify(language)}: { ${loads(language).join(', ')} }`)
+  const names = Object.fromEntries(languages.map((language) => [language, nameOf(language)]))
   return `export const languages = ${JSON.stringify(languages)}
+export const names = ${JSON.stringify(names)}
 export const files = { ${tables.join(', ')} }`
 }
 

@@ -5,6 +5,8 @@ declare module 'content:words' {
   import type { Locale, WordsFile } from '#words/generated/files.ts'
   /** A folder of `content/words` each, in the order of their names. */
   export const languages: readonly Locale[]
+  /** What each is called in itself. */
+  export const names: { readonly [locale in Locale]: string }
   /** Its files, and Blockly's own words. */
   export const files: {
     readonly [locale in Locale]: {

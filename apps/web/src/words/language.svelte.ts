@@ -1,4 +1,4 @@
-import { languages as all } from 'content:words'
+import { languages as all, names } from 'content:words'
 import type { Locale } from './generated/files.ts'
 
 export type { Locale }
@@ -42,6 +42,8 @@ class Language {
   #requested: Locale | null = null
   readonly #needs = new Set<Bringing>()
   readonly all = all
+  /** What each is called in itself. */
+  readonly names = names
 
   get locale(): Locale {
     return this.#locale
