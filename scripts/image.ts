@@ -1,5 +1,6 @@
 // `npm run image`: the lab as an image for a Raspberry Pi's card, and the file that updates one. From Debian's packages; as
-// root, since files of the image belong to root. `-- --quick` leaves out what only a download needs: the packed image.
+// root, since files of the image belong to root. `-- --quick` leaves out what only a download needs: the packed image;
+// `-- --same-debian` takes the tree of packages that the last time made.
 import { execFileSync } from 'node:child_process'
 import { createHash } from 'node:crypto'
 import { createReadStream, mkdirSync, statSync, writeFileSync } from 'node:fs'
@@ -7,7 +8,7 @@ import { basename, join } from 'node:path'
 import root from '../package.json' with { type: 'json' }
 import { bootImage, cardImage, dataImage, rootImage, systemFiles, updateFile } from './image/fill.ts'
 import { missing, toBuild, toEmulate } from './image/tools.ts'
-import { addLab, letKernelEmulate, makeTree } from './image/tree.ts'
+import { addLab, finishTree, letKernelEmulate, makeTree } from './image/tree.ts'
 import { buildWhenNeeded } from './prepare/build.mjs'
 import { house, inHouse } from './prepare/house.mjs'
 import { asScript, Trouble } from './prepare/run.mjs'
@@ -45,16 +46,21 @@ const listPackages = (tree: string) =>
     '-f=${Package} ${Version} ${Architecture}\n',
   ])
 
+const has = (option: string) => process.argv.includes(option)
+
 await asScript(async () => {
   refuse()
-  const quick = process.argv.includes('--quick')
+  const quick = has('--quick')
   await buildWhenNeeded()
   const nodes = await installNodes()
   mkdirSync(work, { recursive: true })
   const [tree, system] = [join(work, 'tree'), join(work, 'system')]
-  step('Debian for arm64 …')
   letKernelEmulate()
-  makeTree(tree, join(work, 'overlay'), inHouse('build', 'image-packages'))
+  if (!has('--same-debian')) {
+    step('Debian for arm64 …')
+    makeTree(tree, join(work, 'overlay'), inHouse('build', 'image-packages'))
+  }
+  finishTree(tree)
   const arm = systems.find(({ id }) => id === 'linux-arm64')!
   addLab(tree, contentsFor(arm, house, nodes))
   step('Partitions …')

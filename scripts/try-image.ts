@@ -259,7 +259,6 @@ await asScript(async () => {
     if (wants('cuts')) guest = await tryCuts(guest, pupils)
     if (wants('updates')) guest = await tryUpdates(guest, pupils)
   } finally {
-    writeFileSync(join(work, 'serial.txt'), guest.output())
     await guest.cut()
   }
   return 0

@@ -1,6 +1,6 @@
 import { execFileSync, spawn, type ChildProcess } from 'node:child_process'
 import { once } from 'node:events'
-import { mkdirSync, readFileSync, rmSync } from 'node:fs'
+import { createWriteStream, mkdirSync, readFileSync, rmSync } from 'node:fs'
 import { connect } from 'node:net'
 import { join } from 'node:path'
 import { setTimeout as after } from 'node:timers/promises'
@@ -62,7 +62,7 @@ export interface Guest {
 function machine({ file, work, port }: Card, append: string): string[] {
   // A root shell on the serial line, by the kernel's command line alone: the image holds no way in.
   const forTest =
-    'console=ttyAMA0 systemd.debug_shell systemd.default_debug_tty=ttyAMA0 systemd.journald.forward_to_console=0'
+    'console=ttyAMA0 systemd.debug_shell systemd.default_debug_tty=ttyAMA0 systemd.default_device_timeout_sec=900'
   return [
     ...[
       '-machine',
@@ -87,7 +87,7 @@ function machine({ file, work, port }: Card, append: string): string[] {
     ],
     ...['-drive', `if=none,id=card,file=${file},format=raw,cache=writeback`],
     ...['-device', 'virtio-blk-pci,drive=card', '-device', 'virtio-gpu-pci', '-device', 'qemu-xhci'],
-    ...['-netdev', `user,id=net,hostfwd=tcp:127.0.0.1:${port}-:80`, '-device', 'virtio-net-pci,netdev=net'],
+    ...['-netdev', `user,id=net,hostfwd=tcp:127.0.0.1:${port}-:80`, '-device', 'virtio-net-pci,netdev=net,romfile='],
     ...['-monitor', `unix:${join(work, 'monitor')},server=on,wait=off`],
     ...['-chardev', 'stdio,id=serial,signal=off', '-serial', 'chardev:serial'],
   ]
@@ -122,11 +122,15 @@ export function startGuest(card: Card): Guest {
   mkdirSync(card.work, { recursive: true })
   rmSync(join(card.work, 'monitor'), { force: true })
   const { slot, append } = load(card)
-  const running = spawn('nice', ['qemu-system-aarch64', ...machine(card, append)], {
+  const running = spawn('nice', ['-n', '0', 'qemu-system-aarch64', ...machine(card, append)], {
     stdio: ['pipe', 'pipe', 'inherit'],
   })
   let text = ''
-  running.stdout.on('data', (part) => (text += String(part)))
+  const log = createWriteStream(join(card.work, 'serial.txt'))
+  running.stdout.on('data', (part) => {
+    text += String(part)
+    log.write(part)
+  })
   running.stdin.on('error', () => {})
   const ended = once(running, 'exit').then(() => {})
   started.add(running)

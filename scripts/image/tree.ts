@@ -78,7 +78,7 @@ const unread = ['man', 'info', 'lintian', 'locale/*', 'doc/*'].map(
 )
 
 /**
- * A tree of Debian for arm64 with our own files in it.
+ * A tree of Debian for arm64, with our own files in it before the first root is packed.
  * @param packages a folder where what was fetched stays for the next time
  */
 export function makeTree(tree: string, overlay: string, packages: string): void {
@@ -98,6 +98,10 @@ export function makeTree(tree: string, overlay: string, packages: string): void 
     `--customize-hook=cp -u ${archives}/*.deb ${packages}/ || true`,
     ...[suite, tree, ...sources],
   )
+}
+
+/** Own files, users and units, over what Debian brings. */
+export function finishTree(tree: string): void {
   layOver(tree)
   settle(tree)
   shell('chroot', tree, 'systemd-sysusers')
