@@ -57,7 +57,7 @@ async function tryFirstStart(guest: Guest): Promise<string> {
   })
   await holds('the data partition has taken the rest of a card of 8 GB', async () => {
     const blocks = Number(await guest.shell('df -B1M --output=size /var/lib/botgarten | tail -n 1'))
-    assert.ok(blocks > 4000, String(blocks))
+    assert.ok(blocks > 3500, String(blocks))
   })
   await holds('it is called botgarten, also by its local name', async () => {
     assert.equal(await guest.shell('uname -n'), 'botgarten')

@@ -87,7 +87,12 @@ function machine({ file, work, port }: Card, append: string): string[] {
     ],
     ...['-drive', `if=none,id=card,file=${file},format=raw,cache=writeback`],
     ...['-device', 'virtio-blk-pci,drive=card', '-device', 'virtio-gpu-pci', '-device', 'qemu-xhci'],
-    ...['-netdev', `user,id=net,hostfwd=tcp:127.0.0.1:${port}-:80`, '-device', 'virtio-net-pci,netdev=net,romfile='],
+    ...[
+      '-netdev',
+      `user,id=net,hostfwd=tcp:127.0.0.1:${port}-:80`,
+      '-device',
+      'virtio-net-pci,netdev=net,romfile=',
+    ],
     ...['-monitor', `unix:${join(work, 'monitor')},server=on,wait=off`],
     ...['-chardev', 'stdio,id=serial,signal=off', '-serial', 'chardev:serial'],
   ]
@@ -147,12 +152,12 @@ export function startGuest(card: Card): Guest {
   }
 }
 
-/** @throws after ten minutes, with the last lines of the guest */
+/** @throws after half an hour, with the last lines of the guest */
 export async function untilLabAnswers({ port }: Card, guest: Guest): Promise<number> {
   const began = Date.now()
   let gone = false
   void guest.ended.then(() => (gone = true))
-  while (!gone && Date.now() - began < 600_000) {
+  while (!gone && Date.now() - began < 1_800_000) {
     const answer = await fetch(`http://127.0.0.1:${port}/api/class/state`).catch(() => null)
     if (answer?.status === 200) return Math.round((Date.now() - began) / 1000)
     await after(1000)

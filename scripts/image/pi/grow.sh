@@ -9,3 +9,5 @@ behind=$(($(cat "/sys/class/block/$disk/size") - $(cat "$place/start") - $(cat "
 [ "$behind" -gt 16384 ] || exit 0
 echo ', +' | sfdisk --no-reread --force --no-tell-kernel -N 4 "/dev/$disk"
 partx --update --nr 4 "/dev/$disk"
+# udev looks at the disk anew; what is mounted before that is unmounted by it, and what stands on it stopped.
+udevadm settle --timeout=300

@@ -56,6 +56,5 @@ const environment = [
   `BOTGARTEN_LANGUAGE=${settings.language}`,
   `BOTGARTEN_FLAGS=${settings.https ? '--https' : ''}`,
   `BOTGARTEN_WIFI=${wifi}`,
-  `BOTGARTEN_HOT_SPOT=${JSON.stringify(settings.hotspot)}`,
 ]
 writeFileSync('/run/botgarten/lab.env', `${environment.join('\n')}\n`)
