@@ -165,7 +165,7 @@ const lists: readonly ClassScreen[] = [
         .getByRole('button', { name: child.word('form.results'), exact: true })
         .nth(1)
         .click()
-      await expect(child.words('form.answers', { count: 22 })).toBeVisible()
+      await expect(child.words('form.answers', { count: 22 }).first()).toBeVisible()
     },
   },
   {
