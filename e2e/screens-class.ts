@@ -3,6 +3,7 @@ import { opensForm } from './asked-class.ts'
 import { leftEye, leftWheel, type Child } from './child.ts'
 import { Pupil } from './child-class.ts'
 import { joins, saves, signsIn, type Joined, type MadeClass } from './made-class.ts'
+import { galleryScreens } from './screens-gallery.ts'
 import { joining } from './screens-joining.ts'
 
 /** One picture of a class: how somebody gets there. */
@@ -244,4 +245,4 @@ const inTheLab: readonly ClassScreen[] = [
 ]
 
 /** What a pupil sees. */
-export const pupilScreens: readonly ClassScreen[] = [...joining, ...gate, ...inTheLab]
+export const pupilScreens: readonly ClassScreen[] = [...joining, ...gate, ...inTheLab, ...galleryScreens]

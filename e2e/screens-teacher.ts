@@ -5,7 +5,7 @@ import { fills, teaches, type MadeClass } from './made-class.ts'
 import type { ClassScreen } from './screens-class.ts'
 import { projector } from './screens-projector.ts'
 
-type View = 'live' | 'cards' | 'questionnaires' | 'class' | 'data'
+type View = 'live' | 'cards' | 'gallery' | 'questionnaires' | 'class' | 'data'
 
 const opensView = async (child: Child, made: MadeClass, view: View) => {
   await teaches(child.page, made)

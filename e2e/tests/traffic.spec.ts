@@ -52,7 +52,7 @@ test('without a class or a study nothing of it travels, and the lab has not a by
   )
   expect(pages.length).toBeGreaterThan(1)
   const ofPages = scriptsWith(pages)
-  for (const part of ['src/features/class/lazy.ts', 'src/features/study/lazy.ts']) {
+  for (const part of ['class', 'gallery', 'study'].map((name) => `src/features/${name}/lazy.ts`)) {
     const ofPart = [...scriptsWith([part])].filter((file) => !ofPages.has(file))
     expect(ofPart).toContain(manifest[part]!.file)
     expect(ofPart.filter((file) => travelled.has(file))).toEqual([])

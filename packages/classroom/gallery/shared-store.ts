@@ -11,7 +11,7 @@ export type Viewer = { readonly class: string; readonly pupil: string | null }
 export type Order = 'newest' | 'hearts' | 'mine' | 'waiting' | 'hidden'
 export type Row = Awaited<ReturnType<typeof sharedIn>>[number]
 
-export const onePage = 24
+const onePage = 24
 
 const rows = (db: Db) => db.selectFrom('shared').innerJoin('pupil', 'pupil.id', 'shared.pupil')
 

@@ -4,9 +4,12 @@ interface Today {
   readonly level: 'plain' | 'all' | null
   /** Is the free lab, too, open only where it is among the cards? */
   readonly strict?: boolean
+  /** Is there a gallery of the class? May classmates be asked? Not given: no. */
+  readonly gallery?: boolean
+  readonly asking?: boolean
 }
 
-/** What may be opened today. Without a class or a study that is everything; they set it. */
+/** What may be opened today. Without a class or a study that is everything but what only a class has; they set it. */
 class Allowed {
   #today = $state.raw<Today>({ cards: null, level: null })
 
@@ -18,6 +21,12 @@ class Allowed {
   isOpen(place: string): boolean {
     const { cards, strict } = this.#today
     return (place === 'free' && !strict) || (cards?.includes(place) ?? true)
+  }
+  get gallery() {
+    return this.#today.gallery ?? false
+  }
+  get asking() {
+    return this.#today.asking ?? false
   }
   get level() {
     return this.#today.level

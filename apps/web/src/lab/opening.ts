@@ -69,6 +69,13 @@ export async function openLab(name: string, projectId: string | null, packs: Pac
 const namesOf = ({ maps = {} }: Project) =>
   Object.fromEntries(Object.entries(maps).map(([id, { name }]) => [id, name]))
 
+/** The floor of a project that is only to be run, once its blocks are there; a blank one where its picture is missing. */
+export async function floorToRun(project: Project, packs: Packs): Promise<Floor> {
+  knowOwnMaps(namesOf(project))
+  const [floor] = await Promise.all([floorOf(project), packs.loadFor(project)])
+  return floor ?? paintFloor({ ...project.world, floor: { colour: '#FFFFFF' } })
+}
+
 /**
  * A kept project is read as carefully as a stranger's file. One that is damaged or too much stays where it is, and what of
  * it can be opened becomes a project of its own.

@@ -44,4 +44,5 @@ export function stripeOf({ size, robots, obstacles }: World): {
 export const tilePart = (world: World) => ({ left: 0, width: world.size.width, ...stripeOf(world) })
 
 /** What the menu of a project offers. */
-export type Action = 'rename' | 'duplicate' | 'share' | 'saveFile' | 'saveOpenRoberta' | 'throw'
+export type Action =
+  'rename' | 'duplicate' | 'share' | 'shareInClass' | 'saveFile' | 'saveOpenRoberta' | 'throw'

@@ -3,7 +3,7 @@ import { weightsOf, withWeights, type Brain, type Weights } from '@botgarten/lea
 import type { Beside } from '@botgarten/content'
 import { networks, type Project } from '@botgarten/programs'
 import { open } from '#storage/projects.ts'
-import { withRobot } from './add-remove.ts'
+import { withRobot } from '#lab/robots.ts'
 
 type OfNetworks = { readonly [network: string]: Weights }
 

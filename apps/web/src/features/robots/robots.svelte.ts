@@ -1,5 +1,5 @@
 import { weightsFor, withBeside } from './beside.ts'
-import { withoutRobot, withRobot, type NewRobot } from './add-remove.ts'
+import { withoutRobot, withRobot, type NewRobot } from '#lab/robots.ts'
 import type { LabSession } from '#lab/session.svelte.ts'
 import { most } from '@botgarten/programs'
 

@@ -5,7 +5,7 @@ import type { World } from '@botgarten/simulation'
 import { readFileSync } from 'node:fs'
 import { describe, expect, it } from 'vitest'
 import { withBeside } from './beside.ts'
-import { withoutRobot } from './add-remove.ts'
+import { withoutRobot } from '#lab/robots.ts'
 import { differing, linksOf, twinsOf } from './twins.ts'
 
 const content = new URL('../../../../../content/', import.meta.url)

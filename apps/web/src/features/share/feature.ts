@@ -5,5 +5,5 @@ export const share = {
   id: 'share',
   words: ['share'],
   load: () => import('./ShareDialog.svelte'),
-  budget: { part: 11_000 },
+  budget: { part: 15_000 },
 } satisfies Feature

@@ -10,7 +10,7 @@ export { isView, toClass, type View } from './view/ways.ts'
 /** The teacher's pages: accounts, classes, who is doing what, what is kept. */
 export const teacher = {
   id: 'teacher',
-  words: ['teacher', 'doctor'],
+  words: ['teacher', 'doctor', 'shared'],
   route: 'teacher',
   load: () => import('./lazy.ts'),
   budget: { page: 160_000, part: 160_000 },

@@ -3,7 +3,7 @@ import { isThrownElsewhere, isWanted, noteThrownInClass, takeIn, type FromClass 
 import { parseProject, type Project } from '@botgarten/programs/project'
 import * as v from 'valibot'
 import { idInClass, idOnDevice, pauseOf, type Pause } from './sending.ts'
-import { read, type Ask, type Reply } from './ask.ts'
+import { read, type Ask, type Reply } from '#storage/ask.ts'
 
 const revision = v.pipe(v.number(), v.integer(), v.minValue(1))
 const listed = v.object({

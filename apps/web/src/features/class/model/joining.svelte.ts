@@ -3,7 +3,7 @@ import { pictures, type Picture } from '@botgarten/classroom/pictures'
 import * as v from 'valibot'
 import { codeInLink, codeOf, fitsAsNickname, wordsIn } from './code.ts'
 import { arrive } from './here.ts'
-import { read, type Ask, type Reply } from './ask.ts'
+import { read, type Ask, type Reply } from '#storage/ask.ts'
 
 const picture = v.picklist(pictures)
 const looked = v.object({ name: v.string() })

@@ -1,5 +1,5 @@
 import { describe, expect, test } from 'vitest'
-import type { Ask, Reply } from './ask.ts'
+import type { Ask, Reply } from '#storage/ask.ts'
 import { Joining } from './joining.svelte.ts'
 
 const away: Reply = { kind: 'away' }

@@ -1,5 +1,5 @@
 import { allowed } from '#lab/allowed.svelte.ts'
-import type { Ask } from './ask.ts'
+import type { Ask } from '#storage/ask.ts'
 import type { Handout, Me } from './pupil.ts'
 import { nowhere, type Report } from './report.ts'
 import { holdWhileSeen, SharedStream, type Heard, type StreamListener } from './shared-stream.ts'
@@ -69,6 +69,13 @@ export class PupilLive {
   get asking(): string | null | undefined {
     return this.#heard?.me.asking
   }
+  /** What this pupil asks a classmate, and what classmates ask. */
+  get asked(): Me['asked'] {
+    return this.#heard?.me.asked ?? null
+  }
+  get questions(): Me['questions'] {
+    return this.#heard?.me.questions ?? []
+  }
   /** Card or `free` that is open here and that the teacher has not left open today; null: there is none. */
   get closedPlace(): string | null {
     const place = this.#work?.place
@@ -110,7 +117,8 @@ export class PupilLive {
     this.#heard = heard
     this.#now = Date.now()
     this.#heardAt = this.#now
-    allowed.set({ cards: me.class.cards, level: me.class.level })
+    const { cards, level, gallery, asking } = me.class
+    allowed.set({ cards, level, gallery, asking })
     this.#listener.me(me)
   }
 

@@ -3,7 +3,7 @@ import { quickAccounts, Server } from '@botgarten/classroom/testing'
 import { settle, StreamSource } from '@botgarten/classroom/testing/event-source'
 import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest'
 import { allowed } from '#lab/allowed.svelte.ts'
-import { askAs } from './ask.ts'
+import { askAs } from '#storage/ask.ts'
 import { PupilLive, type Work } from './live.svelte.ts'
 import type { Me } from './pupil.ts'
 import { nowhere } from './report.ts'
@@ -63,7 +63,7 @@ beforeEach(async () => {
 })
 afterEach(() => {
   live.stop()
-  allowed.set({ cards: null, level: null })
+  allowed.set({ cards: null, level: null, gallery: false, asking: false })
   vi.useRealTimers()
   vi.unstubAllGlobals()
 })

@@ -9,7 +9,7 @@ import { PupilLive } from './live.svelte.ts'
 import { Outbox } from './outbox.ts'
 import { fetchMe, passage, type Me, type Passage } from './pupil.ts'
 import type { Pause } from './sending.ts'
-import { askAs, type Ask } from './ask.ts'
+import { askAs, type Ask } from '#storage/ask.ts'
 
 const noPlaces: AllWhereabouts = new Map()
 

@@ -5,7 +5,7 @@ import { loadCard, placeOf } from '#content/cards.ts'
 import { shownName, titleOf } from '#content/names.ts'
 import { nameOfCopy } from '#storage/messages.ts'
 import { add, freshId, list } from '#storage/projects.ts'
-import { read, type Ask } from './ask.ts'
+import { read, type Ask } from '#storage/ask.ts'
 import type { Handout } from './pupil.ts'
 
 const document = v.object({ project: v.unknown() })

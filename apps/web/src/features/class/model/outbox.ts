@@ -1,6 +1,6 @@
 import { whenAnythingChanges } from '#storage/channel.ts'
 import { sendAll, type Pause } from './sending.ts'
-import type { Ask } from './ask.ts'
+import type { Ask } from '#storage/ask.ts'
 
 /** So long after a save it is sent, with all that came meanwhile, in milliseconds. */
 const gap = 3000

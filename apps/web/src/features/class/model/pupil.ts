@@ -1,6 +1,6 @@
 import * as v from 'valibot'
 import { pauseOf, type Pause } from './sending.ts'
-import { read, type Ask } from './ask.ts'
+import { read, type Ask } from '#storage/ask.ts'
 
 const handout = v.object({
   id: v.string(),
@@ -27,6 +27,9 @@ export const me = v.object({
     cards: v.nullable(v.array(v.string())),
     /** Which blocks there are; null: as the child likes. */
     level: v.nullable(v.picklist(['plain', 'all'])),
+    /** Is there a gallery of what pupils share? May they ask each other? */
+    gallery: v.boolean(),
+    asking: v.boolean(),
   }),
   /** For so many seconds at the most the teacher wants to be looked at. */
   attention: v.nullable(v.number()),
@@ -36,6 +39,12 @@ export const me = v.object({
   handouts: v.array(handout),
   /** The questionnaire that the class is asked now, by its key. A server that is older asks none. */
   asking: v.optional(v.nullable(v.string()), null),
+  /** What this pupil asks a classmate; no answer: not yet. */
+  asked: v.nullable(
+    v.object({ to: v.string(), card: v.string(), answer: v.nullable(v.picklist(['coming', 'notNow'])) }),
+  ),
+  /** What classmates ask this one, the first first. */
+  questions: v.array(v.object({ id: v.string(), by: v.string(), card: v.string() })),
 })
 
 export type Me = v.InferOutput<typeof me>

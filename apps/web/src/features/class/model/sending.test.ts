@@ -11,7 +11,7 @@ import { IDBFactory } from 'fake-indexeddb'
 import fc from 'fast-check'
 import { afterAll, beforeAll, expect, test, vi } from 'vitest'
 import { friendship } from '#storage/testing/sample.ts'
-import { askAs, type Ask } from './ask.ts'
+import { askAs, type Ask } from '#storage/ask.ts'
 
 type Pupil = Awaited<ReturnType<Server['pupil']>>
 

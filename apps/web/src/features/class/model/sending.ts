@@ -8,7 +8,7 @@ import {
 } from '#storage/outbox.ts'
 import { writeProject } from '@botgarten/programs/project'
 import * as v from 'valibot'
-import { read, type Ask, type Reply } from './ask.ts'
+import { read, type Ask, type Reply } from '#storage/ask.ts'
 
 /**
  * Why nothing is sent now. `away`: the class cannot be reached · `full`: it has no more room · `trouble`: it cannot save ·

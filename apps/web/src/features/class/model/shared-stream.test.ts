@@ -4,17 +4,9 @@ import type { Me } from './pupil.ts'
 import { SharedStream, type Channel } from './shared-stream.ts'
 
 const me = (nickname: string): Me => ({
-  ...{
-    id: 'p',
-    nickname,
-    fresh: true,
-    hand: false,
-    attention: null,
-    inside: null,
-    handouts: [],
-    asking: null,
-  },
-  class: { id: 'c', name: '5b', open: true, cards: null, level: null },
+  ...{ id: 'p', nickname, fresh: true, hand: false, attention: null, inside: null, handouts: [] },
+  ...{ asking: null, asked: null, questions: [] },
+  class: { id: 'c', name: '5b', open: true, cards: null, level: null, gallery: true, asking: false },
 })
 
 /** A stream whose events a test sends. */

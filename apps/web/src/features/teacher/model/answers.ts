@@ -126,6 +126,8 @@ export const data = v.object({
   pupils: v.number(),
   projects: v.number(),
   versions: v.number(),
+  /** Things in the gallery. */
+  shared: v.number(),
   results: v.number(),
   /** Questionnaires that the class was asked; a server that is older asks none. */
   forms: v.optional(v.number(), 0),

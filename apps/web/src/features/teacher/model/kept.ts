@@ -53,6 +53,12 @@ export function keptOf(data: Data, locale: string): readonly KeptRow[] {
       much: m['teacher.countVersions']({ count: data.versions }),
     },
     {
+      ...{ id: 'shared', icon: 'share', until },
+      title: m['teacher.keptShared'](),
+      text: m['teacher.keptSharedText'](),
+      much: m['teacher.countShared']({ count: data.shared }),
+    },
+    {
       ...{ id: 'results', icon: 'check', until },
       title: m['teacher.keptResults'](),
       text: m['teacher.keptResultsText'](),

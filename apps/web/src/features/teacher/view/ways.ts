@@ -1,7 +1,7 @@
 import { resolve } from '$app/paths'
 
 /** What is shown of a class. */
-const views = ['live', 'cards', 'questionnaires', 'class', 'data'] as const
+const views = ['live', 'cards', 'gallery', 'questionnaires', 'class', 'data'] as const
 export type View = (typeof views)[number]
 
 export const isView = (name: string | null): name is View => views.some((view) => view === name)

@@ -5,7 +5,7 @@ import { biasRow, withWeight } from '@botgarten/learning/neural-network'
 import { networks, parseProject, type Program } from '@botgarten/programs'
 import { cardConfig, paintFloor, type World } from '@botgarten/simulation'
 import { describe, expect, it } from 'vitest'
-import { withoutRobot, withRobot } from './add-remove.ts'
+import { withoutRobot, withRobot } from './robots.ts'
 
 const solution = content.program('friendship', 'solution')!
 

@@ -45,6 +45,26 @@ export function withRobot(
   return { id, document: { ...grown, world: { ...document.world, robots } } }
 }
 
+/** The document with the first robot of another one: its program, weights and parts, under names that are free here. */
+export function withGuest(document: Document, guest: Document): { id: string; document: Document } | null {
+  const [first, robot] = [document.world.robots[0], guest.world.robots[0]]
+  if (!first || !robot) return null
+  const id = freshName(document)
+  const { programs, brains } = withOwnProgram(guest, robot, id)
+  const program = programs[id]!
+  const own = networks(program).map((net) => [net.id, brains[net.id]!] as const)
+  const pose = beside(first.pose, document.world.size.width)
+  const robots = [...document.world.robots, { ...robot, id, pose, program: id, brain: '' }]
+  return {
+    id,
+    document: {
+      programs: { ...document.programs, [id]: program },
+      brains: { ...document.brains, ...Object.fromEntries(own) },
+      world: { ...document.world, robots },
+    },
+  }
+}
+
 function withOwnWeights(document: Document, { program, brain }: RobotPlacement, set: string): Document {
   const brains: { [network: string]: Brain } = { ...document.brains }
   for (const { id } of networks(document.programs[program] ?? noProgram)) {

@@ -1,0 +1,10 @@
+import type { Feature } from '#parts/feature.ts'
+
+/** What pupils share in their class: to look at, remix, like and race against. It comes where the device is a pupil's. */
+export const gallery = {
+  id: 'gallery',
+  words: ['gallery', 'shared', 'network'],
+  route: 'gallery',
+  load: () => import('./lazy.ts'),
+  budget: { page: 200_000, part: 40_000 },
+} satisfies Feature

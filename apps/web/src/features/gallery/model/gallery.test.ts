@@ -1,0 +1,69 @@
+import { describe, expect, it } from 'vitest'
+import type { Ask, Reply } from '#storage/ask.ts'
+import { friendship } from '#storage/testing/sample.ts'
+import { Gallery } from './gallery.svelte.ts'
+
+const itemOf = (at: number) => ({
+  ...{ id: `item-${at}`, title: `Title ${at}`, card: null, at, by: 'Eule', own: false, brain: true },
+  ...{ photo: false, hidden: false, waiting: false, hearts: 0, mine: false, from: null },
+  world: friendship.world,
+})
+
+/** A class with so many things, a page of 24 at a time. */
+function classWith(count: number) {
+  const all = Array.from({ length: count }, (_, at) => itemOf(at))
+  const asked: string[] = []
+  let refusal: Reply | null = null
+  const done = (body: unknown): Reply => ({ kind: 'done', body })
+  const ask: Ask = (method, path) => {
+    asked.push(`${method} ${path}`)
+    if (refusal) return Promise.resolve(refusal)
+    const from = Number(/from=(\d+)/.exec(path)?.[1])
+    if (path.startsWith('/gallery?'))
+      return Promise.resolve(done({ total: all.length, items: all.slice(from, from + 24) }))
+    if (path.endsWith('/heart')) return Promise.resolve(done({ hearts: 1, mine: true }))
+    return Promise.resolve(done({ ...all[0], chain: [], project: friendship }))
+  }
+  return { all, asked, gallery: new Gallery(ask), refuse: (reply: Reply) => void (refusal = reply) }
+}
+
+describe('a gallery', () => {
+  it('comes a page at a time; what comes twice because something was shared meanwhile stands there once', async () => {
+    const { gallery, all } = classWith(60)
+    await gallery.show()
+    expect([gallery.items!.length, gallery.hasMore]).toEqual([24, true])
+    all.unshift(itemOf(100))
+    await gallery.more()
+    expect(new Set(gallery.items!.map(({ id }) => id)).size).toBe(gallery.items!.length)
+    await gallery.more()
+    expect(gallery.hasMore).toBe(false)
+  })
+
+  it('ends where things were taken out meanwhile', async () => {
+    const { gallery, all } = classWith(30)
+    await gallery.show()
+    all.length = 20
+    await gallery.more()
+    expect(gallery.hasMore).toBe(false)
+  })
+
+  it('shows a heart in the list and beside it', async () => {
+    const { gallery } = classWith(3)
+    await gallery.show()
+    await gallery.look('item-0')
+    await gallery.heart(gallery.items![0]!)
+    expect(gallery.items![0]).toMatchObject({ hearts: 1, mine: true })
+    expect(gallery.opened).toMatchObject({ hearts: 1, mine: true })
+  })
+
+  it('that the teacher has closed is empty and says so; out of reach it keeps what is there', async () => {
+    const { gallery, refuse } = classWith(3)
+    await gallery.show()
+    refuse({ kind: 'away' })
+    await gallery.show('hearts')
+    expect([gallery.problem, gallery.items!.length]).toEqual(['away', 3])
+    refuse({ kind: 'refused', status: 403, code: 'galleryOff', facts: {} })
+    await gallery.show('newest')
+    expect([gallery.problem, gallery.items]).toEqual(['off', null])
+  })
+})
