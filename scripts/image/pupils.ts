@@ -22,7 +22,7 @@ export async function openLesson(url: string, token: string, many: number): Prom
   for (let at = 0; at < many; at++) {
     const client = new Client(url)
     await client.untilDone('POST', '/join', { code: words.join(' '), nickname: `Kind ${at}` })
-    pupils.push({ client, project: `power-${at}`, acknowledged: 0 })
+    pupils.push({ client, project: `power-cut-${at}`, acknowledged: 0 })
   }
   return pupils
 }
@@ -30,7 +30,7 @@ export async function openLesson(url: string, token: string, many: number): Prom
 /** One save. @returns the status; null where nobody answered */
 export async function saveOnce(pupil: Pupil): Promise<number | null> {
   const count = pupil.acknowledged
-  const path = `/projects/${pupil.project}?base=${count}&save=power-${count}`
+  const path = `/projects/${pupil.project}?base=${count}&save=power-cut-${count}`
   const answer = await pupil.client.ask('PUT', path, projectOfLesson(markOf(count), 1)).catch(() => null)
   if (answer && answer.status < 300) pupil.acknowledged++
   return answer?.status ?? null
