@@ -49,7 +49,8 @@ const highest = 240
 /** The part of a world that a tile shows: Bo in its middle where the floor reaches so far. */
 export function tilePart({ size, robots }: Pick<World, 'size' | 'robots'>) {
   const height = Math.min(size.height, size.width / wide, highest)
-  const width = height * wide
+  // What is divided and multiplied again may be a little more than it was.
+  const width = Math.min(size.width, height * wide)
   const bo = robots[0]?.pose ?? { x: size.width / 2, y: size.height / 2 }
   const left = clamp(bo.x - width / 2, 0, size.width - width)
   const top = clamp(size.height - bo.y - height / 2, 0, size.height - height)
