@@ -8,7 +8,11 @@ const config: KnipConfig = {
   workspaces: {
     // The binaries are of Linux, for a root of its own in which a zip is tried, and for the image of a card.
     '.': {
-      entry: ['scripts/*.{mjs,ts}', 'scripts/image/pi/{prepare,screen,stick,trial}.ts'],
+      entry: [
+        'scripts/*.{mjs,ts}',
+        'scripts/image/pi/{prepare,screen,stick,trial}.ts',
+        'scripts/testing/fast-check.ts',
+      ],
       project: ['scripts/**/*.{mjs,ts}'],
       ignoreBinaries: [
         ...[
