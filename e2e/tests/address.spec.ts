@@ -4,6 +4,7 @@ import { mkdtempSync, readFileSync, rmSync } from 'node:fs'
 import { createServer, type AddressInfo } from 'node:net'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
+import type { Page } from '@playwright/test'
 import { openClassServer, startServer } from '../../packages/server/index.ts'
 import { axeFindings } from '../axe.ts'
 import { flags } from '../browser.ts'
@@ -69,16 +70,29 @@ const saves = '**/api/class/projects/**'
 const seesKnob = (child: Child) => expect(child.knobs.first()).toHaveAttribute('aria-valuenow', '0.7')
 
 /** Turns a knob of each card; it is saved on the device. */
-async function works(child: Child, seesSaved: () => Promise<void>) {
-  for (const card of cards) {
+async function works(child: Child, seesSaved: (works: number) => Promise<void>) {
+  for (const [before, card] of cards.entries()) {
     await child.opensLab(card)
     await child.knobs.first().focus()
     for (const key of '0.7') await child.page.keyboard.press(key)
     await child.page.keyboard.press('Enter')
     await seesKnob(child)
-    await seesSaved()
+    await seesSaved(before + 1)
   }
 }
+
+/** How many works this device keeps. */
+const keptIn = (page: Page) =>
+  page.evaluate(
+    () =>
+      new Promise<number>((done) => {
+        const asked = indexedDB.open('botgarten')
+        asked.onsuccess = () => {
+          const count = asked.result.transaction('revisions').objectStore('revisions').count()
+          count.onsuccess = () => (asked.result.close(), done(count.result))
+        }
+      }),
+  )
 
 /** What the sheet that leads away says. */
 const leads = (child: Child, key: string, facts = {}) =>
@@ -102,7 +116,11 @@ test('three saves that did not come to the class are sent from the old address; 
     pictures = await fox.joins('Fuchs')
     await fox.remembers()
     await context.route(saves, (route) => route.abort())
-    await works(child, () => expect(fox.chip('chipHere')).toBeVisible())
+    await works(child, async (works) => {
+      await expect(fox.chip('chipHere')).toBeVisible()
+      // The chip said so of the work before, too.
+      await expect.poll(() => keptIn(page)).toBe(works)
+    })
     expect(await projectsIn(room)).toBe(0)
     await page.close()
   })

@@ -143,7 +143,7 @@ for (const language of languagesOf(import.meta.filename)) {
         await expect(page.getByRole('button', { name: 'Bo 2 Shy Bo' })).toBeVisible()
         const projects = new ProjectList(child)
         await projects.opens()
-        expect(await projects.names()).toHaveLength(2)
+        await projects.seesNames('Race against Shy Bo', child.card('friendship'))
       })
     })
 
