@@ -81,18 +81,20 @@ async function works(child: Child, seesSaved: (works: number) => Promise<void>) 
   }
 }
 
-/** How many works this device keeps. */
+/** How many works this device keeps of the child that sits there: a pupil has a database of its own. */
 const keptIn = (page: Page) =>
-  page.evaluate(
-    () =>
-      new Promise<number>((done) => {
-        const asked = indexedDB.open('botgarten')
-        asked.onsuccess = () => {
-          const count = asked.result.transaction('revisions').objectStore('revisions').count()
-          count.onsuccess = () => (asked.result.close(), done(count.result))
-        }
-      }),
-  )
+  page.evaluate(async () => {
+    const names = (await indexedDB.databases()).map(({ name }) => name!)
+    const name = names.find((one) => one.startsWith('botgarten-'))
+    if (name === undefined) return 0
+    return new Promise<number>((done) => {
+      const asked = indexedDB.open(name)
+      asked.onsuccess = () => {
+        const count = asked.result.transaction('revisions').objectStore('revisions').count()
+        count.onsuccess = () => (asked.result.close(), done(count.result))
+      }
+    })
+  })
 
 /** What the sheet that leads away says. */
 const leads = (child: Child, key: string, facts = {}) =>
