@@ -29,7 +29,7 @@ interface Installed {
   /** The start script of the unpacked zip. */
   readonly program: string
   readonly data: string
-  /** Nothing of it goes into the home of whoever measures. */
+  /** Nothing of it goes into the home folder of the person who measures. */
   readonly env: { readonly BOTGARTEN_DATA: string }
 }
 

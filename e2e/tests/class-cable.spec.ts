@@ -2,26 +2,13 @@
 import { isLong } from '@botgarten/numbers/testing'
 import { Child, leftEye, leftWheel } from '../child.ts'
 import { Pupil } from '../child-class.ts'
-import { classOfTest } from '../class-server.ts'
-import { expect, test as base } from '../house.ts'
+import { testInClass } from '../class-test.ts'
+import { expect } from '../house.ts'
 import { joins, signsIn, type Joined } from '../made-class.ts'
 
-type School = Awaited<ReturnType<typeof classOfTest>>
-
-const test = base.extend<object, { school: School }>({
-  school: [
-    // eslint-disable-next-line no-empty-pattern -- Playwright reads the names of what is asked for
-    async ({}, use) => {
-      const school = await classOfTest()
-      await use(school)
-      await school.close()
-    },
-    { scope: 'worker' },
-  ],
-  house: [({ school }, use) => use(school.url), { scope: 'worker' }],
-  // A request through a pulled cable fails, and a browser complains of it.
-  complaints: [/net::ERR_/],
-})
+const test = testInClass()
+// A request through a pulled cable fails, and a browser complains of it.
+test.use({ complaints: [/net::ERR_/] })
 
 const seconds = isLong ? 600 : 20
 const names = ['Ananas', 'Biber', 'Dachs', 'Eule', 'Falke']

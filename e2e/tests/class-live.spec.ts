@@ -1,30 +1,17 @@
 // Rooms: class
 import { axeFindings } from '../axe.ts'
 import { Child, leftEye, leftWheel } from '../child.ts'
-import { classOfTest } from '../class-server.ts'
-import { expect, test as base } from '../house.ts'
-import { joins, signsIn } from '../made-class.ts'
+import { testInClass } from '../class-test.ts'
+import { expect } from '../house.ts'
+import { joins, signsIn, type MadeClass } from '../made-class.ts'
 import { languagesOf } from '../words.ts'
 
-type School = Awaited<ReturnType<typeof classOfTest>>
-
-const test = base.extend<object, { school: School }>({
-  school: [
-    // eslint-disable-next-line no-empty-pattern -- Playwright reads the names of what is asked for
-    async ({}, use) => {
-      const school = await classOfTest()
-      await use(school)
-      await school.close()
-    },
-    { scope: 'worker' },
-  ],
-  house: [({ school }, use) => use(school.url), { scope: 'worker' }],
-})
+const test = testInClass()
 
 const isAccessible = async (child: Child) => expect(await axeFindings(child.page)).toEqual([])
 
 /** What the teacher's page knows of the one pupil. */
-async function liveOf({ teacher, id }: School) {
+async function liveOf({ teacher, id }: MadeClass) {
   const { body } = await teacher.ask('GET', `/classes/${id}/live`)
   const [tile] = (
     body as { tiles: readonly { live: { card: string; running: boolean; trail: object } | null }[] }

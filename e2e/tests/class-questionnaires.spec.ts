@@ -6,23 +6,12 @@ import { opensForm, passes, sends } from '../asked-class.ts'
 import { axeFindings } from '../axe.ts'
 import { Child } from '../child.ts'
 import { Asker, nth } from '../child-questionnaires.ts'
-import { classOfTest } from '../class-server.ts'
-import { expect, test as base } from '../house.ts'
-import { joins, signsIn, teaches, type MadeClass } from '../made-class.ts'
+import { testInClass } from '../class-test.ts'
+import { expect } from '../house.ts'
+import { joins, signsIn, teaches } from '../made-class.ts'
 
-const test = base.extend<{ made: MadeClass }, { school: MadeClass }>({
-  school: [
-    // eslint-disable-next-line no-empty-pattern -- Playwright reads the names of what is asked for
-    async ({}, use) => {
-      const school = await classOfTest()
-      await use(school)
-      await school.close()
-    },
-    { scope: 'worker' },
-  ],
-  house: [({ school }, use) => use(school.url), { scope: 'worker' }],
-  complaints: [/net::ERR_/],
-})
+const test = testInClass()
+test.use({ complaints: [/net::ERR_/] })
 
 const minutes = 60_000
 

@@ -2,23 +2,12 @@
 import { opensForm } from '../asked-class.ts'
 import { axeFindings } from '../axe.ts'
 import { Asker, nth } from '../child-questionnaires.ts'
-import { classOfTest } from '../class-server.ts'
-import { expect, test as base } from '../house.ts'
-import { joins, signsIn, type MadeClass } from '../made-class.ts'
+import { testInClass } from '../class-test.ts'
+import { expect } from '../house.ts'
+import { joins, signsIn } from '../made-class.ts'
 import { givesVoice, said } from '../voice.ts'
 
-const test = base.extend<object, { school: MadeClass }>({
-  school: [
-    // eslint-disable-next-line no-empty-pattern -- Playwright reads the names of what is asked for
-    async ({}, use) => {
-      const school = await classOfTest('de')
-      await use(school)
-      await school.close()
-    },
-    { scope: 'worker' },
-  ],
-  house: [({ school }, use) => use(school.url), { scope: 'worker' }],
-})
+const test = testInClass('de')
 
 test.use({ language: 'de' })
 

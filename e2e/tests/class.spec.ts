@@ -3,27 +3,14 @@ import { axeFindings } from '../axe.ts'
 import { Pupil } from '../child-class.ts'
 import { ProjectList } from '../child-projects.ts'
 import { Child, leftEye, leftWheel } from '../child.ts'
-import { classOfTest } from '../class-server.ts'
-import { expect, test as base } from '../house.ts'
+import { testInClass } from '../class-test.ts'
+import { expect } from '../house.ts'
 import { anotherClass, joins, saves, signsIn } from '../made-class.ts'
 import { languagesOf } from '../words.ts'
 
-type School = Awaited<ReturnType<typeof classOfTest>>
-
-const test = base.extend<object, { school: School }>({
-  school: [
-    // eslint-disable-next-line no-empty-pattern -- Playwright reads the names of what is asked for
-    async ({}, use) => {
-      const school = await classOfTest()
-      await use(school)
-      await school.close()
-    },
-    { scope: 'worker' },
-  ],
-  house: [({ school }, use) => use(school.url), { scope: 'worker' }],
-  // What the class answers to two devices, and when it has ended: a browser complains of it.
-  complaints: [/409 \(Conflict\)|410 \(Gone\)/],
-})
+const test = testInClass()
+// What the class answers to two devices, and when it has ended: a browser complains of it.
+test.use({ complaints: [/409 \(Conflict\)|410 \(Gone\)/] })
 
 const isAccessible = async (child: Child) => expect(await axeFindings(child.page)).toEqual([])
 

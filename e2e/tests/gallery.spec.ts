@@ -6,25 +6,12 @@ import { Pupil } from '../child-class.ts'
 import { GalleryHands, sharesOne } from '../child-gallery.ts'
 import { ProjectList } from '../child-projects.ts'
 import { leftEye, leftWheel } from '../child.ts'
-import { classOfTest } from '../class-server.ts'
-import { expect, test as base } from '../house.ts'
+import { testInClass } from '../class-test.ts'
+import { expect } from '../house.ts'
 import { anotherClass, joins, saves, signsIn, teaches } from '../made-class.ts'
 import { languagesOf } from '../words.ts'
 
-type School = Awaited<ReturnType<typeof classOfTest>>
-
-const test = base.extend<object, { school: School }>({
-  school: [
-    // eslint-disable-next-line no-empty-pattern -- Playwright reads the names of what is asked for
-    async ({}, use) => {
-      const school = await classOfTest()
-      await use(school)
-      await school.close()
-    },
-    { scope: 'worker' },
-  ],
-  house: [({ school }, use) => use(school.url), { scope: 'worker' }],
-})
+const test = testInClass()
 
 for (const language of languagesOf(import.meta.filename)) {
   test.describe(`the gallery of a class, in ${language}`, () => {

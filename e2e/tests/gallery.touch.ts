@@ -1,24 +1,11 @@
 // Rooms: gallery, class
 import { axeFindings } from '../axe.ts'
 import { GalleryHands, sharesOne } from '../child-gallery.ts'
-import { classOfTest } from '../class-server.ts'
-import { expect, test as base } from '../house.ts'
+import { testInClass } from '../class-test.ts'
+import { expect } from '../house.ts'
 import { joins, signsIn } from '../made-class.ts'
 
-type School = Awaited<ReturnType<typeof classOfTest>>
-
-const test = base.extend<object, { school: School }>({
-  school: [
-    // eslint-disable-next-line no-empty-pattern -- Playwright reads the names of what is asked for
-    async ({}, use) => {
-      const school = await classOfTest('de')
-      await use(school)
-      await school.close()
-    },
-    { scope: 'worker' },
-  ],
-  house: [({ school }, use) => use(school.url), { scope: 'worker' }],
-})
+const test = testInClass('de')
 
 test.use({ language: 'de' })
 

@@ -42,7 +42,7 @@ export class ServerHealth {
     return this.#saving
   }
 
-  /** @param operates whoever asks runs the server */
+  /** @param operates is the teacher who asks the operator of the server? */
   async look(operates: boolean): Promise<void> {
     const found = await this.#attempts.try(() => this.#api.ask(findings, 'GET', '/findings'))
     if (found) this.#findings = found.findings.toSorted((one, other) => Number(one.fine) - Number(other.fine))
