@@ -7,12 +7,14 @@ import {
   type Distance,
   type Points,
 } from '@botgarten/learning/k-means'
+import { kMeansProof } from '@botgarten/learning/proof'
 import { decodeTable, readTable, TableError, type Encoding, type Table } from '@botgarten/content/tables'
 import { stream } from '@botgarten/numbers'
 import type { Command } from './commands.ts'
 import { CallError, FileError } from './errors.ts'
 import { readBytes } from './files.ts'
 import { seedOf } from './learn-options.ts'
+import { writeNotebook } from './notebook.ts'
 import { note } from './notes.ts'
 import { oneOf, options, refuseMore, wholeNumberIn } from './options.ts'
 import { message } from './words.ts'
@@ -25,6 +27,7 @@ const known = {
   starts: { type: 'string' },
   seed: { type: 'string' },
   'decimal-comma': { type: 'boolean' },
+  notebook: { type: 'string' },
   json: { type: 'boolean' },
 } as const
 
@@ -47,7 +50,9 @@ function findGroups(args: string[]): string {
   const table = tableIn(values.data, values)
   const points = pointsOf(table.rows)
   const found = find(points, wholeNumberIn('k', values.k, 1, 1, points.count), distance, values)
-  const { centres, labels, inertia, iterations } = found
+  const { centres, labels, inertia, iterations, start } = found
+  if (values.notebook !== undefined)
+    writeNotebook(values.notebook, kMeansProof({ points, centres: start, distance, rounds: inertia.length }))
   note(message('groups.read', { how: readingOf(table) }))
   const { columns, rows, reading, encoding } = table
   const read = { columns: columns.length, rows: rows.length, ...reading, encoding }
@@ -56,7 +61,11 @@ function findGroups(args: string[]): string {
   return table.maybeOneColumn ? message('groups.foundEitherWay', { found: sentence }) : sentence
 }
 
-function find(points: Points, groups: number, distance: Distance, values: Values): Clustering {
+interface Found extends Clustering {
+  readonly start: readonly (readonly number[])[]
+}
+
+function find(points: Points, groups: number, distance: Distance, values: Values): Found {
   const { init = '++' } = values
   const seed = seedOf(values)
   if (init === 'random' || init === '++') {
@@ -64,7 +73,8 @@ function find(points: Points, groups: number, distance: Distance, values: Values
     return bestOf(points, groups, { starts, init, distance, stream: stream(seed, 'learn/kmeans/1') })
   }
   if (values.starts !== undefined) throw new CallError('call.startsOfOwn')
-  return cluster(points, centresIn(init, groups, points.features, values), distance)
+  const start = centresIn(init, groups, points.features, values)
+  return { ...cluster(points, start, distance), start }
 }
 
 function centresIn(

@@ -5,13 +5,16 @@ import {
   layOutWorld,
   learnedPath,
   learnWatching,
+  type QLearner,
   type Settings,
 } from '@botgarten/learning/q-learning'
+import { qProof } from '@botgarten/learning/proof'
 import type { Command } from './commands.ts'
 import { CallError } from './errors.ts'
 import { notLearnedIn, planIn, sentenceOf, settingsSaid } from './learn-report.ts'
 import { algorithmOf, decayOf, limitsOf, rulesOf, seedOf, taskOf, taskOptions } from './learn-options.ts'
 import { findMap } from './maps.ts'
+import { writeNotebook } from './notebook.ts'
 import { numberIn, options, refuseMore } from './options.ts'
 
 const known = {
@@ -22,6 +25,7 @@ const known = {
   rho: { type: 'string' },
   'alpha-decay': { type: 'string' },
   'rho-decay': { type: 'string' },
+  notebook: { type: 'string' },
   json: { type: 'boolean' },
 } as const
 
@@ -37,10 +41,13 @@ function learnWay(args: string[]): string {
   const world = layOutWorld(taskOf(findMap(values.map), values))
   const seed = seedOf(values)
   // The same dice as in the lab: a row of its table can be learned again here.
-  const learner = createLearner(world, settingsOf(values), courseStream(seed))
+  const begin = () => createLearner(world, settingsOf(values), courseStream(seed))
+  const learner = begin()
   const { moves, episodes } = limitsOf(values)
   const firstShortestMove = learnWatching(learner, moves, episodes)
   const way = greedyPath(learner)
+  if (values.notebook !== undefined)
+    writeNotebook(values.notebook, qProof(begin(), learner.steps, bestAtStart(learner)))
   const plan = planIn(learner)
   const notLearned = notLearnedIn(learnedPath(learner), plan)
   const report = {
@@ -57,6 +64,12 @@ function learnWay(args: string[]): string {
     settings: settingsSaid(learner.settings),
   }
   return values.json ? JSON.stringify(report) : sentenceOf(report)
+}
+
+/** Of the actions at the start the one that is worth most. */
+function bestAtStart({ world, q }: QLearner): number {
+  const [from, end] = [world.first[world.start]!, world.first[world.start + 1]!]
+  return q.indexOf(Math.max(...q.subarray(from, end)), from)
 }
 
 function settingsOf(values: Values): Settings {

@@ -52,6 +52,10 @@ export function problemMessage(problem: string, facts: Facts = {}): string {
   return title && text ? `${filled(title, facts)} ${filled(text, facts)}` : problem
 }
 
+/** A message of a file in a language of its own: of a document that says all in each. */
+export const messageOf = (file: string, language: Language, key: string, facts: Facts): string =>
+  fill(tableOf(file, language)[key]!, facts, language)
+
 const filled = (message: Message, facts: Facts) => fill(message, facts, spoken)
 
 /** Tables are read when they are asked for. */

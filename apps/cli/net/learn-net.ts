@@ -1,11 +1,13 @@
-import { practiceChoice, type Exercise } from '@botgarten/learning/neural-network/examples'
-import { percentOff } from '@botgarten/learning/neural-network/train'
+import { beginExercise, practiceChoice, type Exercise } from '@botgarten/learning/neural-network/examples'
+import { percentOff, type Settings } from '@botgarten/learning/neural-network/train'
+import { netProof, type Proof } from '@botgarten/learning/proof'
 import { refusalOf, writeProjectFile } from '@botgarten/programs'
 import { withHidden } from '@botgarten/programs/examples'
 import type { Command } from '../commands.ts'
 import { CallError, FileError } from '../errors.ts'
 import { write } from '../files.ts'
 import { seedOf } from '../learn-options.ts'
+import { writeNotebook } from '../notebook.ts'
 import { note } from '../notes.ts'
 import { options, wholeNumberIn } from '../options.ts'
 import { message } from '../words.ts'
@@ -27,6 +29,7 @@ function learnNet(args: string[]): string {
   const source = shaped(sourceOf(what, values), values)
   if (values.seeds === undefined) return one(source, values)
   if (values.out !== undefined) throw new CallError('call.outOfOne')
+  if (values.notebook !== undefined) throw new CallError('call.notebookOfOne')
   return several(source, values)
 }
 
@@ -55,15 +58,22 @@ function exerciseOf(source: Source, values: Values & { readonly examples?: strin
 
 function one(
   source: Source,
-  values: Values & { readonly examples?: string; readonly seed?: string; readonly out?: string },
+  values: Values & {
+    readonly examples?: string
+    readonly seed?: string
+    readonly out?: string
+    readonly notebook?: string
+  },
 ): string {
   const { project, card, network, brain } = source
   const seed = values.seed === undefined ? practiceChoice(brain).seed : seedOf(values)
   const exercise = exerciseOf(source, values, seed)
-  const done = practised(exercise, settingsOf(values, brain), brain)
+  const settings = settingsOf(values, brain)
+  const done = practised(exercise, settings, brain)
   const { practice, curve, weights, last, hash, prepared, sleeping, byHeart } = done
   notesOf(done)
   if (values.out !== undefined) save(values.out, source, done.brain)
+  if (values.notebook !== undefined) writeNotebook(values.notebook, proofOf(done, exercise, settings))
   const report = {
     ...{ rounds: practice.round, practised: last.practised, keptBack: last.kept, weights, curve },
     starts: startsPassed(project, card, network.id, done.brain),
@@ -80,6 +90,18 @@ function save(path: string, { project, network }: Source, brain: Source['brain']
 }
 
 type Done = ReturnType<typeof practised>
+
+/** It practises once more, to the round that it ended with. */
+function proofOf({ prepared, practice }: Done, exercise: Exercise, settings: Settings): Proof {
+  const { ended, round } = practice
+  const rounds = ended?.kind === 'noBetter' ? ended.best : round
+  const begun = beginExercise(prepared, { ...settings, rounds: rounds + 1, patience: 0 }, exercise)
+  const making = netProof(begun, rounds)
+  for (;;) {
+    const { done, value } = making.next()
+    if (done) return value
+  }
+}
 
 /** What is said beside the result. */
 function notesOf({ prepared, practice, sleeping, byHeart }: Done): void {

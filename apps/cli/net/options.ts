@@ -26,6 +26,7 @@ export const known = {
   seed: { type: 'string' },
   seeds: { type: 'string' },
   out: { type: 'string' },
+  notebook: { type: 'string' },
   json: { type: 'boolean' },
 } as const
 

@@ -35,7 +35,7 @@ export function cluster(
   }
 }
 
-/** The best of several starts: the smallest inertia at the end, of equal ones the first. */
+/** The best of several starts: the smallest inertia at the end, of equal ones the first; with that start. */
 export function bestOf(
   points: Points,
   groups: number,
@@ -45,14 +45,14 @@ export function bestOf(
     readonly distance: Distance
     readonly stream: StreamState
   },
-): Clustering {
+): Clustering & { readonly start: readonly (readonly number[])[] } {
   const { starts, init, distance, stream } = options
-  let best: Clustering | null = null
+  let best: ReturnType<typeof bestOf> | null = null
   for (let index = 0; index < starts; index++) {
     const start =
       init === '++' ? plusPlusStart(points, groups, distance, stream) : randomStart(points, groups, stream)
     const found = cluster(points, start, distance)
-    if (best === null || found.inertia.at(-1)! < best.inertia.at(-1)!) best = found
+    if (best === null || found.inertia.at(-1)! < best.inertia.at(-1)!) best = { ...found, start }
   }
   if (best === null) throw new RangeError('One start is the least.')
   return best

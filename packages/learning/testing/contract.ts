@@ -12,11 +12,12 @@ export interface Example {
   readonly steps: number
 }
 
+/** Folders beside the learners. */
+const others = ['proof', 'testing', 'node_modules']
+
 /** Every folder that has to be a learner. */
 export const learnerFolders = (from = root): string[] =>
-  readdirSync(from).filter(
-    (name) => !['testing', 'node_modules'].includes(name) && statSync(join(from, name)).isDirectory(),
-  )
+  readdirSync(from).filter((name) => !others.includes(name) && statSync(join(from, name)).isDirectory())
 
 /** The files that a learner's folder lacks. */
 export function missingIn(folder: string, from = root): string[] {

@@ -7,6 +7,7 @@ const types = {
   csv: 'text/csv',
   zip: 'application/zip',
   py: 'text/x-python',
+  ipynb: 'application/x-ipynb+json',
   svg: 'image/svg+xml',
 }
 type Ending = 'botgarten.json' | 'brain.json' | keyof typeof types

@@ -24,17 +24,26 @@ function fetcherOf(file: WordsFile): (locale: Locale) => Promise<void> {
   }
 }
 
+function fetcherFor(file: WordsFile): (locale: Locale) => Promise<void> {
+  const fetch = fetching.get(file) ?? fetcherOf(file)
+  fetching.set(file, fetch)
+  return fetch
+}
+
 /** Fetches files of `content/words/<language>`, in the language of now and in each that will be spoken: before one of their messages is said. */
 export async function fetchWords(...named: readonly WordsFile[]): Promise<void> {
   await Promise.all(
     named.map((file) => {
-      const fetch = fetching.get(file) ?? fetcherOf(file)
-      fetching.set(file, fetch)
+      const fetch = fetcherFor(file)
       language.needs(fetch)
       return fetch(language.locale)
     }),
   )
 }
+
+/** Fetches a file's messages in every language: for a document that says all in each of them. */
+export const fetchInAll = (file: WordsFile): Promise<unknown> =>
+  Promise.all(language.all.map((locale) => fetcherFor(file)(locale)))
 
 /**
  * A lazy part of a page, once the messages that it says have come too.

@@ -5,7 +5,7 @@ export type { Learner } from './lazy.ts'
 /** The Q-learning Playground: it comes when a program first learns by trying. */
 export const qLearning = {
   id: 'q-learning',
-  words: ['q-learning', 'blocks-q-learning'],
+  words: ['q-learning', 'blocks-q-learning', 'proof'],
   load: () => import('./lazy.ts'),
   budget: { part: 68_000 },
 } satisfies Feature

@@ -6,7 +6,7 @@ export { default as Sorting } from './view/Sorting.svelte'
 /** The Sorting Playground. */
 export const sorting = {
   id: 'sorting',
-  words: ['sorting'],
+  words: ['sorting', 'proof'],
   route: 'sorting',
   load: () => import('./lazy.ts'),
   budget: { page: 120_000, part: 70_000 },

@@ -1,4 +1,4 @@
-import { startAt, stepOne, stepPhase, type Distance } from '@botgarten/learning/k-means'
+import { startAt, stepOne, stepPhase, type Distance, type KState } from '@botgarten/learning/k-means'
 import { LONGEST_NAME } from './kept.ts'
 import { deviceStore, Steps, type Store } from './steps.svelte.ts'
 import {
@@ -221,6 +221,13 @@ export class Playground {
     const { work } = this
     if (!work.state || this.done) return
     this.#do({ ...work, state: stepPhase(pointsIn(work.table), work.state) })
+  }
+
+  /** Where the flags of this sorting began; null: it began before this page was opened. */
+  get first(): KState['centres'] | null {
+    const first = this.#steps.findLast(isFresh)
+    const isSame = first?.table === this.work.table && first.distance === this.work.distance
+    return isSame ? first.state!.centres : null
   }
 
   /** To the beginning of this sorting: the flags where they were placed. */

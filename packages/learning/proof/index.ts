@@ -1,0 +1,6 @@
+export type { Part, Proof } from './types.ts'
+export { mostNumbers } from './types.ts'
+export { notebookOf } from './notebook.ts'
+export { kMeansProof, type Sorted } from './k-means.ts'
+export { netProof } from './net.ts'
+export { qProof, triedProof, type Met, type Tried } from './q.ts'
