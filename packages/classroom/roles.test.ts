@@ -38,6 +38,13 @@ const bodies: { readonly [route: string]: unknown } = {
   'PUT /classes/:class/gallery/:shared': { hidden: true },
   'PUT /me/question': { card: 'friendship', to: 'pupil-1' },
   'PUT /me/questions/:pupil': { answer: 'coming' },
+  'POST /pair': projectText('t'),
+  'PUT /pair/answer': { pair: 'pair-1', yes: true },
+  'POST /pair/operations': {
+    ops: [{ n: 1, base: 0, op: { kind: 'delete', program: 'main', block: 'b' } }],
+  },
+  'PUT /pair/hand': { at: 'b', x: 0.5, y: 0.5, chosen: null },
+  'PUT /pair/role': { role: 'eye' },
   'POST /classes/:class/questionnaires': { form: 'after' },
   'POST /classes/:class/questionnaires/:form/paper': { bands: ['5-6'], n: 5, counts: {}, open: {} },
   'POST /answers': { key: 'a'.repeat(32), id: 'b'.repeat(32), code: null, values: {} },

@@ -15,6 +15,7 @@ import { rehearsalRoutes } from './teaching/rehearsal-routes.ts'
 import { resultRoutes } from './teaching/results-routes.ts'
 import { substituteRoutes } from './teaching/substitute-routes.ts'
 import { pupilRoutes } from './teaching/pupil-routes.ts'
+import { togetherRoutes } from './together/routes.ts'
 import { wifiRoutes } from './teaching/wifi-routes.ts'
 
 /** Who may ask what: the one table, which the router follows and the tests walk. */
@@ -36,6 +37,7 @@ export const routes: readonly Route[] = [
   ...galleryPupilRoutes,
   ...galleryTeacherRoutes,
   ...askingRoutes,
+  ...togetherRoutes,
 ]
 
 export interface Found {

@@ -5,6 +5,7 @@ import { first } from './first.ts'
 import { gallery } from './gallery.ts'
 import { live } from './live.ts'
 import { thrown } from './thrown.ts'
+import { together } from './together.ts'
 import { wifi } from './wifi.ts'
 
 const migrations = ({ kind }: Database) => ({
@@ -13,6 +14,7 @@ const migrations = ({ kind }: Database) => ({
   '2026-11-thrown': thrown,
   '2026-11-wifi': wifi,
   '2026-12-gallery': gallery,
+  '2026-12-together': together,
 })
 
 const migrator = (database: Database) =>

@@ -1,5 +1,6 @@
 import type { Generated, Insertable, Selectable } from 'kysely'
 import type { GalleryTables } from './gallery-tables.ts'
+import type { PairEntryTable, PairTable } from './together-tables.ts'
 
 // Ids are text; times are milliseconds since 1970; booleans are 0 or 1: so one set of queries serves both databases.
 
@@ -231,6 +232,8 @@ export interface Tables extends GalleryTables {
   result: ResultTable
   substitute: SubstituteTable
   wifi: WifiTable
+  pair: PairTable
+  pairEntry: PairEntryTable
   meta: MetaTable
   tombstone: TombstoneTable
 }

@@ -18,6 +18,14 @@ export type Message =
       readonly by: string | null
       readonly until: number
     }
+  /** A short event for the pages of one pupil. */
+  | {
+      readonly kind: 'event'
+      readonly class: string
+      readonly pupil: string
+      readonly event: string
+      readonly data: unknown
+    }
   /** Streams end: of one pupil, of all pupils, of a teacher, or of all in the class. */
   | { readonly kind: 'end'; readonly class: string | null; readonly who: Ended; readonly reason: EndReason }
 

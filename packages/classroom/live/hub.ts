@@ -64,6 +64,7 @@ export class Hub {
     else if (message.kind === 'changed') this.refresh(message.class, message.pupils)
     else if (message.kind === 'attention') this.pay(message.class, message)
     else if (message.kind === 'inside') this.see(message.class, message.pupil, message)
+    else if (message.kind === 'event') this.passOn(message)
     else this.endStreams(message)
   }
 
@@ -103,6 +104,16 @@ export class Hub {
 
   private refreshAll() {
     for (const stream of this.streams) stream.dirty = true
+  }
+
+  /** Tells the pages of a pupil at once, unlike `changed`; what is lost is not sent again. */
+  tell(classId: string, pupil: string, event: string, data: unknown): void {
+    this.publish({ kind: 'event', class: classId, pupil, event, data })
+  }
+
+  private passOn({ class: classId, pupil, event, data }: Extract<Message, { kind: 'event' }>) {
+    for (const stream of this.streams)
+      if (stream.class === classId && stream.pupil === pupil) stream.events.send(event, data)
   }
 
   /** The class is over for these: their streams end, and what was live of them is forgotten. */

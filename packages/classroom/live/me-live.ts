@@ -3,6 +3,7 @@ import { openAskingOf } from '../questionnaires/askings-store.ts'
 import type { Pupil } from '../joining/sessions-store.ts'
 import { askedBy, askedOf } from '../asking/peers-store.ts'
 import type { Ports } from '../ports.ts'
+import { shownPair } from '../together/shown.ts'
 import { handoutsOf } from './handouts-store.ts'
 
 /** All that a pupil's page shows of the class: who, what is free, attention, who looks inside, what was sent, who asks. */
@@ -17,6 +18,8 @@ export async function liveOfPupil(ports: Ports, pupil: Pupil) {
     /** What this pupil has asked a classmate, and what classmates ask. */
     asked: (asks && (await askedBy(ports.database.db, pupil.id))) || null,
     questions: asks ? await askedOf(ports.database.db, pupil.id) : [],
+    /** The classmate with whom this pupil works on one program, or who asks to. */
+    pair: pupil.fresh ? await shownPair(ports.database.db, pupil.id) : null,
     attention: ports.live.attentionOf(pupil.class),
     inside: ports.live.insideOf(pupil.id),
     handouts,

@@ -1,5 +1,6 @@
 import type { Insertable, Updateable } from 'kysely'
 import { clearQuestions } from '../asking/peers-store.ts'
+import { endPairs } from '../together/pairs-store.ts'
 import type { Db } from '../database/database.ts'
 import type { ClassRow, ClassTable } from '../database/tables.ts'
 
@@ -32,6 +33,7 @@ export async function closeClass(db: Db, id: string, now: number): Promise<void>
   await changeClass(db, id, { openedAt: null, closedAt: now, joiningUntil: 0 })
   await db.updateTable('pupil').set({ isNew: 0, handAt: null }).where('class', '=', id).execute()
   await clearQuestions(db, id)
+  await endPairs(db, id)
 }
 
 /** How much a class holds. */

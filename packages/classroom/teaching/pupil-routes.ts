@@ -3,6 +3,7 @@ import { nicknameFrom, nicknameKey } from '../joining/nickname.ts'
 import { newSecret } from '../joining/pictures.ts'
 import { pupilOf, pupilsOf, rename, setHand, setPictures, unlock } from '../joining/pupils-store.ts'
 import { galleryOf } from '../gallery/about-pupil-store.ts'
+import { pairsOf } from '../together/pairs-store.ts'
 import { hashOfPictures } from '../joining/routes.ts'
 import { endSessionsOf } from '../joining/sessions-store.ts'
 import { projectsOf, versionOf } from '../projects/projects-store.ts'
@@ -83,7 +84,9 @@ async function everything(call: Call<undefined>): Promise<Answer> {
   const { db } = call.ports.database
   const all = []
   for (const { id: of } of await projectsOf(db, id)) all.push({ id: of, ...(await versionOf(db, id, of)) })
-  return { body: { nickname, joinedAt, projects: all, ...(await galleryOf(db, id)) } }
+  return {
+    body: { nickname, joinedAt, projects: all, ...(await galleryOf(db, id)), pairs: await pairsOf(db, id) },
+  }
 }
 
 const one = '/classes/:class/pupils/:pupil'
