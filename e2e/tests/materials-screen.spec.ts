@@ -106,7 +106,7 @@ for (const language of languagesOf(import.meta.filename))
     }) => {
       await page.goto('/materials')
       const name = child.card('city')
-      await page.getByRole('searchbox').fill(name)
+      await page.getByRole('searchbox').fill('Q3')
       await child.presses('materials.look', { title: name })
       const aside = page.getByRole('complementary')
       await expect(aside.getByRole('heading', { name })).toBeVisible()
@@ -121,6 +121,38 @@ for (const language of languagesOf(import.meta.filename))
       await expect(page.getByRole('heading', { level: 1 })).toHaveText(
         child.word('materials.questions', { number: 1 }),
       )
+    })
+
+    test('what a lesson needs is put together, counted and printed with its cover', async ({
+      child,
+      page,
+    }) => {
+      await page.goto('/materials')
+      await page.getByRole('searchbox').fill('NN 5')
+      await child.presses('materials.set.put', { title: child.card('friendship') })
+      await page.getByRole('searchbox').fill('3.1')
+      const sheet = page.locator('.library li').first()
+      await expect(sheet).toContainText('3.1')
+      await sheet.getByRole('button').first().click()
+      const mySet = page.getByRole('region', { name: child.word('materials.set.title') })
+      // A card for each pair, two on a sheet, and a sheet for each pair.
+      const sum = (sheets: number) =>
+        expect(mySet.getByRole('status')).toContainText(child.word('materials.set.sheets', { sheets }))
+      await sum(6 + 12)
+      await child.presses('materials.set.fewer')
+      await child.presses('materials.set.fewer')
+      await sum(6 + 11)
+      await mySet.getByRole('spinbutton').first().fill('2')
+      await mySet.getByRole('spinbutton').first().blur()
+      await sum(1 + 11)
+      expect(await axeFindings(page)).toEqual([])
+      await page.reload()
+      await sum(1 + 11)
+      await mySet.getByRole('link', { name: child.word('materials.print'), exact: true }).click()
+      await expect(page.locator('html[data-print=ready] .cover')).toBeVisible()
+      const { pages } = await readPdf(await page.pdf({ preferCSSPageSize: true, printBackground: true }))
+      expect(pages.map(({ width, height }) => `${width} × ${height}`)).toEqual(Array(4).fill('210 × 297'))
+      expect(pages[0]!.text).toContain(child.card('friendship'))
     })
   })
 

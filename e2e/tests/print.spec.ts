@@ -106,6 +106,24 @@ test('botgarten print: a questionnaire with numbers, and with faces', async () =
   expect(young.tagged).toBe(true)
 })
 
+test('botgarten print pack: what a lesson needs for 25 children, with a cover; answers in a file of their own', async () => {
+  const out = fresh()
+  const call = botgarten(['pack', 'lesson-3', '--pupils', '25', '--lang', 'de', '--out', out])
+  expect(call).toMatchObject({ status: 0, stderr: '' })
+  expect(readdirSync(out).sort()).toEqual(['pack-lesson-3-answers-de-a4.pdf', 'pack-lesson-3-de-a4.pdf'])
+  const { pages } = await readPdf(readFileSync(join(out, 'pack-lesson-3-de-a4.pdf')))
+  const cover = pages[0]!.text
+  for (const said of ['Freundschaft und Angst', '25 Kinder', '13 Paare', 'NN 5', '3.1', '3.2', 'P 3'])
+    expect(cover).toContain(said)
+  // As many pages as the cover says there are.
+  expect(cover).toContain(`${pages.length} Seiten in dieser Datei`)
+  expect(pages.flatMap(({ missingFonts }) => missingFonts)).toEqual([])
+  expect(botgarten(['pack', 'lesson-33']).stderr).toMatch(
+    /There is no pack "lesson-33"\. Did you mean lesson-3/,
+  )
+  expect(botgarten(['pack', 'lesson-3', '--pupils', 'many']).stderr).toContain('--pupils takes a number')
+})
+
 test('botgarten print without an address prints no code; what is wrong is said in words', () => {
   const out = fresh()
   const wrong = botgarten(['q-cty', '--out', out])

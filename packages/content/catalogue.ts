@@ -1,8 +1,10 @@
 import type { Block } from '@botgarten/blocks'
+import type { Answers } from './answers/index.ts'
 import type { Cage } from '@botgarten/maps/zoo'
 import type { Alignment } from './schema/alignment.ts'
 import type { CageText } from './schema/cageText.ts'
 import type { Card, CardProgram, CardText, Playground, WorldFile } from './schema/cardTypes.ts'
+import type { FixedPack } from './schema/packs.ts'
 import type { LoadedForm } from './schema/form.ts'
 import type { Item, ItemText } from './schema/itemTypes.ts'
 import type { Question, QuestionText } from './schema/questionTypes.ts'
@@ -13,7 +15,7 @@ import type { ThingSet } from './schema/thingTypes.ts'
 export type Translated<Text> = { readonly [language: string]: Text }
 
 /** What is known of a card without opening it: this travels with every page. */
-export interface CardHead extends Pick<Card, 'id' | 'code' | 'group' | 'chapter'> {
+export interface CardHead extends Pick<Card, 'id' | 'code' | 'group' | 'chapter' | 'grades' | 'minutes'> {
   /** Where it lies on the home page: the folder above its own. */
   readonly bed: Playground
   /** Number of its start poses. */
@@ -98,15 +100,20 @@ export type NumberedItem = Item & { readonly number: number }
 export interface Items {
   readonly items: readonly NumberedItem[]
   readonly questions: readonly Question[]
+  readonly packs: readonly FixedPack[]
   /** The words of all items by `kind/id`, and of all questions by id. */
   readonly itemTexts: (language: string) => ItemTexts
   readonly alignment: () => Alignment
+  /** What answers say in numbers. */
+  readonly answers: () => Answers
   readonly references: () => readonly Reference[]
 }
 
 export interface ItemTexts {
   readonly items: { readonly [item: string]: ItemText | undefined }
   readonly questions: { readonly [id: string]: QuestionText | undefined }
+  /** Words for the same thing, in groups. */
+  readonly synonyms: readonly (readonly string[])[]
 }
 
 /**

@@ -5,6 +5,7 @@ import { readMap, type MapFile } from '@botgarten/maps'
 import type { Project } from '@botgarten/programs'
 import { paintFloor, type Floor, type World } from '@botgarten/simulation'
 import { readPng } from '@botgarten/simulation/png'
+import type { Answers } from './answers/index.ts'
 import type { Catalogue } from './catalogue.ts'
 import { cardsIn } from './files/cards.ts'
 import { folderAt, idOf, named, once } from './files/folder.ts'
@@ -104,6 +105,9 @@ export function contentIn(root: string): ContentFiles {
     get items() {
       return items.items()
     },
+    get packs() {
+      return items.packs()
+    },
     get questions() {
       return items.questions()
     },
@@ -127,6 +131,7 @@ export function contentIn(root: string): ContentFiles {
         setFolders().find((one) => idOf(one) === set)!,
         `${thing}.svg`,
       ),
+    answers: () => folder.json('materials/answers.json') as Answers,
     alignment: () => readAlignment(folder.json('materials/alignment.json')),
     references: () => readReferences(folder.json('materials/references.json')),
   }

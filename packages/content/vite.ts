@@ -138,8 +138,10 @@ const modules: Parts = {
       export default {
         items: ${data(content.items)},
         questions: ${data(content.questions)},
+        packs: ${data(content.packs)},
         itemTexts: async (language) => (await texts[language]()).default,
         alignment: async () => (await import('${prefix}alignment')).default,
+        answers: async () => (await import('${prefix}answers')).default,
         references: async () => (await import('${prefix}references')).default,
         pictureAt: async (file) => (await import('${prefix}item-pictures')).default['materials/' + file] ?? file,
       }`
@@ -147,6 +149,7 @@ const modules: Parts = {
 
   texts: (content, language) => `export default ${data(content.itemTexts(language))}`,
   alignment: (content) => `export default ${data(content.alignment())}`,
+  answers: (content) => `export default ${data(content.answers())}`,
   references: (content) => `export default ${data(content.references())}`,
 
   programs: () => `export default {

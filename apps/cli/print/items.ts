@@ -22,6 +22,39 @@ const printableItem = ({ id, kind, paper }: Item): Printable => ({
   ...{ address: `/materials/${kind}/${id}?`, isCard: paper === 'a5' },
 })
 
+/** Packs by what they are called in a call: `lesson-3`, `lesson-e7`, `no-network`. */
+const packs = (): ReadonlyMap<string, string> =>
+  new Map([
+    ...content.items.flatMap(({ id, plan }) =>
+      plan ? [[`lesson-${plan.lesson.toLowerCase().replace(' ', '')}`, id] as const] : [],
+    ),
+    ...content.packs.map(({ id }) => [id, id] as const),
+  ])
+
+/** A pack for so many pupils is two files: what is copied, and answers apart, where it has some. */
+function printablePack(name: string, id: string, pupils: number): readonly Printable[] {
+  const plan = content.items.find((item) => item.id === id)?.plan
+  const copies = plan?.copies ?? content.packs.find((pack) => pack.id === id)!.copies
+  const hasAnswers = copies.some(
+    ({ of }) => content.items.find((item) => `item:${item.id}` === of)?.kind === 'solution',
+  )
+  const file = (answers: string) => `/materials/pack/${id}?children=${pupils}&answers=${answers}&`
+  const pack = { id: name, file: `pack-${name}`, address: file('apart'), isCard: true }
+  return hasAnswers
+    ? [pack, { ...pack, id: `${name}-answers`, file: `pack-${name}-answers`, address: file('only') }]
+    : [pack]
+}
+
+/** What `print pack …` names. @throws CallError with the nearest names for what is not there */
+export function packsNamed(names: readonly string[], pupils: number): readonly Printable[] {
+  const all = packs()
+  return names.flatMap((name) => {
+    const id = all.get(name)
+    if (id) return printablePack(name, id, pupils)
+    throw new CallError('call.noPack', { name, near: nearest(name, [...all.keys()]).join(', ') })
+  })
+}
+
 /** A form is two: with numbers, and with faces for those who have just learned to read. */
 const printableForm = ({ form }: LoadedForm): readonly Printable[] =>
   ['', '-young'].map((face) => ({

@@ -2,13 +2,15 @@ import { resolve } from 'node:path'
 import { CallError } from '../errors.ts'
 import { oneOf, options } from '../options.ts'
 import { languages, type Language } from '../words.ts'
-import { printablesNamed, type Printable } from './items.ts'
+import { packsNamed, printablesNamed, type Printable } from './items.ts'
 
 export const known = {
   paper: { type: 'string' },
   turn: { type: 'string' },
   out: { type: 'string' },
   address: { type: 'string' },
+  pupils: { type: 'string' },
+  grey: { type: 'boolean' },
   json: { type: 'boolean' },
 } as const
 
@@ -23,6 +25,7 @@ export interface Order {
   readonly out: string
   /** Where the codes lead; null: none is printed. */
   readonly address: string | null
+  readonly grey: boolean
   readonly json: boolean
 }
 
@@ -31,14 +34,32 @@ export function orderOf(args: string[], language?: Language): Order {
   const { values, positionals } = options(args, known)
   if (positionals.length === 0) throw new CallError('call.printWhat')
   return {
-    items: printablesNamed(positionals),
+    items:
+      positionals[0] === 'pack'
+        ? packsNamed(packsAsked(positionals.slice(1)), pupilsOf(values.pupils))
+        : printablesNamed(positionals),
     languages: language ? [language] : languages,
     paper: oneOf('paper', values.paper, ['a4', 'a5'] as const),
     turn: oneOf('turn', values.turn, ['short', 'long'] as const),
     out: resolve(values.out ?? '.'),
     address: values.address === undefined ? null : addressOf(values.address),
+    grey: values.grey ?? false,
     json: values.json ?? false,
   }
+}
+
+function packsAsked(names: readonly string[]): readonly string[] {
+  if (names.length === 0) throw new CallError('call.printPack')
+  return names
+}
+
+const usualPupils = 24
+const mostPupils = 99
+
+function pupilsOf(text: string | undefined): number {
+  const pupils = text === undefined ? usualPupils : Number(text)
+  if (Number.isInteger(pupils) && pupils >= 1 && pupils <= mostPupils) return pupils
+  throw new CallError('call.pupils', { text: text!, most: mostPupils })
 }
 
 function addressOf(text: string): string {

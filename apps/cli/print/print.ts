@@ -78,9 +78,9 @@ const nameOf = ({ file, isCard }: Printable, language: string, paper: string) =>
 async function pdfOf(
   page: Page,
   { id, address: path }: Printable,
-  { paper, turn, address }: Order,
+  { paper, turn, address, grey }: Order,
 ): Promise<Buffer> {
-  const options = new URLSearchParams({ paper, turn, address: address ?? '' })
+  const options = new URLSearchParams({ paper, turn, address: address ?? '', ...(grey && { grey: 'yes' }) })
   const errors: string[] = []
   const hear = (error: Error) => errors.push(error.message)
   page.on('pageerror', hear)

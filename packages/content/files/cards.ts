@@ -31,10 +31,10 @@ export function cardsIn(content: Folder) {
   const bedIn = (folder: string) => readBed(basename(dirname(folder)))
 
   function headIn(folder: string): CardHead {
-    const { id, code, group, chapter, starts, world } = cardIn(folder)
+    const { id, code, group, chapter, starts, world, grades, minutes } = cardIn(folder)
     const { floor } = worldNamed(world)
     return {
-      ...{ id, code, bed: bedIn(folder) },
+      ...{ id, code, grades, minutes, bed: bedIn(folder) },
       ...(group && { group }),
       ...(chapter && { chapter }),
       ...('asset' in floor && { floor: floor.asset }),

@@ -5,6 +5,7 @@ import { readItemText } from '../schema/itemText.ts'
 import type { ItemNode, ItemText } from '../schema/itemTypes.ts'
 import { readQuestion, readQuestionText } from '../schema/question.ts'
 import type { Question } from '../schema/questionTypes.ts'
+import { readPacks, readSynonyms } from '../schema/packs.ts'
 import { named, numberOf, once, type Folder } from './folder.ts'
 
 /** Learning materials and the questions about what Bo will do. */
@@ -25,6 +26,7 @@ export function itemsIn(content: Folder) {
         named(folder, readQuestion(content.json(folder, 'question.json'))),
       ]),
   )
+  const synonyms = once(() => readSynonyms(content.json('materials/synonyms.json')))
   const folderOf = (id: string): string => [...items(), ...questions()].find(([, one]) => one.id === id)![0]
 
   /** A text in a language; in English where it has none. */
@@ -38,6 +40,7 @@ export function itemsIn(content: Folder) {
         withPaths(folder, readItemText(textIn(folder, language))),
       ]),
     ),
+    synonyms: synonyms()[language] ?? [],
     questions: Object.fromEntries(
       questions().map(([folder, { id }]) => [id, readQuestionText(textIn(folder, language))]),
     ),
@@ -46,6 +49,7 @@ export function itemsIn(content: Folder) {
   return {
     ...{ itemTexts, folderOf },
     items: once(() => items().map(([, item]) => item)),
+    packs: once(() => readPacks(content.json('materials/packs.json'))),
     questions: once(() => questions().map(([, question]) => question)),
     picturesOf: (id: string) =>
       readdirSync(content.path(folderOf(id))).filter((file) => /\.(svg|png)$/.test(file)),

@@ -1,4 +1,4 @@
-import type { Item, ItemText, Section } from '../schema/itemTypes.ts'
+import type { ItemText, Section } from '../schema/itemTypes.ts'
 import type { Copies, Plan, PlanParts } from '../schema/planTypes.ts'
 
 /** Parts of a plan before and after its steps, in the order in which they are written. */
@@ -29,7 +29,3 @@ export function timesOf(copies: Copies, children: number): number {
   const share = { child: 1, pair: 2 }
   return Math.ceil(children / (typeof copies.for === 'number' ? copies.for : share[copies.for]))
 }
-
-/** Sheets of A4 for so many copies of something with so many sides, printed on both: of A5 two lie on a sheet. */
-export const sheetsFor = (paper: Item['paper'], sides: number, times: number): number =>
-  Math.ceil((paper === 'a5' ? 0.5 : 1) * Math.ceil(sides / 2) * times)

@@ -48,6 +48,7 @@ function missing(embed: Embed, nameable: Nameable): readonly string[] {
       return unless(nameable.cards.has(embed.id), `There is no card "${embed.id}".`)
     case 'robot':
       return unless(nameable.cards.has(embed.card), `There is no card "${embed.card}".`)
+    case 'knobs':
     case 'net':
       return missingNet(embed, nameable)
     case 'program':
@@ -55,6 +56,7 @@ function missing(embed: Embed, nameable: Nameable): readonly string[] {
     case 'live':
       return missingFile(embed, nameable)
     case 'way':
+    case 'tries':
     case 'trials':
       return missingWay(embed, nameable)
     case 'scene':

@@ -21,6 +21,9 @@ export const wordsOf = (text: ItemText, withNotes = true): string =>
       .map(plainOf),
   ].join('\n')
 
+/** All nodes in these, in reading order. */
+export const nodesInside = (nodes: ItemMarkdown): Generator<ItemNode> => inside(nodes)
+
 function* inside(nodes: ItemMarkdown): Generator<ItemNode> {
   for (const node of nodes) {
     yield node

@@ -15,7 +15,8 @@ const ids = v.pipe(
   v.transform((text) => text.split(',')),
 )
 /** A program of a card's folder, without `.json`. */
-const file = v.optional(v.pipe(v.string(), v.regex(/^(start|solution|wrong\/[a-z0-9-]+)$/)), 'start')
+const named = v.pipe(v.string(), v.regex(/^(start|solution|wrong\/[a-z0-9-]+)$/))
+const file = v.optional(named, 'start')
 
 /**
  * What stands in a text as `::kind{name=value}` and is drawn by the lab's own renderers from the file it names.
@@ -26,6 +27,10 @@ const embed = v.variant('kind', [
   v.strictObject({ kind: v.literal('card'), id, side: v.picklist(['front', 'back']) }),
   /** The network of a card's program, with its weights. */
   v.strictObject({ kind: v.literal('net'), card: id, file }),
+  /** The weights of that network as a table; `from`: those of another program before them, where they differ. */
+  v.strictObject({ kind: v.literal('knobs'), card: id, file, from: v.exactOptional(named) }),
+  /** What a card's learner knows after so many tries, as a table (`answers.json`). */
+  v.strictObject({ kind: v.literal('tries'), card: id }),
   /** A card's program as blocks, or a part of it: the block `only`, the block `fold` on one line (their ids). */
   v.strictObject({
     ...{ kind: v.literal('program'), card: id, file },

@@ -42,6 +42,7 @@ const item: v.GenericSchema<unknown, Item> = v.strictObject({
   social: v.picklist(['alone', 'pairs', 'groups', 'class']),
   module: v.pipe(v.number(), v.integer(), v.minValue(0), v.maxValue(4)),
   paper: v.picklist(['a4', 'a5', '16:9']),
+  sides: v.exactOptional(v.pipe(v.number(), v.integer(), v.minValue(1))),
   competences: v.pipe(v.array(v.string()), v.minLength(1)),
   unplugged: v.boolean(),
   harder: v.exactOptional(v.record(v.string(), harder)),

@@ -22,6 +22,13 @@ const all: HomeSettings = {
   'code-gaps': false,
   'code-learner': true,
   language: 'de',
+  'my-set': {
+    ...{ name: 'Tuesday', children: 24, paper: 'a4', grey: false },
+    lines: [
+      { of: 'item:my-knobs', for: 'pair' },
+      { of: 'card:fear', for: 4, times: 6 },
+    ],
+  },
   'network-level': 'explorer',
   'network-tens': true,
   'q-level': 'expert',

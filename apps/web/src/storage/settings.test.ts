@@ -20,6 +20,13 @@ const good: { readonly [name in keyof typeof settings]: unknown } = {
   'code-learner': true,
   dialect: 'ev3dev2',
   language: 'de',
+  'my-set': {
+    ...{ name: 'Tuesday', children: 24, paper: 'a4', grey: false },
+    lines: [
+      { of: 'item:my-knobs', for: 'pair' },
+      { of: 'card:fear', for: 4, times: 6 },
+    ],
+  },
   'network-level': 'explorer',
   'network-tens': true,
   'q-level': 'expert',
@@ -61,6 +68,7 @@ test.each([
   ['sizes', { columns: [9, 'x'] }],
   ['sizes', null],
   ['dialect', 'pascal'],
+  ['my-set', { name: '', children: 24, paper: 'a4', grey: false, lines: [{ of: 'http://x', for: 'pair' }] }],
   ['network-level', 'wizard'],
   ['q-level', 7],
   ['network-tens', 'yes'],

@@ -19,6 +19,23 @@ export const settings = {
   /** Does the robot of such code go on learning by trying? */
   'code-learner': v.boolean(),
   language: v.picklist(languages),
+  /** What somebody put together to be printed: items and cards by name, for whom, or how often. */
+  'my-set': v.strictObject({
+    name: v.pipe(v.string(), v.maxLength(60)),
+    children: v.pipe(v.number(), v.integer(), v.minValue(1), v.maxValue(99)),
+    lines: v.pipe(
+      v.array(
+        v.strictObject({
+          of: v.pipe(v.string(), v.regex(/^(item|card):[a-z0-9-]{1,60}$/)),
+          for: v.union([v.picklist(['teacher', 'child', 'pair']), v.pipe(v.number(), v.minValue(2))]),
+          times: v.optional(v.pipe(v.number(), v.integer(), v.minValue(1), v.maxValue(999))),
+        }),
+      ),
+      v.maxLength(100),
+    ),
+    paper: v.picklist(['a4', 'a5']),
+    grey: v.boolean(),
+  }),
   'network-level': level,
   'network-tens': v.boolean(),
   'q-level': level,

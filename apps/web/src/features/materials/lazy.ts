@@ -1,7 +1,7 @@
 // What draws with the lab's own hands: sheets of words alone go without it.
 export { worldAt } from '@botgarten/content/document'
-export { default as Back } from './card/Back.svelte'
-export { default as Front } from './card/Front.svelte'
+export { default as Back } from './card/EitherBack.svelte'
+export { default as Front } from './card/EitherFront.svelte'
 export { default as Blocks } from './drawn/Blocks.svelte'
 export { rideOf, taskOf } from './questions/run.ts'
 export { default as Map } from './drawn/Map.svelte'

@@ -4,7 +4,7 @@ import materials from 'content:items'
 import { allCards } from '#content/cards.ts'
 import { language, type Locale } from '#words/language.svelte.ts'
 import type { ItemTexts } from '@botgarten/content/catalogue'
-import type { Item, ItemMarkdown, ItemText } from '@botgarten/content/items'
+import type { Item, ItemMarkdown, ItemText, Synonyms } from '@botgarten/content/items'
 import type { Question, QuestionText } from '@botgarten/content/questions'
 
 const texts = new Map<Locale, ItemTexts>()
@@ -32,16 +32,36 @@ export const questionsOf = (module: number, only?: readonly string[]): readonly 
 
 export const itemNamed = (id: string) => allItems.find((item) => item.id === id)
 
+const ways: { readonly [bed: string]: Item['way'] } = {
+  ...{ drive: 'all', network: 'supervised', 'q-learning': 'reinforcement', sorting: 'unsupervised' },
+}
+
 /** A card of the lab alone, as an item of two sides; undefined for what is no card. */
 export function cardItem(id: string): Item | undefined {
   const card = allCards.find((one) => one.id === id)
   const set = card && allItems.find((item) => item.kind === 'card' && item.way === ways[card.bed])
-  return set && { ...set, id }
+  return set && { ...set, ...{ id, code: card.code, grades: card.grades, minutes: card.minutes, sides: 2 } }
 }
 
-const ways: { readonly [bed: string]: Item['way'] } = {
-  ...{ drive: 'all', network: 'supervised', 'q-learning': 'reinforcement', sorting: 'unsupervised' },
+/** All that the library offers: the items, and each card that is not an item already, by itself. */
+export const offeredItems: readonly Item[] = [
+  ...allItems,
+  ...allCards
+    .filter(({ code }) => allItems.every((item) => item.code !== code))
+    .flatMap(({ id }) => cardItem(id) ?? []),
+]
+
+/** What `item:<id>` or `card:<id>` names. */
+export function targetItem(target: string): Item | undefined {
+  const [kind, id = ''] = target.split(':')
+  return kind === 'item' ? itemNamed(id) : cardItem(id)
 }
+
+/** How an item is named where it is copied: `item:<id>`, a single card `card:<id>`. */
+export const targetOf = ({ id }: Pick<Item, 'id'>): string => `${itemNamed(id) ? 'item' : 'card'}:${id}`
+
+/** Words for the same thing in the language of now, in groups. */
+export const synonyms = (): Synonyms => texts.get(language.locale)?.synonyms ?? []
 
 const bothSides = (id: string): ItemMarkdown => [
   { type: 'embed', embed: { kind: 'card', id, side: 'front' } },

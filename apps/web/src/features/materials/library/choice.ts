@@ -1,17 +1,25 @@
 import type { Item } from '@botgarten/content/items'
 
 /** Kinds that stand together, as somebody looks for them. */
-export const shelves = {
-  cards: ['card', 'observation'],
-  slides: ['slides'],
-  sheets: ['sheet', 'worksheet'],
-  unplugged: ['kit'],
+const shelves = {
   plans: ['plan', 'curriculum', 'checklist'],
+  cards: ['card', 'observation'],
+  sheets: ['sheet', 'worksheet'],
+  slides: ['slides'],
+  unplugged: ['kit'],
   solutions: ['solution'],
   more: ['observer', 'links'],
 } as const satisfies { readonly [shelf: string]: readonly Item['kind'][] }
 
 export type Shelf = keyof typeof shelves
+
+/** Shelves an item stands on: what needs no screen stands on two. */
+export const shelvesOf = ({ kind, unplugged, audience }: Item): readonly Shelf[] =>
+  (Object.keys(shelves) as Shelf[]).filter(
+    (shelf) =>
+      shelves[shelf].some((one) => one === kind) ||
+      (shelf === 'unplugged' && unplugged && audience === 'pupils'),
+  )
 
 /** What somebody looks for in the library; what is not said leaves everything in. */
 export interface Choice {
@@ -33,19 +41,14 @@ export const anything: Choice = {
 
 const among = <Value>(all: readonly Value[], value: Value) => all.length === 0 || all.includes(value)
 
-const shelfOf = (kind: Item['kind']): Shelf =>
-  (Object.keys(shelves) as Shelf[]).find((shelf) => shelves[shelf].some((one) => one === kind))!
-
-/** Does an item fit? `title` is its name in the language of now; small and large letters are the same. */
-export function fits(item: Item, title: string, choice: Choice): boolean {
-  const { words, grade, modules, ways, socials, minutes, teachers } = choice
+/** Does an item fit, whatever its words are? */
+export function fits(item: Item, choice: Choice): boolean {
+  const { grade, modules, ways, socials, minutes, teachers } = choice
   return (
-    title.toLowerCase().includes(words.trim().toLowerCase()) &&
     (grade === null || (item.grades[0] <= grade && grade <= item.grades[1])) &&
     among(modules, item.module) &&
-    among(choice.shelves, shelfOf(item.kind)) &&
-    // What belongs to all ways belongs to each of them.
-    (item.way === 'all' || among(ways, item.way)) &&
+    (choice.shelves.length === 0 || shelvesOf(item).some((shelf) => choice.shelves.includes(shelf))) &&
+    among(ways, item.way) &&
     among(socials, item.social) &&
     (minutes === null || item.minutes <= minutes) &&
     (teachers || item.audience === 'pupils')

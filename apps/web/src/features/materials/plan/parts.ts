@@ -1,8 +1,16 @@
-import { sheetsFor, timesOf, type Copies, type ItemMarkdown, type ItemNode } from '@botgarten/content/items'
-import { allCards } from '#content/cards.ts'
+import {
+  printingOf,
+  sidesIn,
+  timesIn,
+  type Copies,
+  type Item,
+  type ItemMarkdown,
+  type ItemNode,
+  type PackLine,
+} from '@botgarten/content/items'
 import { nameOfTarget } from '../addresses.ts'
-import { itemNamed, textOf } from '../library.ts'
-import { sidesOf } from '../sides.ts'
+import { targetItem, textOf } from '../library.ts'
+import { slidesOf } from '../slides/deck.ts'
 
 /** A class as plans count it. */
 export const children = 24
@@ -19,17 +27,24 @@ export interface Copied {
 }
 
 const planSides = 2
-const cardSides = 2
+/** So many small slides stand on a page. */
+export const slidesOnPage = 12
 
-export function copiedOf(copies: Copies): Copied {
-  const [kind, id] = copies.of.split(':') as [string, string]
-  const item = kind === 'item' ? itemNamed(id) : undefined
-  const sides = !item ? cardSides : item.plan ? planSides : sidesOf(textOf(item)).length
-  const times = timesOf(copies, children)
+/** Pages of an item as it is printed with others: of slides, as small pictures. */
+export function pagesOf(item: Item): number {
+  if (item.plan) return planSides
+  if (item.paper !== '16:9') return sidesIn(item, textOf(item))
+  return Math.ceil(slidesOf(textOf(item)).length / slidesOnPage)
+}
+
+/** A line of what is printed together, with how often, and how many sheets that makes. */
+export function copiedOf(copies: PackLine, of = children): Copied {
+  const item = targetItem(copies.of)!
+  const times = timesIn(copies, of)
   return {
     ...{ target: copies.of, times, for: copies.for, name: nameOfTarget(copies.of) },
-    code: item?.code ?? allCards.find((card) => card.id === id)?.code ?? '',
-    sheets: sheetsFor(item?.paper ?? 'a5', sides, times),
+    code: item.code ?? '',
+    sheets: printingOf(item.paper, pagesOf(item), times).sheets,
   }
 }
 

@@ -55,14 +55,20 @@ const here = 'https://botgarten.example.org/school/'
 const read = (search: string) => optionsIn(new URLSearchParams(search), here)
 
 test('where nothing is said: two on A4 over the short edge, codes lead to where this lab is', () => {
-  expect(read('item=q-city')).toEqual({ paper: 'a4', turn: 'short', address: here })
+  expect(read('item=q-city')).toEqual({
+    paper: 'a4',
+    turn: 'short',
+    address: here,
+    grey: false,
+  })
 })
 
 test('everything can be said; an address gets its slash', () => {
-  expect(read('paper=a5&turn=long&address=http://lab.local:4173')).toEqual({
+  expect(read('paper=a5&turn=long&grey=yes&address=http://lab.local:4173')).toEqual({
     paper: 'a5',
     turn: 'long',
     address: 'http://lab.local:4173/',
+    grey: true,
   })
   expect(read('address=https://a.example/lab').address).toBe('https://a.example/lab/')
 })

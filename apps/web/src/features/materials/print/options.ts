@@ -31,14 +31,17 @@ export interface PrintOptions {
   readonly turn: Turn
   /** Where codes lead, with a slash at its end; null: no code is printed. */
   readonly address: string | null
+  /** For a printer without colours: outlines without fills. */
+  readonly grey: boolean
 }
 
-/** Reads `?paper=a4|a5&turn=short|long&address=…`; an empty address: none. What is not said is as `here` has it. */
+/** Reads `?paper=a4|a5&turn=short|long&grey=yes&address=…`; an empty address: none. What is not said is as `here` has it. */
 export function optionsIn(search: Pick<URLSearchParams, 'get'>, here: string): PrintOptions {
   return {
     paper: search.get('paper') === 'a5' ? 'a5' : 'a4',
     turn: search.get('turn') === 'long' ? 'long' : 'short',
     address: addressIn(search.get('address'), here),
+    grey: search.get('grey') === 'yes',
   }
 }
 

@@ -2,8 +2,9 @@ import { wayFault } from '@botgarten/maps'
 import type { Plan, QWorld } from '@botgarten/learning/q-learning'
 import type { LearnedRun, Project } from '@botgarten/programs'
 import { language } from '#words/language.svelte.ts'
+import { levelWord, settings, type Setting } from '#figures/map/levels.ts'
 import { mapName } from '#figures/map/names.ts'
-import { m, message } from '#words/message.ts'
+import { m } from '#words/message.ts'
 import type { Level } from '../model/choices.svelte.ts'
 import type { Comparison } from '../model/guess.ts'
 import type { Learning } from '../model/learning.svelte.ts'
@@ -113,21 +114,11 @@ export function liveSentence(learning: Learning): string {
 
 // ---- the table of trials ----
 
-/** What can be set, in the order of the card's table. */
-export const settings = ['alpha', 'gamma', 'nu', 'rho'] as const
-type Setting = (typeof settings)[number]
-
-const choices: { readonly [name in Setting]: { readonly [value: string]: string } } = {
-  alpha: { 0.1: 'slowly', 0.5: 'medium', 0.9: 'fast' },
-  gamma: { 0.8: 'aLot', 0.2: 'aLittle' },
-  nu: { 0.1: 'rarely', 0.9: 'often' },
-  rho: { 0.9: 'rarely', 0.5: 'sometimes', 0.1: 'often' },
-}
+export { settings }
 
 /** A setting as its block says it; a number where no block says it so. */
 export function wordOf(name: Setting, value: number): string {
-  const key = choices[name][String(value)]
-  return key === undefined ? number(value, 4) : message(`choice.${key}`)
+  return levelWord(name, value) ?? number(value, 4)
 }
 
 /** The same; for experts always the number. */

@@ -1,0 +1,54 @@
+import { beforeAll, describe, expect, test } from 'vitest'
+import { fetchMaterials, offeredItems } from '../library.ts'
+import { anything } from './choice.ts'
+import { countWith, foundBy, marked } from './find.ts'
+
+beforeAll(async () => {
+  await fetchMaterials()
+})
+
+const first = (words: string) => foundBy(words)[0]?.item.id
+
+describe('the library finds', () => {
+  test.each([
+    ['friendship', 'friendship'],
+    ['and fear', 'friendship-and-fear'],
+    ['nn 5', 'friendship'],
+    ['3.1', 'my-knobs'],
+    ['Q1', 'q-railway'],
+    ['net from strings', 'net-from-strings'],
+  ])('by %j first %s', (words, id) => {
+    expect(first(words)).toBe(id)
+  })
+
+  test('by kind and by other words for it', () => {
+    const kinds = (words: string) => new Set(foundBy(words).map(({ item }) => item.kind))
+    expect(kinds('presentation')).toContain('slides')
+    expect(kinds('handout')).toContain('worksheet')
+    expect(kinds('no computer')).toContain('kit')
+  })
+
+  test('everything, where nothing is looked for', () => {
+    expect(foundBy(' ')).toHaveLength(offeredItems.length)
+    expect(foundBy('qwertz')).toEqual([])
+  })
+})
+
+test('behind a filter stands how many would be there with it alone', () => {
+  const found = foundBy('')
+  const cards = found.filter(({ item }) => item.kind === 'card' || item.kind === 'observation').length
+  expect(countWith(found, { ...anything, shelves: ['slides'] }, { shelves: ['cards'] })).toBe(cards)
+})
+
+test('a long line is cut to what stands around the first mark', () => {
+  const words = `${'one two '.repeat(20)}fear ${'three four '.repeat(20)}`
+  const at = words.indexOf('fear')
+  const { before, after, pieces } = marked({ words, marks: [[at, at + 4]] })
+  expect([before, after]).toEqual([true, true])
+  expect(pieces.filter(({ on }) => on)).toEqual([{ text: 'fear', on: true }])
+  expect(pieces.map(({ text }) => text).join('').length).toBeLessThanOrEqual(70)
+  expect(marked({ words: 'fear', marks: [[0, 4]] })).toEqual({
+    ...{ before: false, after: false },
+    pieces: [{ text: 'fear', on: true }],
+  })
+})
