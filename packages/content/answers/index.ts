@@ -1,12 +1,15 @@
-import { learningIn } from '@botgarten/programs'
+import type { MapFile } from '@botgarten/maps'
+import { learningIn, type LearningOutline } from '@botgarten/programs'
 import type { ContentFiles } from '../files.ts'
-import { triesOf, type TriesRow } from './tries.ts'
-
-export type { TriesRow }
+import { changedOf, shortestWays, triesOf, type ChangedRow, type TriesRow } from './tries.ts'
 
 /** What answers say in numbers, by card: `content/materials/answers.json`, worked out again by the contract test. */
 export interface Answers {
   readonly tries: { readonly [card: string]: readonly TriesRow[] }
+  /** Every shortest way. */
+  readonly ways: { readonly [card: string]: readonly (readonly number[])[] }
+  /** What one other setting does, after few tries. */
+  readonly changed: { readonly [card: string]: readonly ChangedRow[] }
 }
 
 /** The tries that a card asks for: those of its table. */
@@ -14,6 +17,8 @@ const asked: { readonly [card: string]: readonly number[] } = {
   mars: [1, 10, 100],
 }
 const usual = [10, 100, 1000]
+/** Tries after which settings differ most: later every Bo knows the way. */
+const few = 10
 
 const outlineOf = (content: ContentFiles, card: string, file: string) =>
   Object.values(content.program(card, file)!.programs).flatMap((program) => learningIn(program) ?? [])[0]!
@@ -25,12 +30,15 @@ export function answersOf(content: ContentFiles): Answers {
     const { settings } = outlineOf(content, id, 'start')
     return [id, { ...outlineOf(content, id, 'solution'), settings }] as const
   })
+  // Where a child chooses the rewards itself no table says what comes of it.
+  const tabled = learned.filter(([, { pay }]) => !pay?.own)
+  const each = <Value>(of: (outline: LearningOutline, map: MapFile, id: string) => Value) =>
+    Object.fromEntries(
+      tabled.map(([id, outline]) => [id, of(outline, content.mapFile(outline.map)!, id)] as const),
+    )
   return {
-    tries: Object.fromEntries(
-      learned
-        // Where a child chooses the rewards itself no table says what comes of it.
-        .filter(([, { pay }]) => !pay?.own)
-        .map(([id, outline]) => [id, triesOf(outline, content.mapFile(outline.map)!, asked[id] ?? usual)]),
-    ),
+    tries: each((outline, map, id) => triesOf(outline, map, asked[id] ?? usual)),
+    ways: each(shortestWays),
+    changed: each((outline, map) => changedOf(outline, map, few)),
   }
 }

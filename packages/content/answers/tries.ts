@@ -48,3 +48,47 @@ function learn(outline: LearningOutline, map: MapFile, seed: number, episodes: n
     isShortest: way?.length === shortestPath(learner.world),
   }
 }
+
+/** All ways with the fewest sections, stations in order. */
+export function shortestWays(outline: LearningOutline, { map }: MapFile): readonly (readonly number[])[] {
+  const { start, goal, closed } = outline
+  const isOpen = (from: number, to: number) => closed.every(([a, b]) => a !== from || b !== to)
+  let ways: (readonly number[])[] = [[start]]
+  for (let sections = 1; sections < map.actions.length; sections++) {
+    ways = ways.flatMap((way) => {
+      const from = way.at(-1)!
+      const next = map.actions[from]!.map(({ to }) => to)
+      return next.filter((to) => isOpen(from, to) && !way.includes(to)).map((to) => [...way, to])
+    })
+    const arrived = ways.filter((way) => way.at(-1) === goal)
+    if (arrived.length > 0) return arrived
+  }
+  return []
+}
+
+type SettingName = 'alpha' | 'gamma' | 'nu' | 'rho'
+
+/** What a learner knows after few tries where one setting differs from that of run 1. */
+export interface ChangedRow {
+  readonly name: SettingName
+  readonly value: number
+  /** How many of 100 learners know a shortest way. */
+  readonly shortest: number
+}
+
+/** Settings as blocks offer them. */
+const offered: { readonly [name in SettingName]: readonly number[] } = {
+  alpha: [0.1, 0.9],
+  gamma: [0.2],
+  nu: [0.9],
+  rho: [0.9, 0.1],
+}
+
+/** After so many tries, with one setting after the other as a block offers it and the others as in run 1. */
+export const changedOf = (outline: LearningOutline, map: MapFile, tries: number): readonly ChangedRow[] =>
+  (Object.keys(offered) as SettingName[]).flatMap((name) =>
+    offered[name].map((value) => {
+      const changed = { ...outline, settings: { ...outline.settings, [name]: value } }
+      return { name, value, shortest: triesOf(changed, map, [tries])[0]!.shortest }
+    }),
+  )

@@ -1,18 +1,11 @@
-import { TICKS_PER_SECOND } from '@botgarten/simulation'
-import { addBlocks } from '@botgarten/blocks'
-import { learning } from '@botgarten/blocks/packs/learning'
-import { createLab } from '@botgarten/lab'
 import { describe, expect, it, test } from 'vitest'
 import { content } from '../files.ts'
-import { cardDocument } from '../index.ts'
 import { planParts, timesOf } from '../items/plan.ts'
 import { readItemText } from '../schema/itemText.ts'
 import type { ItemNode, Section } from '../schema/itemTypes.ts'
 import { plainOf } from '../schema/markdown.ts'
-import type { Claim } from '../schema/planTypes.ts'
+import { secondOf } from './claims.ts'
 import { textOf, there } from './there.ts'
-
-addBlocks(learning)
 
 const { languages } = content
 const plans = content.items.flatMap((item) => (item.plan ? [{ ...item, plan: item.plan }] : []))
@@ -107,24 +100,6 @@ describe.each(plans)('the plan $id', ({ id, code, minutes, plan }) => {
     expect(secondOf(claim)).toBe(claim.passed)
   })
 })
-
-/** The second in which all checks of a card have passed; null: a minute is not enough. */
-function secondOf({ card: id, weights, place }: Claim): number | null {
-  const { card, world } = content.card(id)!
-  const program = content.program(id, 'solution')!
-  const brains = Object.fromEntries(
-    Object.entries(program.brains).map(([name, brain]) => [name, { ...brain, weights }]),
-  )
-  const lab = createLab()
-  const document = cardDocument(world, card, { ...program, brains }, place - 1)
-  lab.load(document, content.floorOf(world), { seed: 1, checks: card.checks })
-  lab.start()
-  for (let second = 1; second <= 60; second++) {
-    lab.advance(TICKS_PER_SECOND)
-    if (lab.view().checks.every(({ passed }) => passed)) return second
-  }
-  return null
-}
 
 test('a class of 24, in pairs, or four to a card', () => {
   expect(timesOf({ of: 'item:a', for: 'teacher' }, 24)).toBe(1)

@@ -1,6 +1,6 @@
 import * as v from 'valibot'
 import type { Item, ItemKind } from './itemTypes.ts'
-import { plan } from './plan.ts'
+import { claims, plan } from './plan.ts'
 
 /** What kinds of items there are: each has its folder under `content/materials`. */
 const itemKinds: readonly ItemKind[] = [
@@ -46,6 +46,7 @@ const item: v.GenericSchema<unknown, Item> = v.strictObject({
   competences: v.pipe(v.array(v.string()), v.minLength(1)),
   unplugged: v.boolean(),
   harder: v.exactOptional(v.record(v.string(), harder)),
+  claims: v.exactOptional(claims),
   plan: v.exactOptional(plan),
 })
 

@@ -1,5 +1,5 @@
 import type { Embed } from './embed.ts'
-import type { Plan } from './planTypes.ts'
+import type { Claim, Plan } from './planTypes.ts'
 
 /** `item.json` of a folder `content/materials/<kind>/<nn-id>/`: what is the same in every language. */
 export interface Item {
@@ -25,6 +25,8 @@ export interface Item {
   readonly unplugged: boolean
   /** A text that is harder than its youngest grade, by language, and why it has to be. */
   readonly harder?: { readonly [language: string]: { readonly upTo: number; readonly reason: string } }
+  /** Of answers: what Bo does as they say; the contract test runs it. */
+  readonly claims?: readonly Claim[]
   /** Of a lesson plan. */
   readonly plan?: Plan
 }

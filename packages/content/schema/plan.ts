@@ -11,6 +11,16 @@ export const copies = v.array(
   }),
 )
 
+/** What is said of runs. */
+export const claims = v.array(
+  v.strictObject({
+    card: v.string(),
+    weights: v.record(v.string(), v.record(v.string(), v.number())),
+    place: minutes,
+    passed: v.nullable(minutes),
+  }),
+)
+
 export const plan: v.GenericSchema<unknown, Plan> = v.strictObject({
   lesson,
   double: v.nullable(
@@ -18,12 +28,5 @@ export const plan: v.GenericSchema<unknown, Plan> = v.strictObject({
   ),
   copies,
   steps: v.pipe(v.array(v.strictObject({ minutes })), v.minLength(1)),
-  claims: v.array(
-    v.strictObject({
-      card: v.string(),
-      weights: v.record(v.string(), v.record(v.string(), v.number())),
-      place: minutes,
-      passed: v.nullable(minutes),
-    }),
-  ),
+  claims,
 })
