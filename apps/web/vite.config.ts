@@ -25,7 +25,7 @@ export default defineConfig({
       // The sizes of the one build are not those of the other.
       outDir: folder ? '.svelte-kit/web-space' : '.svelte-kit',
       // Small styles, of parts that come late above all, would each be a request.
-      inlineStyleThreshold: 8192,
+      inlineStyleThreshold: 9216,
       // It comes after the page: app/offline.
       serviceWorker: { register: false },
       csp: {

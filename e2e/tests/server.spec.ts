@@ -19,7 +19,6 @@ function expectGuarded(headers: { [name: string]: string }) {
   expect(policy['base-uri']).toEqual(["'none'"])
   expect(headers['x-content-type-options']).toBe('nosniff')
   expect(headers['referrer-policy']).toBe('same-origin')
-  expect(headers['cross-origin-opener-policy']).toBe('same-origin')
   expect(headers['permissions-policy']).toMatch(/\bcamera=\(\).*\bmicrophone=\(\)/)
 }
 
@@ -37,6 +36,12 @@ for (const path of ['/', '/lab/friendship', '/lab/fear']) {
     expect(await answer.text()).toContain('http-equiv="content-security-policy"')
   })
 }
+
+test("no page that opened a teacher's has a hold on its window", async ({ request }) => {
+  const alone = async (path: string) => (await request.get(path)).headers()['cross-origin-opener-policy']
+  expect(await alone('/teacher')).toBe('same-origin')
+  expect(await alone('/lab/fear')).toBeUndefined()
+})
 
 test('an unknown address answers 404 as a page, guarded like the others', async ({ request }) => {
   const answer = await request.get('/no/such/page')

@@ -43,6 +43,12 @@ export interface ServerOptions {
 
 const timeout = 3000
 
+/**
+ * Pages whose window another page that opened them has no hold on. For the others a browser would throw the process away
+ * that it has ready, and their scripts come a tenth of a second later. Browsers ignore this over plain http and complain.
+ */
+const ofTeacher = /^\/teacher(\/|$)/
+
 async function handlerOf(build: string): Promise<Handler> {
   const path = pathToFileURL(join(build, 'server', 'handler.js')).href
   return ((await import(path)) as { handler: Handler }).handler
@@ -62,14 +68,12 @@ const unused = [
 const permissions = [...unused, 'hid', 'midi'].map((name) => `${name}=()`).join(', ')
 
 /** What every answer carries. SvelteKit replaces the policy on pages it renders, and the caching of what has a hash in its name. */
-function dress(response: ServerResponse, policy: string, trusted: boolean) {
+function dress(response: ServerResponse, policy: string, alone: boolean) {
   response.setHeader('content-security-policy', policy)
   response.setHeader('x-content-type-options', 'nosniff')
   response.setHeader('referrer-policy', 'same-origin')
   response.setHeader('permissions-policy', permissions)
-  // A page of somebody else that opened the lab has no hold on its window; the presenter's window is our own. Browsers
-  // ignore this over plain http and complain about it.
-  if (trusted) response.setHeader('cross-origin-opener-policy', 'same-origin')
+  if (alone) response.setHeader('cross-origin-opener-policy', 'same-origin')
   response.setHeader('cache-control', 'no-cache')
 }
 
@@ -135,7 +139,7 @@ export async function startServer(options: ServerOptions): Promise<RunningServer
   })
   const listener = (request: IncomingMessage, response: ServerResponse) => {
     const path = (request.url ?? '/').replace(/[?#].*/, '').replace(/(?<=.)\/$/, '')
-    dress(response, policies.get(path) ?? baseline, isTrusted(request))
+    dress(response, policies.get(path) ?? baseline, ofTeacher.test(path) && isTrusted(request))
     if (classServer?.owns(path)) return void classServer.answer(request, response)
     // Whether there is a class is asked by every page: no is an answer, not an error.
     if (path === '/api/class/state') return void response.writeHead(204).end()

@@ -1,5 +1,6 @@
 import { building, dev } from '$app/env'
 import type { Handle } from '@sveltejs/kit/hooks'
+import { allCards } from '#content/cards.ts'
 
 /** Letters too: blocks wait for them, since each is as wide as its words. Clear letters come to those who chose them. */
 const preload = ({ type, path }: { readonly type: string; readonly path: string }) =>
@@ -8,15 +9,39 @@ const preload = ({ type, path }: { readonly type: string; readonly path: string 
 /** Where the build leaves which script holds what; a web space has a folder of its own (vite.config.ts). */
 const manifest = `.svelte-kit/${process.env['BOTGARTEN_WEB_SPACE'] ? 'web-space/' : ''}output/client/.vite/manifest.json`
 
-/** The script with a card is asked for by scripts that are long under way: its page names it, and it travels beside them. */
-async function linkToCard(card: string, { pathname }: URL): Promise<string> {
+/** The world on whose picture a card is played. */
+const worldOf = (card: string) =>
+  allCards
+    .find(({ id }) => id === card)
+    ?.floor?.split('/')
+    .at(-2)
+
+/**
+ * What says what a card is, and the pixels of its floor, are asked for by scripts that are long under way: its page names
+ * them, and they travel beside these.
+ */
+async function linksToCard(card: string, { pathname }: URL): Promise<string> {
   const { readFile } = await import('node:fs/promises')
   const built = JSON.parse(await readFile(manifest, 'utf8')) as { [id: string]: { file: string } | undefined }
-  const file = built[`content:card/${card}`]?.file
+  const files = Object.entries(built)
+  const script = built[`content:card/${card}`]?.file
+  const pixels = files.find(([id]) => id.startsWith(`_${worldOf(card)}.`) && id.endsWith('.pixels'))?.[1]
+    ?.file
   // A web space's pages are folders, a level deeper.
   const root = pathname.endsWith('/') ? '../../' : '../'
-  return file ? `<link href="${root}${file}" rel="modulepreload">` : ''
+  return [
+    script && `<link href="${root}${script}" rel="modulepreload">`,
+    pixels && `<link href="${root}${pixels}" rel="preload" as="fetch" crossorigin>`,
+  ]
+    .filter((link) => link)
+    .join('')
 }
+
+const fonts = /<link [^>]*as="font"[^>]*>/g
+
+/** Letters are needed last, by the blocks: scripts go before them. */
+const withFontsLast = (html: string, links: string) =>
+  html.replace(fonts, '').replace('</head>', `${links}${(html.match(fonts) ?? []).join('')}</head>`)
 
 /**
  * Every page there is was made at build, and is served without asking here. A page that comes here is one of no card and
@@ -24,8 +49,8 @@ async function linkToCard(card: string, { pathname }: URL): Promise<string> {
  */
 export const handle: Handle = async ({ event, resolve }) => {
   const { card } = event.params
-  const link = building && card ? await linkToCard(card, event.url) : ''
-  const transformPageChunk = ({ html }: { html: string }) => html.replace('</head>', `${link}</head>`)
+  const links = building && card ? await linksToCard(card, event.url) : ''
+  const transformPageChunk = ({ html }: { html: string }) => withFontsLast(html, links)
   const response = await resolve(event, { preload, transformPageChunk })
   if (building || dev || !event.route.id || response.status !== 200) return response
   return new Response(response.body, { status: 404, headers: response.headers })
