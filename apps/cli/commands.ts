@@ -24,6 +24,7 @@ export const commands: Commands = {
   learn: {
     q: withLab(async () => (await import('./learn.ts')).q),
     net: withLab(async () => (await import('./net/learn-net.ts')).net),
+    try: withLab(async () => (await import('./trying/learn-try.ts')).learnTry),
     'q-sweep': withLab(async () => (await import('./sweep/sweep.ts')).sweep),
     'q-race': withLab(async () => (await import('./sweep/race.ts')).race),
     'q-thesis': withLab(async () => (await import('./sweep/thesis.ts')).thesis),

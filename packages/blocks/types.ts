@@ -78,6 +78,8 @@ export interface Host {
   readonly mail?: Mail
   /** What the program's first network is shown, and its practice. Not given: it can be shown nothing. */
   readonly teaching?: Teaching
+  /** What the robot learns by trying. Not given: it can try nothing. */
+  readonly trying?: Trying
 }
 
 /** Where something cannot be done, its problem's name in the section `problem` of the words comes back. */
@@ -89,6 +91,14 @@ export interface Teaching {
   forget(what: 'examples' | 'practice'): void
   /** How far the network is off its examples, in percent. */
   error(): number | string
+}
+
+/** Where something cannot be done, its problem's name in the section `problem` of the words comes back. */
+export interface Trying {
+  /** One tick of trying, as the program's blocks say. true: it has tried for long enough. */
+  learn(): boolean | string
+  /** Does what the table holds for the best now; for how many ticks that is held. */
+  act(): number | string
 }
 
 /** As much of a brain as blocks look at: neurons' names and biases by layer from the inputs on, weights by name. */

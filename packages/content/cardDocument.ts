@@ -21,6 +21,7 @@ export const cardDocument = (
 ): Document => ({
   programs: program.programs,
   brains: program.brains,
+  ...(program.tables && { tables: program.tables }),
   world: worldAt(world, card, start),
 })
 

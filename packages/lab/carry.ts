@@ -50,6 +50,7 @@ export function goOnFrom(before: Run, run: Run): void {
   run.hash = [...before.hash]
   run.watches = structuredClone(before.watches)
   run.endedAt = before.endedAt
+  run.trials.state = structuredClone(before.trials.state)
   run.tracks = run.robots.map(({ id }) => before.tracks[indexIn(before, id)] ?? newTrack())
   for (const robot of run.robots) {
     const was = before.robots[indexIn(before, robot.id)]

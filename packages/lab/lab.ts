@@ -196,6 +196,7 @@ class OneLab implements Lab {
       return
     }
     if (this.#run.brains !== this.#document.brains) this.#takeBrains()
+    if (this.#run.trials.tables !== this.#document.tables) this.#takeTables()
     if (!this.#run.isOver) return
     this.stop()
     this.#phase = 'ended'
@@ -230,6 +231,12 @@ class OneLab implements Lab {
   /** What the run has made of its brains is the document's too: weights, rows that were written. */
   #takeBrains(): void {
     if (!this.#run.inPast) this.#document = { ...this.#document, brains: this.#run.brains }
+  }
+
+  /** So are tables that were learned in it. */
+  #takeTables(): void {
+    const { tables } = this.#run.trials
+    if (Object.keys(tables).length > 0) this.#document = { ...this.#document, tables }
   }
 
   goTo(tick: number): void {

@@ -17,6 +17,7 @@ import { momentOf, poseIn, restore, type Course, type Moment } from './timeline/
 import { shared } from './timeline/shared.ts'
 import { Timeline } from './timeline/timeline.ts'
 import { newTrack, note, trackUntil, type Track } from './timeline/tracks.ts'
+import { Trials } from './trying/trials.ts'
 import type { Check, Document, TimeView } from './types.ts'
 
 /** Ticks from keyframe to keyframe: so few that any moment is there again at once, on a slow laptop too. */
@@ -32,6 +33,7 @@ export class Run {
   starts: Moment['starts']
   keys: readonly DriveKey[] = []
   readonly school = new School(this)
+  readonly trials: Trials
   watches: Watch[]
   hash: Hash = startHash()
   tick = 0
@@ -51,12 +53,13 @@ export class Run {
   /** `before`: a run that this one goes on from, where the document was changed under it. */
   constructor(
     simulation: Simulation,
-    { programs, brains, world }: Document,
+    { programs, brains, tables = {}, world }: Document,
     checks: readonly Check[],
     before: Run | null = null,
   ) {
     this.simulation = simulation
     this.brains = brains
+    this.trials = new Trials(simulation, tables)
     this.starts = Object.fromEntries(world.obstacles.map(({ id, pose }) => [id, pose]))
     this.checks = checks
     this.watches = watch(checks)
@@ -67,7 +70,10 @@ export class Run {
         programs,
         brains,
         mailOf(index, () => this.robots),
-        (program) => teachingOf(this, index, program),
+        (program) => ({
+          teaching: teachingOf(this, index, program),
+          trying: this.trials.tryingOf(index, program),
+        }),
       ),
     )
     this.tracks = this.robots.map(newTrack)

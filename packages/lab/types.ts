@@ -8,7 +8,7 @@ import type { Variable } from './variables.ts'
 import type { Moment } from './timeline/moment.ts'
 
 /** What a lab runs: the parts of a project that behave. */
-export type Document = Pick<Project, 'programs' | 'world' | 'brains'>
+export type Document = Pick<Project, 'programs' | 'world' | 'brains' | 'tables'>
 
 export interface Check {
   readonly id: string

@@ -1,4 +1,5 @@
 export { learningIn, ownText } from './learning.ts'
+export { tryingIn, type TryOutline } from './trying.ts'
 export { check, fits } from './check/check.ts'
 export { holesOf, outputOf, statementNames } from './check/places.ts'
 export { shapeOf } from './run/shape-of.ts'

@@ -11,6 +11,7 @@ import type {
 } from '@botgarten/blocks'
 import type { Activation, Brain } from '@botgarten/learning/neural-network/brain'
 import type { Settings } from '@botgarten/learning/q-learning'
+import type { TableBrain } from '@botgarten/learning/q-senses'
 import type { StreamState } from '@botgarten/numbers'
 import type { World } from '@botgarten/simulation'
 import type { MapDocument } from './map-document.ts'
@@ -199,6 +200,8 @@ export interface Project {
   readonly world: World
   /** By the id of the network block. */
   readonly brains: { readonly [networkId: string]: Brain }
+  /** By the id of the block that learned it by trying with the robot's sensors. */
+  readonly tables?: { readonly [blockId: string]: TableBrain }
   /** Maps of its own. Blocks call one `own:<id>`. */
   readonly maps?: { readonly [id: string]: MapDocument }
   /** By program: what its robot has learned by trying. */

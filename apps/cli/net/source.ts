@@ -28,7 +28,7 @@ interface Asked {
 }
 
 /** What a call names: a card by its name, or the file of a project. */
-function projectOf(what: string, solution = false): Pick<Source, 'project' | 'card'> {
+export function projectOf(what: string, solution = false): Pick<Source, 'project' | 'card'> {
   const found = content.card(what)
   if (found) {
     const program = content.program(found.card.id, solution ? 'solution' : 'start')!

@@ -22,7 +22,8 @@ function kindOf(check: Check): AnyKind {
   return kind
 }
 
-type Sight = Pick<Simulation, 'world' | 'state' | 'read'> & Partial<Pick<Moment, 'taught' | 'nextTurn'>>
+type Sight = Pick<Simulation, 'world' | 'state' | 'read'> &
+  Partial<Pick<Moment, 'taught' | 'nextTurn' | 'trying'>>
 
 const noTurn: Moment['nextTurn'] = () => null
 
@@ -30,10 +31,10 @@ const momentOf = (
   checks: readonly Check[],
   watches: readonly Watch[],
   seconds: number,
-  { world, state, read, taught = null, nextTurn = noTurn }: Sight,
+  { world, state, read, taught = null, nextTurn = noTurn, trying = false }: Sight,
 ): Moment => {
   const passed = (id: string) => watches[checks.findIndex((check) => check.id === id)]?.passed ?? false
-  return { seconds, world, simulation: state, read, taught, nextTurn, passed }
+  return { seconds, world, simulation: state, read, taught, nextTurn, trying, passed }
 }
 
 /** Every check looks at one tick. */

@@ -13,13 +13,17 @@ interface Memory {
   done: boolean
 }
 
-/** For `seconds` the robot has bumped into things at most `bumps` times and gone at least `cm` a minute; it stays passed. */
+/** For `seconds` the robot has bumped into things at most `bumps` times and gone at least `cm` a minute; it stays passed. Learning by trying does not count: it begins after that. */
 export const cruises: Kind<Memory> = {
   needs: ['cm', 'bumps'],
   lacks: ['bumped', 'slow', 'short'],
   begin: () => ({ ticks: 0, way: 0, bumps: 0, touches: false, x: null, y: 0, done: false }),
   observe(check, moment, memory) {
     if (memory.done) return true
+    if (moment.trying) {
+      Object.assign(memory, cruises.begin())
+      return false
+    }
     const { x, y, touching } = robotIn(moment)
     const [dx, dy] = [x - (memory.x ?? x), y - (memory.x === null ? y : memory.y)]
     const touches = touching.length > 0

@@ -30,6 +30,8 @@ export interface Moment {
   nextTurn(mirrored: boolean): Percent | null
   /** The first network of the first robot, with what it was shown; null where it has none. */
   readonly taught: Brain | null
+  /** Does the first robot learn by trying in this tick? What it does then is no result. */
+  readonly trying: boolean
   /** Has another check of the card passed? */
   passed(checkId: string): boolean
 }

@@ -3,16 +3,19 @@ import type { Simulation } from '@botgarten/simulation'
 import type { Brains } from '../robots/brains.ts'
 import { nextTurn } from '../robots/next-turn.ts'
 import type { RobotRun } from '../robots/run.ts'
+import type { Trials } from '../trying/trials.ts'
 import type { Moment } from './moment.ts'
 
 /** What checks see of a run, as it stands whenever they look. */
-export type Seen = Pick<Simulation, 'world' | 'state' | 'read'> & Pick<Moment, 'taught' | 'nextTurn'>
+export type Seen = Pick<Simulation, 'world' | 'state' | 'read'> &
+  Pick<Moment, 'taught' | 'nextTurn' | 'trying'>
 
 interface Watched {
   readonly simulation: Simulation
   readonly robots: readonly RobotRun[]
   readonly brains: Brains
   readonly seconds: number
+  readonly trials: Trials
 }
 
 /** Made once for a run: every tick looks through the same one. */
@@ -24,6 +27,9 @@ export function seenIn(run: Watched): Seen {
     ...{ world, state, read, nextTurn: turn },
     get taught() {
       return taughtIn(run)
+    },
+    get trying() {
+      return run.trials.isTrying(0)
     },
   }
 }

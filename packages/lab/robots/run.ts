@@ -1,4 +1,4 @@
-import type { Host, Mail, Teaching } from '@botgarten/blocks'
+import type { Host, Mail } from '@botgarten/blocks'
 import {
   indexProgram,
   networks,
@@ -34,14 +34,14 @@ export function robotRun(
   programs: { readonly [id: string]: Program },
   brains: Brains,
   mail: Mail,
-  teachingOf: (program: Program) => Teaching,
+  learningOf: (program: Program) => Pick<Host, 'teaching' | 'trying'>,
 ): RobotRun {
   const placement = simulation.world.robots[robot]!
   const program = programs[placement.program] ?? nothing
   const index = indexProgram(program)
   const nets = new RobotBrains(placement, brains)
   const context: RobotRun['context'] = {
-    ...{ robot: robotOf(simulation, robot), now: 0, mail, teaching: teachingOf(program) },
+    ...{ robot: robotOf(simulation, robot), now: 0, mail, ...learningOf(program) },
     think: (id, inputs) => nets.think(id, inputs, context.now),
     brain: (id) => nets.brain(id),
   }

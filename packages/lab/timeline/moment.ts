@@ -6,6 +6,7 @@ import type { Brains, NetRun } from '../robots/brains.ts'
 import type { SchoolState } from '../recording/school.ts'
 import type { DriveKey } from '../inputs/input.ts'
 import type { Run } from '../run.ts'
+import type { Tables, Trials } from '../trying/trials.ts'
 import type { Timeline } from './timeline.ts'
 import type { Track } from './tracks.ts'
 
@@ -26,6 +27,8 @@ export interface Moment {
   /** Index of the robot that the keys drive. */
   readonly driven: number
   readonly school: SchoolState
+  readonly trials: Trials['state']
+  readonly tables: Tables
   readonly watches: readonly Watch[]
   readonly hash: Hash
   readonly endedAt: number | null
@@ -52,6 +55,8 @@ export function momentOf(run: Run): Moment {
     threads: run.robots.map(({ thread }) => structuredClone(thread)),
     lastRuns: run.robots.map(({ brains }) => [...brains.lastRuns]),
     school: run.school.state,
+    trials: structuredClone(run.trials.state),
+    tables: run.trials.tables,
     watches: structuredClone(run.watches),
     hash: [...run.hash],
   }
@@ -64,6 +69,8 @@ export function restore(run: Run, moment: Moment): void {
   const { tick, part, given, brains, starts, keys, driven, endedAt } = moment
   Object.assign(run, { tick, part, given, brains, starts, keys, driven, endedAt } satisfies Partial<Run>)
   run.school.restore(moment.school)
+  run.trials.state = structuredClone(moment.trials)
+  run.trials.tables = moment.tables
   run.watches = structuredClone(moment.watches) as Watch[]
   run.hash = [...moment.hash]
   run.robots.forEach((robot, index) => {

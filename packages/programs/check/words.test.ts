@@ -3,7 +3,7 @@ import { describe, expect, it } from 'vitest'
 import { formsOf } from '../../messages/index.ts'
 import { languagesIn, wordsOf as allWordsOf } from '../../messages/folder.ts'
 
-const rooms = ['../../blocks', '..', '../../lab/recording']
+const rooms = ['../../blocks', '..', '../../lab/recording', '../../lab/trying', '../../learning/q-senses']
 
 function sources(folder: URL): string[] {
   return readdirSync(folder, { withFileTypes: true }).flatMap((entry) => {

@@ -6,6 +6,7 @@ import { finite, idSchema, programSchema, recordOf, textSchema } from './schema-
 import { assetsSchema } from './schema-assets.ts'
 import { mapsSchema } from './schema-maps.ts'
 import { examplesSchema, practiceSchema } from './schema-examples.ts'
+import { tableSchema } from './schema-tables.ts'
 import { worldSchema } from './schema-world.ts'
 
 const weights = recordOf(recordOf(finite))
@@ -67,6 +68,7 @@ export const projectSchema: v.GenericSchema<unknown, Project> = v.pipe(
     programs: recordOf(programSchema),
     world: worldSchema,
     brains: recordOf(brainSchema),
+    tables: v.exactOptional(recordOf(tableSchema)),
     maps: v.exactOptional(mapsSchema),
     q: v.exactOptional(recordOf(learned)),
     sorting: v.exactOptional(recordOf(v.unknown())),

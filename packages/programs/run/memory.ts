@@ -11,6 +11,7 @@ import type {
   Robot,
   SortingMemory,
   Teaching,
+  Trying,
   Value,
 } from '@botgarten/blocks'
 import type { Scope, Thread } from '../types.ts'
@@ -26,6 +27,7 @@ export class Running implements Context, Memory {
   brain: ((id: string) => HostBrain | undefined) | undefined
   mail: Mail | undefined
   teaching: Teaching | undefined
+  trying: Trying | undefined
   readonly networkId: string
   compared: readonly [Value, Value] | null = null
   #thread!: Thread
@@ -44,6 +46,7 @@ export class Running implements Context, Memory {
     this.brain = host.brain
     this.mail = host.mail
     this.teaching = host.teaching
+    this.trying = host.trying
   }
 
   get(name: string): Value | undefined {

@@ -39,11 +39,11 @@ export class Extras {
   }
 
   /** The project as it stands now: what is kept and what a file holds. */
-  projectOf({ programs, world, brains }: Document, progress: Progress): Project {
+  projectOf({ programs, world, brains, tables }: Document, progress: Progress): Project {
     const assets = ownPictureIn(world.floor, this.pictures)
     const learned = Object.keys(this.#learned).length > 0 && { q: this.#learned }
     const shelf = this.#shelf && { shelf: this.#shelf }
-    const parts = { programs, world, brains, progress, assets }
+    const parts = { programs, world, brains, ...(tables && { tables }), progress, assets }
     return { ...this.#opened, name: this.name, ...parts, ...learned, ...shelf }
   }
 }

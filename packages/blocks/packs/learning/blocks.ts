@@ -11,6 +11,11 @@ import { ai_q_draw_the_best_way } from '../../q-learning/ai_q_draw_the_best_way.
 import { ai_q_drive_the_best_way } from '../../q-learning/ai_q_drive_the_best_way.ts'
 import { ai_q_learner_config } from '../../q-learning/ai_q_learner_config.ts'
 import { ai_q_learning_states_and_actions_map } from '../../q-learning/ai_q_learning_states_and_actions_map.ts'
+import { ai_try_act } from '../../q-learning/ai_try_act.ts'
+import { ai_try_actions } from '../../q-learning/ai_try_actions.ts'
+import { ai_try_learn } from '../../q-learning/ai_try_learn.ts'
+import { ai_try_pay } from '../../q-learning/ai_try_pay.ts'
+import { ai_try_senses } from '../../q-learning/ai_try_senses.ts'
 import { rl_obstacles_easy_list } from '../../q-learning/rl_obstacles_easy_list.ts'
 import { ai_sorting_collect } from '../../sorting/ai_sorting_collect.ts'
 import { ai_sorting_find } from '../../sorting/ai_sorting_find.ts'
@@ -32,6 +37,11 @@ export const blocks: { readonly [T in TypeIn<'learning'>]: Definition } = {
   ai_q_drive_the_best_way,
   ai_q_learner_config,
   ai_q_learning_states_and_actions_map,
+  ai_try_act,
+  ai_try_actions,
+  ai_try_learn,
+  ai_try_pay,
+  ai_try_senses,
   rl_obstacles_easy_list,
   ai_sorting_collect,
   ai_sorting_find,

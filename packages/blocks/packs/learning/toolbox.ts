@@ -7,6 +7,7 @@ import {
   learner,
   learningMap,
 } from '../../parts/learning-examples.ts'
+import { act, can, notice, pay, tryFor } from '../../parts/trying-examples.ts'
 import { error, forget, practise, remember } from '../../parts/teaching-examples.ts'
 import { colourReading, find, groupAs } from '../../parts/sorting-examples.ts'
 import { withRest, type ToolboxCategory } from '../../toolbox.ts'
@@ -14,6 +15,8 @@ import type { Template } from '../../types.ts'
 import { blocks } from './blocks.ts'
 
 const trying: readonly Template[] = [learningMap(), learner, gainExperience, drawWay, follower, barrier(2, 3)]
+
+const bySenses: readonly Template[] = [notice('2'), can, pay('AHEAD', 1), pay('BUMP', -5), tryFor(8), act]
 
 const sorting: readonly Template[] = [
   colourReading,
@@ -28,7 +31,7 @@ const teaching: readonly Template[] = [remember, practise(60), error, forget('EX
 
 const presets: readonly ToolboxCategory[] = [
   { category: 'network', blocks: [hiddenLayer(3), ...teaching] },
-  { category: 'q-learning', blocks: trying },
+  { category: 'q-learning', blocks: [...trying, ...bySenses] },
   { category: 'sorting', blocks: sorting },
 ]
 

@@ -1,0 +1,154 @@
+import { addBlocks, type Block } from '@botgarten/blocks'
+import { learning } from '@botgarten/blocks/packs/learning'
+import { tryingIn } from '@botgarten/programs'
+import { paintFloor } from '@botgarten/simulation'
+import { beforeAll, describe, expect, it } from 'vitest'
+import { createLab } from '../index.ts'
+import { block, forever, program, worldWith } from '../testing/scene.ts'
+import { beginNight, rideBy, tableOf, ticksOf } from './index.ts'
+
+beforeAll(() => addBlocks(learning))
+
+const notice = (port: string) =>
+  block(`see${port}`, 'ai_try_senses', {
+    fields: { SENSE: 'DISTANCE', SENSORPORT: port, LOW: '15', HIGH: '40' },
+  })
+const can = block('can', 'ai_try_actions', {
+  fields: { CHIP1: 'AHEAD', CHIP2: 'LEFT', CHIP3: 'RIGHT', CHIP4: 'NONE' },
+})
+const pay = (what: string, coins: number) =>
+  block(`pay${what}`, 'ai_try_pay', { fields: { WHAT: what, COINS: String(coins) } })
+const tryFor = (minutes: number, more = {}) =>
+  block('try', 'ai_try_learn', { fields: { MINUTES: String(minutes), ...more } })
+const act = block('act', 'ai_try_act')
+
+const blocks = (
+  minutes: number,
+  more = {},
+  sentences: readonly Block[] = [pay('AHEAD', 1), pay('BUMP', -5)],
+) => program(notice('2'), notice('3'), can, ...sentences, tryFor(minutes, more), forever(act))
+
+const world = worldWith()
+const floor = paintFloor(world)
+
+function started(
+  main = blocks(1),
+  checks: Parameters<ReturnType<typeof createLab>['load']>[2]['checks'] = [],
+) {
+  const lab = createLab()
+  lab.load({ programs: { main }, world, brains: {} }, floor, { seed: 1, checks })
+  lab.start()
+  return lab
+}
+
+const trialOf = (main = blocks(1)) => tryingIn(main)!.trial
+
+function overnight(minutes: number, slice: number, trial = trialOf()) {
+  const night = beginNight(world, floor, trial)
+  const all = ticksOf(minutes)
+  while (night.state.total < all) night.advance(Math.min(slice, all - night.state.total))
+  return tableOf(night.state)
+}
+
+describe('learning by trying', () => {
+  it('learns the same in the lab, tick by tick, as overnight in slices of any length', () => {
+    const lab = started()
+    lab.advance(3610)
+    const table = lab.document().tables!['try']!
+    expect(table.moves).toBe(240)
+    expect(overnight(1, 3600)).toEqual(table)
+    expect(overnight(1, 7)).toEqual(table)
+    expect(overnight(1, 3600, { ...trialOf(), seed: 2 })).not.toEqual({ ...table, seed: 2 })
+  })
+
+  it('is the same after going back in time, whatever was looked at in between', () => {
+    const [lab, other] = [started(), started()]
+    lab.advance(2000)
+    lab.goTo(700)
+    lab.advance(1)
+    lab.goTo(1900)
+    lab.goTo(2000)
+    lab.resume()
+    lab.advance(1610)
+    other.advance(3610)
+    expect(lab.hash()).toBe(other.hash())
+    expect(lab.document().tables).toEqual(other.document().tables)
+  })
+
+  it('drives at once by a table that the same blocks have learned, and learns anew for another pay', () => {
+    const tables = { try: overnight(1, 60) }
+    const lab = createLab()
+    lab.load({ programs: { main: blocks(1) }, world, brains: {}, tables }, floor, { seed: 1, checks: [] })
+    lab.start()
+    lab.advance(600)
+    const way = lab.view().robots[0]!.trail
+    lab.load({ programs: { main: blocks(1) }, world, brains: {}, tables }, floor, { seed: 1, checks: [] })
+    lab.start()
+    lab.advance(600)
+    expect(lab.view().robots[0]!.trail).toEqual(way)
+    expect(lab.document().tables).toBe(tables)
+    const dear = { main: blocks(1, {}, [pay('AHEAD', 1), pay('BUMP', -10)]) }
+    lab.load({ programs: dear, world, brains: {}, tables }, floor, { seed: 1, checks: [] })
+    lab.start()
+    lab.advance(3610)
+    expect(lab.document().tables!['try']!.pay[1]).toEqual({ for: 'bump', coins: -10 })
+  })
+
+  it('does not explore when it drives by its table: the same ride as in a world of its own', () => {
+    const table = overnight(1, 60)
+    const lab = createLab()
+    const tables = { try: table }
+    lab.load({ programs: { main: blocks(1) }, world, brains: {}, tables }, floor, { seed: 1, checks: [] })
+    lab.start()
+    lab.advance(600)
+    let way = 0
+    const trail = lab.view().robots[0]!.trail
+    trail.forEach(({ x, y }, k) => {
+      const before = trail[k - 1]
+      if (before) way += Math.hypot(x - before.x, y - before.y)
+    })
+    expect(rideBy(table, world, floor, 10).cm / 6).toBeCloseTo(way, -1)
+  })
+
+  it('ends a try at a bump where that is set: the next one begins at the start', () => {
+    const ended = trialOf(blocks(1, { ENDS: 'TRUE' }))
+    expect(ended.bumpEnds).toBe(true)
+    const night = beginNight(world, floor, ended)
+    night.advance(3600)
+    const bumps = night.state.curve[0]!.bumps
+    expect(night.state.attempts).toBeGreaterThan(1)
+    expect(night.state.attempts - 2).toBeLessThanOrEqual(bumps)
+  })
+
+  it.each([
+    ['tryNoPay', blocks(1, {}, [])],
+    ['tryNoPay', blocks(1, {}, [pay('BUMP', 0)])],
+    ['tryNoSenses', program(can, pay('BUMP', -5), tryFor(1), forever(act))],
+    ['tryNoActions', program(notice('2'), pay('BUMP', -5), tryFor(1), forever(act))],
+    ['tryNotLearned', program(notice('2'), can, pay('BUMP', -5), forever(act))],
+  ])('says %s at the block, before anything moves', (name, main) => {
+    const lab = started(main)
+    lab.advance(10)
+    expect(lab.view().problem).toMatchObject({ problem: `problem.${name}` })
+    expect(lab.view().robots[0]!.pose).toMatchObject({ x: 200, y: 100 })
+  })
+
+  it('pay beyond 20 coins counts as 20, and what is no number as none', () => {
+    const { pay: sentences } = trialOf(
+      blocks(1, {}, [pay('BUMP', -1e6), { ...pay('MOMENT', 0), fields: { WHAT: 'MOMENT', COINS: 'much' } }]),
+    )
+    expect(sentences).toEqual([
+      { for: 'bump', coins: -20 },
+      { for: 'moment', coins: 0 },
+    ])
+  })
+
+  it('cruising begins when trying is over', () => {
+    const checks = [{ id: 'c', kind: 'cruises', numbers: { cm: 0, bumps: 99 }, seconds: 5 }]
+    const lab = started(blocks(1), checks)
+    lab.advance(3800)
+    expect(lab.view().checks[0]!.passed).toBe(false)
+    lab.advance(200)
+    expect(lab.view().checks[0]!.passed).toBe(true)
+  })
+})
