@@ -7,9 +7,6 @@ import { plainOf } from '../schema/markdown.ts'
 /** Items that tell step by step what to press: a renamed button must not leave them behind. */
 const steps = [
   'worksheet/own-map-sheet',
-  'curriculum/lesson-own-map',
-  'curriculum/lesson-zoo',
-  'curriculum/lesson-show-me',
   'worksheet/my-examples',
   'worksheet/what-i-expect',
   'worksheet/all-of-us',

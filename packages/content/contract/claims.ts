@@ -1,27 +1,71 @@
 import { addBlocks } from '@botgarten/blocks'
 import { learning } from '@botgarten/blocks/packs/learning'
+import { outcomeOf } from '@botgarten/experiments'
+import { raceOf, winnersOf, type Bill, type Criterion, type Racer } from '@botgarten/experiments/race'
 import { createLab } from '@botgarten/lab'
 import { TICKS_PER_SECOND } from '@botgarten/simulation'
+import { expect } from 'vitest'
 import { content } from '../files.ts'
-import { cardDocument } from '../index.ts'
-import type { Claim } from '../schema/planTypes.ts'
+import { cardDocument, type CardProgram } from '../index.ts'
+import type { Claim, DriveClaim, RaceClaim } from '../schema/planTypes.ts'
+import { givenFor } from './given.ts'
 
 addBlocks(learning)
 
-/** The second in which all checks of a card have passed; null: a minute, or what the claim says, is not enough. */
-export function secondOf({ card: id, weights, place, passed }: Claim): number | null {
-  const { card, world } = content.card(id)!
-  const program = content.program(id, 'solution')!
-  const brains = Object.fromEntries(
-    Object.entries(program.brains).map(([name, brain]) => [name, { ...brain, weights }]),
-  )
+/** A claim as the name of its test, and the claim. */
+export const named = (claim: Claim) => [nameOf(claim), claim] as const
+
+function nameOf(claim: Claim): string {
+  if ('card' in claim) return `Bo on ${claim.card} from place ${claim.place}: ${claim.passed}`
+  if ('run' in claim) return `${Object.values(claim.run).join(' ')}: ${claim.answer}`
+  return `${claim.race.racers.join(' against ')} on ${claim.race.map}: ${claim.wins.join(', ')}`
+}
+
+/** Makes the run that a claim speaks of. */
+export function expectTrue(claim: Claim): void {
+  if ('card' in claim) expect(secondOf(claim)).toBe(claim.passed)
+  else if ('run' in claim) expect(outcomeOf(claim.run, givenFor(claim.run))).toBe(claim.answer)
+  else expect(raced(claim)).toEqual({ wins: claim.wins, bills: claim.bills })
+}
+
+/** A card's program as the claim has it. */
+function programOf({ card, weights, file = 'solution' }: DriveClaim): CardProgram {
+  const program = content.program(card, file)!
+  const brains = Object.entries(program.brains).map(([name, brain]) => [
+    name,
+    { ...brain, ...(weights && { weights }) },
+  ])
+  return { ...program, brains: Object.fromEntries(brains) }
+}
+
+/** The second in which all checks of a card have passed; null: its time, a minute, or what the claim says, is not enough. */
+function secondOf(claim: DriveClaim): number | null {
+  const { card, world } = content.card(claim.card)!
   const lab = createLab()
-  const document = cardDocument(world, card, { ...program, brains }, place - 1)
+  const document = cardDocument(world, card, programOf(claim), claim.place - 1)
   lab.load(document, content.floorOf(world), { seed: 1, checks: card.checks })
   lab.start()
-  for (let second = 1; second <= Math.max(60, (passed ?? 0) + 1); second++) {
+  const seconds = Math.max(60, (claim.passed ?? 0) + 1, ...card.checks.map((check) => check.seconds))
+  for (let second = 1; second <= seconds; second++) {
     lab.advance(TICKS_PER_SECOND)
-    if (lab.view().checks.every((check) => check.passed)) return second
+    if (lab.view().checks.every(({ passed }) => passed)) return second
   }
   return null
 }
+
+/** The race with the settings that the page of races begins with. */
+function raced({ race: { map: id, racers, criterion, ...race }, bills }: RaceClaim) {
+  const { map, start = 0, goal = map.actions.length - 1, goalReward, stepCost } = content.mapFile(id)!
+  const task = { map, start, goal, ...definedOf({ goalReward, stepCost }) }
+  const lanes = racers.map((racer) => ({ racer: racer as Racer, alpha: 0.5, gamma: 0.8, nu: 0, rho: 0.1 }))
+  const found = raceOf({ ...race, task, lanes }).map(({ bill }) => bill)
+  const columns = (name: string) =>
+    Object.keys(bills[name]!).map((column) => [column, found[racers.indexOf(name)]![column as keyof Bill]])
+  return {
+    wins: winnersOf(found, criterion as Criterion).map((lane) => racers[lane]),
+    bills: Object.fromEntries(Object.keys(bills).map((name) => [name, Object.fromEntries(columns(name))])),
+  }
+}
+
+const definedOf = <T extends object>(all: T) =>
+  Object.fromEntries(Object.entries(all).filter(([, value]) => value !== undefined))

@@ -1,42 +1,11 @@
-import { readFileSync } from 'node:fs'
-import { outcomeOf, type Given } from '@botgarten/experiments'
-import { readMap } from '@botgarten/maps'
-import { learningIn } from '@botgarten/programs'
+import { outcomeOf } from '@botgarten/experiments'
 import { describe, expect, it } from 'vitest'
 import { content } from '../files.ts'
-import { cardDocument } from '../index.ts'
 import { gradeOf } from '../items/readability.ts'
 import { readQuestion, type QuestionRun } from '../questions/index.ts'
 import { plainOf } from '../schema/markdown.ts'
-import type { ThingSet } from '../schema/thingTypes.ts'
-import { columnsOf, onPlane, rawOf } from '../things/index.ts'
+import { givenFor, setNamed, thingsOf } from './given.ts'
 import './there.ts'
-
-const setNamed = (id: string) => content.sets.find((set) => set.id === id)!
-
-function thingsOf(set: ThingSet, features: readonly string[]): Given {
-  const columns = columnsOf(set, features)
-  const rows = set.things.map(
-    (thing) => [thing.id, columns.map((column) => onPlane(rawOf(set, thing, column), column))] as const,
-  )
-  return { kind: 'things', things: new Map(rows) }
-}
-
-function cageGiven(id: string): Given {
-  const { cage } = content.cages.find((one) => one.cage.id === id)!
-  return { kind: 'cage', cage, map: readMap(readFileSync(content.mapOfCage(id), 'utf8')).map! }
-}
-
-function givenFor(run: QuestionRun): Given {
-  if (run.observe === 'group') return thingsOf(setNamed(run.set), run.features)
-  if (run.observe === 'cage') return cageGiven(run.cage)
-  const { card, world } = content.card(run.card)!
-  const program = content.program(run.card, run.file)!
-  const document = cardDocument(world, card, program, 'start' in run ? run.start : 0)
-  if (run.observe !== 'way') return { kind: 'lab', document, floor: content.floorOf(document.world) }
-  const { map } = learningIn(document.programs[world.robots[0]!.program]!)!
-  return { kind: 'learning', document, map: content.mapFile(map)! }
-}
 
 describe.each(content.questions)('the question $id', (question) => {
   it('has the answer that the simulation gives', () => {

@@ -1,7 +1,8 @@
 import * as v from 'valibot'
-import type { Plan } from './planTypes.ts'
+import type { Claim, Plan } from './planTypes.ts'
+import { questionRun } from './question.ts'
 
-const minutes = v.pipe(v.number(), v.integer(), v.minValue(1))
+const count = v.pipe(v.number(), v.integer(), v.minValue(1))
 const lesson = v.pipe(v.string(), v.regex(/^(E |L )?\d+$/))
 
 export const copies = v.array(
@@ -11,15 +12,27 @@ export const copies = v.array(
   }),
 )
 
-/** What is said of runs. */
-export const claims = v.array(
+const claim: v.GenericSchema<unknown, Claim> = v.union([
   v.strictObject({
     card: v.string(),
-    weights: v.record(v.string(), v.record(v.string(), v.number())),
-    place: minutes,
-    passed: v.nullable(minutes),
+    weights: v.exactOptional(v.record(v.string(), v.record(v.string(), v.number()))),
+    file: v.exactOptional(v.string()),
+    place: count,
+    passed: v.nullable(count),
   }),
-)
+  v.strictObject({ run: questionRun, answer: v.string() }),
+  v.strictObject({
+    race: v.strictObject({
+      ...{ map: v.string(), racers: v.array(v.string()), criterion: v.string() },
+      ...{ tries: count, runs: count, seed: count },
+    }),
+    wins: v.array(v.string()),
+    bills: v.record(v.string(), v.record(v.string(), v.nullable(v.number()))),
+  }),
+])
+
+/** What is said of runs. */
+export const claims = v.array(claim)
 
 export const plan: v.GenericSchema<unknown, Plan> = v.strictObject({
   lesson,
@@ -27,6 +40,6 @@ export const plan: v.GenericSchema<unknown, Plan> = v.strictObject({
     v.strictObject({ name: v.pipe(v.string(), v.regex(/^[A-C]$/)), lessons: v.tuple([lesson, lesson]) }),
   ),
   copies,
-  steps: v.pipe(v.array(v.strictObject({ minutes })), v.minLength(1)),
+  steps: v.pipe(v.array(v.strictObject({ minutes: count })), v.minLength(1)),
   claims,
 })

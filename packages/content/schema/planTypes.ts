@@ -1,3 +1,5 @@
+import type { QuestionRun } from './questionTypes.ts'
+
 /** What a lesson plan says besides its words: times, copies, and what Bo does as it claims. */
 export interface Plan {
   /** `3` of the six lessons, or `E 7`. */
@@ -21,14 +23,39 @@ export interface PlanStep {
   readonly minutes: number
 }
 
-/** What the plan says of a run: with these weights on a card's network, the checks that have not passed after its seconds. */
-export interface Claim {
+/** What the plan says of a run, which the tests make. */
+export type Claim = DriveClaim | RunClaim | RaceClaim
+
+/** A card's solution with these weights on its network, or another program (`file` as in embeds), driven from a start pose. */
+export interface DriveClaim {
   readonly card: string
-  readonly weights: { readonly [from: string]: { readonly [to: string]: number } }
+  readonly weights?: { readonly [from: string]: { readonly [to: string]: number } }
+  readonly file?: string
   /** Number of the start pose, from 1 as children count. */
   readonly place: number
   /** The second in which all checks have passed; null: they do not. */
   readonly passed: number | null
+}
+
+/** What a run ends with, in the words of the questions "what will Bo do?". */
+export interface RunClaim {
+  readonly run: QuestionRun
+  readonly answer: string
+}
+
+/** A race with the settings that it begins with: who wins, and what of the bill the plan names. */
+export interface RaceClaim {
+  readonly race: {
+    readonly map: string
+    /** `q`, `sarsa`, `best` or `random`. */
+    readonly racers: readonly string[]
+    readonly criterion: string
+    readonly tries: number
+    readonly runs: number
+    readonly seed: number
+  }
+  readonly wins: readonly string[]
+  readonly bills: { readonly [racer: string]: { readonly [column: string]: number | null } }
 }
 
 /** Text of a plan, in the parts of its two pages. */

@@ -6,7 +6,8 @@ import type { Question, QuestionRun, QuestionText } from './questionTypes.ts'
 const id = v.pipe(v.string(), v.regex(/^[a-z][a-z0-9-]*$/))
 const card = { card: id, file: v.pipe(v.string(), v.regex(/^(start|solution|wrong\/[a-z0-9-]+)$/)) }
 
-const run: v.GenericSchema<unknown, QuestionRun> = v.variant('observe', [
+/** What is run to find an answer. */
+export const questionRun: v.GenericSchema<unknown, QuestionRun> = v.variant('observe', [
   v.strictObject({
     observe: v.picklist(['moves', 'meets', 'lamp', 'tone']),
     ...card,
@@ -29,7 +30,7 @@ const question: v.GenericSchema<unknown, Question> = v.pipe(
     id,
     module: v.pipe(v.number(), v.integer(), v.minValue(1), v.maxValue(4)),
     grades: v.tuple([v.number(), v.number()]),
-    run,
+    run: questionRun,
     choices: v.pipe(v.array(v.string()), v.minLength(2), v.maxLength(4)),
     answer: v.string(),
   }),
