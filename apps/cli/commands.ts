@@ -34,6 +34,9 @@ export const commands: Commands = {
     check: withLab(async () => (await import('./map.ts')).mapCheck),
     drive: withLab(async () => (await import('./map.ts')).mapDrive),
   },
+  race: {
+    'four-brains': withLab(async () => (await import('./brain-race.ts')).fourBrains),
+  },
   record: withLab(async () => (await import('./net/record.ts')).record),
   replay: withLab(async () => (await import('./replay.ts')).replay),
   examples: withLab(async () => (await import('./net/examples.ts')).examples),

@@ -1,6 +1,7 @@
 // The catalogue as files, for all that runs in Node: the command line, scripts, tests, benchmarks, the build of the page.
 import { globSync, readFileSync } from 'node:fs'
 import { join } from 'node:path'
+import type { LaneKind, Racer } from '@botgarten/experiments/brain-race'
 import { readMap, type MapFile } from '@botgarten/maps'
 import type { Project } from '@botgarten/programs'
 import { paintFloor, type Floor, type World } from '@botgarten/simulation'
@@ -8,10 +9,12 @@ import { readPng } from '@botgarten/simulation/png'
 import type { Answers } from './answers/index.ts'
 import type { Catalogue } from './catalogue.ts'
 import { cardsIn } from './files/cards.ts'
+import { coursesIn } from './files/courses.ts'
 import { folderAt, idOf, named, once } from './files/folder.ts'
 import { itemsIn } from './files/items.ts'
 import { questionnairesIn } from './files/questionnaires.ts'
 import { zooIn } from './files/zoo.ts'
+import type { CourseFile } from './schema/course.ts'
 import type { Topic } from './schema/formTypes.ts'
 import { readAlignment } from './schema/alignment.ts'
 import { readReferences } from './schema/references.ts'
@@ -41,6 +44,10 @@ export interface ContentFiles extends Catalogue {
   readonly pictureOfTopic: (topic: Topic) => string
   /** Path of the picture of a thing of a set. */
   readonly pictureOf: (set: string, thing: string) => string
+  /** Courses on which brains race. */
+  readonly courses: readonly CourseFile[]
+  /** The brain that drives in a lane of a course where nobody brings another one; null: there is none. */
+  readonly racer: (course: string, kind: LaneKind) => Racer | null
   /** The floor of a world whose picture is in content/ or among a project's assets. */
   readonly floorOf: (world: World, assets?: Project['assets']) => Floor
 }
@@ -51,6 +58,7 @@ export function contentIn(root: string): ContentFiles {
   const cards = cardsIn(folder)
   const items = itemsIn(folder)
   const zoo = zooIn(folder)
+  const courses = coursesIn(folder, cards.program)
   const questionnaires = questionnairesIn(folder)
   const maps = once(() => folder.foldersWith('maps/*/map.svg').map(idOf))
   const map = (id: string) => (maps().includes(id) ? folder.text('maps', id, 'map.svg') : null)
@@ -99,6 +107,9 @@ export function contentIn(root: string): ContentFiles {
     get cages() {
       return zoo.cages()
     },
+    get courses() {
+      return courses.courses()
+    },
     get forms() {
       return questionnaires.forms()
     },
@@ -113,12 +124,13 @@ export function contentIn(root: string): ContentFiles {
     },
     ...{ map, mapFile, floorOf, path: folder.path, cardFolder: cards.folderOf },
     ...{ card: cards.card, program: cards.program, world: cards.world },
+    racer: courses.racer,
     ...{ pictureOfCard: cards.pictureOfCard, mapOfCage: zoo.mapOf },
     pictureOfTopic: questionnaires.pictureOfTopic,
     filesBelow: () =>
-      globSync('{cards,free-lab,maps,materials,questionnaires,things,worlds,zoo}/**/*.*', { cwd: root }).map(
-        (file) => folder.path(file),
-      ),
+      globSync('{cards,courses,free-lab,maps,materials,questionnaires,things,worlds,zoo}/**/*.*', {
+        cwd: root,
+      }).map((file) => folder.path(file)),
     ...{
       freeLab: cards.freeLab,
       goals: cards.goals,

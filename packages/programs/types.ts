@@ -47,6 +47,8 @@ export interface Thread {
   started: number
   /** How many blocks so far have sensed, driven, shown, sounded or run a net (running.md 3). */
   acts: number
+  /** Conditions asked, runs of a net and looks into a table so far. */
+  decisions: number
   /** Blocks of this tick's budget that are used up. */
   spent: number
   /** Seconds of the tick that is over for this thread; running it again in that tick does nothing. */

@@ -13,6 +13,8 @@ export interface IndexedBlock {
   /** It hands something up when it is done: a value block, a function. */
   readonly isValue: boolean
   readonly isFunction: boolean
+  /** It runs a net, looks into a table, or is a condition: each time is a decision. */
+  readonly decides: boolean
   readonly values: ReadonlyMap<string, IndexedBlock>
   /** The first block in each statement input. */
   readonly statements: ReadonlyMap<string, IndexedBlock>
@@ -52,12 +54,24 @@ function definitionOf(block: Block, place: Place): IndexedBlock['definition'] {
 
 type Blocks = Map<string, IndexedBlock>
 
-function indexBlock(block: Block, place: Place, below: IndexedBlock | null, blocks: Blocks): IndexedBlock {
+/** Blocks that run a net or look into a learned table. */
+const deciding: ReadonlySet<string> = new Set(['ai_neural_network', 'robActions_NNstep', 'ai_try_act'])
+/** Inputs of conditions: of if, of a choice between two values, of wait. */
+const condition = /^(IF\d*|WAIT\d+)$/
+
+function indexBlock(
+  block: Block,
+  place: Place,
+  below: IndexedBlock | null,
+  blocks: Blocks,
+  input = '',
+): IndexedBlock {
   const indexed = {
     block,
     definition: definitionOf(block, place),
     isValue: place === 'value' || place === 'function',
     isFunction: place === 'function',
+    decides: deciding.has(block.type) || condition.test(input),
     values: indexValues(block, blocks),
     statements: indexStatements(block, blocks),
     below,
@@ -70,7 +84,7 @@ function indexValues(block: Block, blocks: Blocks) {
   const values = new Map<string, IndexedBlock>()
   for (const input of Object.keys(block.values ?? {})) {
     const child = plugged(block, input)
-    if (child) values.set(input, indexBlock(child, 'value', null, blocks))
+    if (child) values.set(input, indexBlock(child, 'value', null, blocks, input))
   }
   for (const [input, child] of Object.entries(writtenIn(block)))
     values.set(input, indexBlock(child, 'value', null, blocks))

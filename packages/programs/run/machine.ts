@@ -67,6 +67,7 @@ function spend(thread: Thread): Outcome {
 /** A block is begun. Its frame is on top already. */
 function begin({ thread }: Machine, node: IndexedBlock): Outcome {
   if (node.definition.acts) thread.acts++
+  if (node.decides) thread.decisions++
   if (node.isValue) return spend(thread)
   thread.lit = node.block.id
   thread.started++

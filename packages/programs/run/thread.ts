@@ -11,6 +11,7 @@ const threadFrom = (node: IndexedBlock | null, seed = 0): Thread => ({
   lit: null,
   started: 0,
   acts: 0,
+  decisions: 0,
   spent: node ? 1 : 0,
   overAt: -1,
   ended: false,
