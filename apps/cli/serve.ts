@@ -1,3 +1,4 @@
+import { flushCompileCache } from 'node:module'
 import { resolve } from 'node:path'
 import {
   CannotServe,
@@ -53,6 +54,8 @@ async function open(args: string[]): Promise<string> {
     const classServer = await openClassServer({ ...classOptions(values), data: folder })
     const server = await listen(classServer, { port, host: values.host, https: values.https ? folder : null })
     stopWhenTold(server)
+    // Where the plug is pulled there is no end at which Node would keep what it has compiled.
+    flushCompileCache()
     const token = await classServer.firstTeacher()
     if (values.open) openPage(`${server.url}/here${token === null ? '' : `#${token}`}`)
     const kept = values.database === undefined ? message('serve.kept', { folder: resolve(folder) }) : ''

@@ -2,11 +2,12 @@ import { readdirSync, readFileSync } from 'node:fs'
 import { join, relative } from 'node:path'
 import type { Entry } from './archive.ts'
 import { folderOf, isOwn, packagesBelow, type Found } from './packages.ts'
+import { asShipped } from './plain.ts'
 import { shimsOf } from './shims.ts'
 import type { System } from './systems.ts'
 
-/** Left out of what is ours: what tests, and what is made anew. */
-const ourTests = /\.test\.ts$/
+/** Left out of what is ours: what tests, and what only compilers read. */
+const ourTests = /\.(test|d)\.ts$/
 /** Left out of what others made: what only compilers and debuggers read. */
 const forBuilders = /\.(map|d\.[cm]?ts)$/
 
@@ -44,7 +45,7 @@ const isFor = (system: System) => (path: string) => {
 }
 
 function ownPackage({ folder, manifest }: Found, root: string): Entry[] {
-  const sources = entriesOf(folder, `app/${slashed(relative(root, folder))}`, ourTests)
+  const sources = entriesOf(folder, `app/${slashed(relative(root, folder))}`, ourTests).map(asShipped)
   const name = manifest.name.slice('@botgarten/'.length)
   const shims = manifest.exports ? [...shimsOf(name, manifest.exports)] : []
   return [...sources, ...shims.map(([path, text]) => textEntry(`app/${path}`, text))]

@@ -1,8 +1,9 @@
 import { posix } from 'node:path'
+import { plainPath } from './plain.ts'
 
 /**
  * Files that stand in for the link from `node_modules/@botgarten/NAME` to `packages/NAME`: zips hold no links that
- * Windows follows, and Node strips no types of files below `node_modules`.
+ * Windows follows.
  * @param exported the package's `exports`
  */
 export function shimsOf(name: string, exported: { readonly [path: string]: unknown }): Map<string, string> {
@@ -14,7 +15,7 @@ export function shimsOf(name: string, exported: { readonly [path: string]: unkno
     if (typeof target !== 'string') continue
     const file = `${path === '.' ? 'index' : path.slice(2).replaceAll('/', '-')}.js`
     exports[path] = `./${file}`
-    const source = posix.relative(folder, posix.join('packages', name, target))
+    const source = posix.relative(folder, posix.join('packages', name, plainPath(target)))
     files.set(`${folder}/${file}`, `export * from '${source}'\n`)
   }
   files.set(

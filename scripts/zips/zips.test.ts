@@ -6,6 +6,7 @@ import { inHouse } from '../prepare/house.mjs'
 import { writeZip } from './archive.ts'
 import { machineOf } from './binaries.ts'
 import { packagesBelow } from './packages.ts'
+import { plain } from './plain.ts'
 import { shimsOf } from './shims.ts'
 import { systems } from './systems.ts'
 import { modesIn, unpack } from './unpack.ts'
@@ -58,9 +59,17 @@ test('a package of ours has a stand-in for each of its doors', () => {
     './page': { types: './x.d.ts' },
   })
   expect(Object.fromEntries(shims)).toEqual({
-    'node_modules/@botgarten/server/index.js': "export * from '../../../packages/server/index.ts'\n",
-    'node_modules/@botgarten/server/doctor.js': "export * from '../../../packages/server/doctor/index.ts'\n",
+    'node_modules/@botgarten/server/index.js': "export * from '../../../packages/server/index.js'\n",
+    'node_modules/@botgarten/server/doctor.js': "export * from '../../../packages/server/doctor/index.js'\n",
     'node_modules/@botgarten/server/package.json':
       '{"name":"@botgarten/server","type":"module","exports":{".":"./index.js","./doctor":"./doctor.js"}}\n',
   })
+})
+
+test('a module of a zip has no types, and names the others as they lie there', () => {
+  const source =
+    "import { a, type B } from './a.ts'\nconst c: B = new URL(`./worker.ts`, a)\nconst d = 'data.ts.txt'\n"
+  expect(plain(source).replaceAll(/ +/g, ' ')).toBe(
+    "import { a, } from './a.js'\nconst c = new URL(`./worker.js`, a)\nconst d = 'data.ts.txt'\n",
+  )
 })

@@ -6,11 +6,11 @@ if not exist "%~dp0app\complete" goto packed
 if not defined BOTGARTEN_DATA set "BOTGARTEN_DATA=%LOCALAPPDATA%\Botgarten"
 set "NODE_COMPILE_CACHE=%BOTGARTEN_DATA%\cache"
 if "%~1"=="" goto serve
-"%~dp0node\node.exe" --disable-warning=ExperimentalWarning "%~dp0app\apps\cli\botgarten.ts" %*
+"%~dp0node\node.exe" "%~dp0app\apps\cli\botgarten.js" %*
 exit /b %errorlevel%
 
 :serve
-"%~dp0node\node.exe" --disable-warning=ExperimentalWarning --max-semi-space-size=2 --optimize-for-size "%~dp0app\apps\cli\botgarten.ts" serve --open
+"%~dp0node\node.exe" --max-semi-space-size=2 --optimize-for-size "%~dp0app\apps\cli\botgarten.js" serve --open
 if errorlevel 1 pause
 exit /b
 

@@ -7,8 +7,8 @@ if [ ! -e "$here/app/complete" ]; then
   exit 1
 fi
 export BOTGARTEN_DATA="${BOTGARTEN_DATA:-$HOME/Library/Application Support/Botgarten}"
-# From the second start on the sources are there as they run, which takes less memory.
+# From the second start on Node has its code compiled.
 export NODE_COMPILE_CACHE="$BOTGARTEN_DATA/cache"
 [ $# -gt 0 ] || set -- serve --open
-exec "$here/node/node" --disable-warning=ExperimentalWarning --max-semi-space-size=2 --optimize-for-size \
-  "$here/app/apps/cli/botgarten.ts" "$@"
+exec "$here/node/node" --max-semi-space-size=2 --optimize-for-size \
+  "$here/app/apps/cli/botgarten.js" "$@"

@@ -9,8 +9,8 @@ fi
 export BOTGARTEN_DATA="${BOTGARTEN_DATA:-${XDG_DATA_HOME:-$HOME/.local/share}/botgarten}"
 # The allocator is not to keep a store of memory for each thread, and gives back what a large save took.
 export MALLOC_ARENA_MAX=2 MALLOC_MMAP_THRESHOLD_=131072
-# From the second start on the sources are there as they run, which takes less memory.
+# From the second start on Node has its code compiled.
 export NODE_COMPILE_CACHE="$BOTGARTEN_DATA/cache"
 [ $# -gt 0 ] || set -- serve --open
-exec "$here/node/node" --disable-warning=ExperimentalWarning --max-semi-space-size=2 --optimize-for-size \
-  "$here/app/apps/cli/botgarten.ts" "$@"
+exec "$here/node/node" --max-semi-space-size=2 --optimize-for-size \
+  "$here/app/apps/cli/botgarten.js" "$@"
