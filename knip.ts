@@ -26,6 +26,7 @@ const config: KnipConfig = {
           'truncate',
           'mkfs.vfat',
           'debugfs',
+          'e2fsck',
         ],
       ],
     },

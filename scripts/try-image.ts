@@ -1,5 +1,6 @@
 // `npm run image:try`: starts the image in QEMU's machine `virt` and does with it what a room does: first start, lesson,
-// ten power cuts during saves, a full card, updates. Without KVM that takes half an hour. `-- first cuts` does these parts.
+// ten power cuts during saves, a full card, updates. Without KVM that takes an hour. `-- cuts updates` does these parts, each
+// of which goes on from the lesson that the first start led to; `-- --same-lesson cuts` from that of the last time.
 import assert from 'node:assert/strict'
 import { execFileSync } from 'node:child_process'
 import { existsSync, mkdirSync, truncateSync, writeFileSync } from 'node:fs'
@@ -7,7 +8,8 @@ import { join } from 'node:path'
 import { setTimeout as after } from 'node:timers/promises'
 import root from '../package.json' with { type: 'json' }
 import { fromBoot, startGuest, toBoot, untilLabAnswers, type Card, type Guest } from './image/guest.ts'
-import { lostOf, openLesson, saveOnce, saveUntilCut, type Pupil } from './image/pupils.ts'
+import { copyCard, keepLesson, lessonFor, lostOnCard, siteOf, type Lesson } from './image/lesson.ts'
+import { lostOf, openLesson, saveOnce, saveUntilCut } from './image/pupils.ts'
 import { onStick, plugIn, pullOut, stickThatAsks, stickWith } from './image/stick.ts'
 import { missing, toTry } from './image/tools.ts'
 import { inHouse } from './prepare/house.mjs'
@@ -16,8 +18,6 @@ import { asScript, Trouble } from './prepare/run.mjs'
 const made = inHouse('build', 'image')
 const name = `botgarten-pi-${root.version}`
 const work = join(made, 'try')
-const card: Card = { file: join(work, 'card.img'), work, port: 4187 }
-const site = `http://127.0.0.1:${card.port}`
 const cuts = 10
 const began = Date.now()
 
@@ -27,7 +27,7 @@ async function holds(sentence: string, check: () => Promise<unknown> | void) {
   console.log(`${String(Math.round((Date.now() - began) / 1000)).padStart(5)} s  ✓ ${sentence}`)
 }
 
-async function start(slot: string): Promise<Guest> {
+async function start(card: Card, slot: string): Promise<Guest> {
   const guest = startGuest(card)
   assert.equal(guest.slot, slot)
   const seconds = await untilLabAnswers(card, guest)
@@ -35,10 +35,10 @@ async function start(slot: string): Promise<Guest> {
   return guest
 }
 
-/** Asks until something is so. */
+/** Asks until something is so, for ten minutes. */
 async function until(guest: Guest, command: string, answer: RegExp): Promise<string> {
   let text = ''
-  for (let tries = 0; tries < 60; tries++) {
+  for (let tries = 0; tries < 200; tries++) {
     text = await guest.shell(command)
     if (answer.test(text)) return text
     await after(3000)
@@ -46,7 +46,8 @@ async function until(guest: Guest, command: string, answer: RegExp): Promise<str
   throw new Trouble(`${command}: ${text}`)
 }
 
-async function tryFirstStart(guest: Guest): Promise<string> {
+async function tryFirstStart(card: Card, guest: Guest): Promise<string> {
+  const site = siteOf(card)
   await holds('pages, cards and what there is not are answered', async () => {
     for (const path of ['/', '/lab/free', '/teacher/start'])
       assert.equal((await fetch(site + path)).status, 200, path)
@@ -72,7 +73,7 @@ async function tryFirstStart(guest: Guest): Promise<string> {
       await guest.shell("stat -c '%U' /proc/$(pgrep -f apps/cli/botgarten | head -n 1)"),
       'botgarten',
     )
-    assert.equal(await guest.shell('systemctl is-active botgarten'), 'active')
+    await until(guest, 'systemctl is-active botgarten', /^active$/)
   })
   await holds('no unit failed', async () => {
     assert.equal(await guest.shell('systemctl --failed --plain --no-legend'), '')
@@ -88,14 +89,14 @@ async function tryFirstStart(guest: Guest): Promise<string> {
   await holds('a stick that asks for the link gets it', async () => {
     const stick = stickThatAsks(join(work, 'asks.img'), 'first-teacher.txt')
     await plugIn(guest, stick)
-    for (let tries = 0; tries < 60 && onStick(stick, 'first-teacher.txt') === ''; tries++) await after(1000)
+    for (let tries = 0; tries < 300 && onStick(stick, 'first-teacher.txt') === ''; tries++) await after(1000)
     assert.ok(onStick(stick, 'first-teacher.txt').includes(token))
     await pullOut(guest)
   })
   return token
 }
 
-async function tryHotspot(guest: Guest) {
+async function tryHotspot({ card, guest }: Lesson) {
   const password = fromBoot(card, 'hotspot.txt')!.trim().split(/\r?\n/)[1]!
   await holds('the hot spot has a password made at the first start', () =>
     assert.match(password, /^[a-z346789]{4}(-[a-z346789]{4}){2}$/),
@@ -123,54 +124,68 @@ async function tryHotspot(guest: Guest) {
     assert.ok(screen.includes(password) && screen.includes('http://10.42.0.1'))
     await guest.monitor(`screendump ${join(made, 'hotspot-screen.png')} -f png`)
   })
-  await guest.shell('modprobe -r mac80211_hwsim')
+  await guest.cut()
 }
 
-async function tryFullCard(guest: Guest, pupil: Pupil) {
+async function tryFullCard({ guest, pupils }: Lesson) {
+  const [pupil] = pupils
   await holds('on a full card a save is refused in words, and the teacher is told', async () => {
-    await guest.shell('dd if=/dev/zero of=/var/lib/botgarten/filler bs=1M; sync')
+    const folder = '/var/lib/botgarten'
+    await guest.shell(
+      `cd ${folder}; fallocate -l $(df -B1 --output=avail . | tail -n 1) filler; cat /dev/zero > rest; sync`,
+    )
     let status: number | null = 200
-    for (let tries = 0; tries < 40 && status !== 507; tries++) status = await saveOnce(pupil)
+    // What the database has written already is written again for some saves.
+    for (let tries = 0; tries < 400 && status !== 507; tries++) status = await saveOnce(pupil!)
     assert.equal(status, 507)
     await guest.shell('systemctl start botgarten-screen')
     assert.match(await guest.shell('cat /dev/vcs1'), /Die Karte ist voll/)
   })
   await holds('with room again saves go on', async () => {
-    await guest.shell('rm /var/lib/botgarten/filler; sync')
-    assert.equal(await saveOnce(pupil), 200)
-    assert.equal(await lostOf(pupil), 0)
+    await guest.shell('cd /var/lib/botgarten; rm filler rest; sync')
+    assert.equal(await saveOnce(pupil!), 200)
+    assert.equal(await lostOf(pupil!), 0)
   })
+  await guest.cut()
 }
 
-async function tryCuts(first: Guest, pupils: readonly Pupil[]): Promise<Guest> {
-  let guest = first
-  let saves = 0
-  for (let cut = 1; cut <= cuts; cut++) {
-    const saving = Promise.all(pupils.map(saveUntilCut))
-    await after(2000 + Math.random() * 6000)
-    await guest.cut()
-    const now = (await saving).reduce((sum, one) => sum + one, 0)
-    saves += now
-    guest = await start('a')
-    await holds(`power cut ${cut} during saves: none of ${now} that were acknowledged is lost`, async () => {
-      for (const pupil of pupils) assert.equal(await lostOf(pupil), 0)
-    })
+/** Saves for some seconds and pulls the plug. @returns how many were acknowledged */
+async function cutDuringSaves({ guest, pupils }: Lesson): Promise<number> {
+  const saving = Promise.all(pupils.map(saveUntilCut))
+  await after(4000 + Math.random() * 12_000)
+  await guest.cut()
+  return (await saving).reduce((sum, one) => sum + one, 0)
+}
+
+/** Each cut is one in the kept lesson, at another moment. What is on the card is read here; after the last one the Pi starts. */
+async function tryCuts(first: Lesson) {
+  let lesson = first
+  for (let cut = 1; cut < cuts; cut++) {
+    const saves = await cutDuringSaves(lesson)
+    await holds(
+      `power cut ${cut} during saves: none of ${saves} that were acknowledged is lost`,
+      async () => {
+        assert.ok(saves > 0)
+        assert.equal(await lostOnCard(lesson), 0)
+      },
+    )
+    lesson = await again(lesson)
   }
-  console.log(`         (${saves} saves, ${cuts} cuts)`)
-  return guest
-}
-
-async function tryReset(first: Guest): Promise<Guest> {
-  await first.cut()
+  const { card, pupils } = lesson
+  const saves = await cutDuringSaves(lesson)
   writeFileSync(join(work, 'reset.txt'), 'm.weber\r\n')
   toBoot(card, join(work, 'reset.txt'), 'reset-teacher.txt')
-  const guest = await start('a')
+  const guest = await start(card, 'a')
+  await holds(`power cut ${cuts}: the Pi starts by itself, and none of ${saves} is lost`, async () => {
+    for (const pupil of pupils) assert.equal(await lostOf(pupil), 0)
+    assert.equal(await saveOnce(pupils[0]!), 200)
+  })
   await holds('a name in reset-teacher.txt on the boot partition gives a new password there', async () => {
     await until(guest, 'systemctl start botgarten-screen; cat /dev/vcs1', /Neues Passwort/)
     assert.match(fromBoot(card, 'new-password.txt') ?? '', /^[a-z]+(-[a-z]+){3}\s*$/)
     assert.equal(fromBoot(card, 'reset-teacher.txt'), null)
   })
-  return guest
+  await guest.cut()
 }
 
 /** An update whose lab does not start. */
@@ -188,11 +203,11 @@ function brokenUpdate(): string {
 }
 
 async function restarted(guest: Guest) {
-  const ended = await Promise.race([guest.ended.then(() => true), after(1_200_000, false)])
+  const ended = await Promise.race([guest.ended.then(() => true), after(2_400_000, false)])
   if (!ended) throw new Trouble(`The guest did not start again.\n${guest.output().slice(-2000)}`)
 }
 
-async function tryUpdates(first: Guest, pupils: readonly Pupil[]): Promise<Guest> {
+async function tryUpdates({ card, guest: first, pupils }: Lesson) {
   let guest = first
   const good = join(made, `${name}.update`)
   await holds('an update without a teacher’s word, or with a wrong checksum, is only spoken of', async () => {
@@ -210,7 +225,7 @@ async function tryUpdates(first: Guest, pupils: readonly Pupil[]): Promise<Guest
     async () => {
       await plugIn(guest, await stickWith(join(work, 'stick.img'), good, 'right'))
       await restarted(guest)
-      guest = await start('b')
+      guest = await start(card, 'b')
       assert.equal(fromBoot(card, 'trial.txt')?.trim(), 'kept b')
       assert.equal(fromBoot(card, 'slot.txt'), 'os_prefix=b/\n')
       for (const pupil of pupils) assert.equal(await lostOf(pupil), 0)
@@ -222,19 +237,33 @@ async function tryUpdates(first: Guest, pupils: readonly Pupil[]): Promise<Guest
     guest = startGuest(card)
     assert.equal(guest.slot, 'a')
     await restarted(guest)
-    guest = await start('b')
+    guest = await start(card, 'b')
     assert.equal(fromBoot(card, 'trial.txt')?.trim(), 'failed a')
     await until(guest, 'cat /dev/vcs1', /System davor/)
     for (const pupil of pupils) assert.equal(await lostOf(pupil), 0)
     assert.equal(await saveOnce(pupils[0]!), 200)
   })
-  return guest
+  await guest.cut()
 }
 
-function freshCard() {
-  mkdirSync(work, { recursive: true })
-  execFileSync('cp', ['--sparse=always', join(made, `${name}.img`), card.file])
+const tries = { hotspot: tryHotspot, full: tryFullCard, cuts: tryCuts, updates: tryUpdates }
+const names = Object.keys(tries) as (keyof typeof tries)[]
+const lessonOf = (name: keyof typeof tries) => lessonFor(name, 4188 + names.indexOf(name), work)
+const again = ({ card }: Lesson) => lessonFor('cuts', card.port, work)
+
+/** A fresh card of 8 GB, the first start, and a lesson that is kept. */
+async function firstStart() {
+  const card = { file: join(work, 'card.img'), work: join(work, 'first'), port: 4187 }
+  copyCard(join(made, `${name}.img`), card.file)
   truncateSync(card.file, 8_000_000_000)
+  const guest = await start(card, 'a')
+  const token = await tryFirstStart(card, guest)
+  const pupils = await openLesson(siteOf(card), token, 5)
+  await holds('a teacher is made, and the link is gone from the boot partition', async () => {
+    await until(guest, 'systemctl start botgarten-screen; cat /dev/vcs1', /Botgarten(?![^]*teacher\/start)/)
+    assert.equal(fromBoot(card, 'first-teacher.txt'), null)
+  })
+  await keepLesson({ card, guest, pupils }, work)
 }
 
 await asScript(async () => {
@@ -242,24 +271,11 @@ await asScript(async () => {
   if (lacking !== null) throw new Trouble(lacking)
   if (!existsSync(join(made, `${name}.img`)))
     throw new Trouble('There is no image yet: npm run image -- --quick')
-  const parts = process.argv.slice(2)
-  const wants = (part: string) => parts.length === 0 || parts.includes(part)
-  freshCard()
-  let guest = await start('a')
-  try {
-    const token = await tryFirstStart(guest)
-    if (wants('hotspot')) await tryHotspot(guest)
-    const pupils = await openLesson(site, token, 5)
-    await holds('a teacher is made, and the link is gone from the boot partition', async () => {
-      await until(guest, 'systemctl start botgarten-screen; cat /dev/vcs1', /Botgarten(?![^]*teacher\/start)/)
-      assert.equal(fromBoot(card, 'first-teacher.txt'), null)
-    })
-    if (wants('full')) await tryFullCard(guest, pupils[0]!)
-    if (wants('reset')) guest = await tryReset(guest)
-    if (wants('cuts')) guest = await tryCuts(guest, pupils)
-    if (wants('updates')) guest = await tryUpdates(guest, pupils)
-  } finally {
-    await guest.cut()
-  }
+  mkdirSync(work, { recursive: true })
+  const same = process.argv.includes('--same-lesson')
+  const wanted = process.argv.slice(2).filter((one) => !one.startsWith('--'))
+  if (!same) await firstStart()
+  for (const part of names.filter((one) => wanted.length === 0 || wanted.includes(one)))
+    await tries[part](await lessonOf(part))
   return 0
 })

@@ -49,8 +49,10 @@ export interface Guest {
   readonly slot: string
   /** Runs a command as root by a shell that exists in the test alone, and gives what it wrote. */
   shell(command: string): Promise<string>
-  /** A word to QEMU's monitor. */
-  monitor(command: string): Promise<void>
+  /** A word to QEMU's monitor, and what it answered. */
+  monitor(command: string): Promise<string>
+  /** Stands still, writes its memory into a file and ends; `goOn` continues there. */
+  freeze(memory: string): Promise<void>
   /** Pulls the plug. */
   cut(): Promise<void>
   /** Has ended by itself: the guest started again. */
@@ -59,7 +61,7 @@ export interface Guest {
   output(): string
 }
 
-function machine({ file, work, port }: Card, append: string): string[] {
+function machine({ file, work, port }: Card, append: string, memory: string | null): string[] {
   // A root shell on the serial line, by the kernel's command line alone: the image holds no way in.
   const forTest =
     'console=ttyAMA0 systemd.debug_shell systemd.default_debug_tty=ttyAMA0 systemd.default_device_timeout_sec=900'
@@ -95,15 +97,28 @@ function machine({ file, work, port }: Card, append: string): string[] {
     ],
     ...['-monitor', `unix:${join(work, 'monitor')},server=on,wait=off`],
     ...['-chardev', 'stdio,id=serial,signal=off', '-serial', 'chardev:serial'],
+    ...(memory === null ? [] : ['-incoming', `exec:cat '${memory}'`]),
   ]
 }
 
-async function say(socket: string, command: string) {
+async function say(socket: string, command: string): Promise<string> {
   const line = connect(socket)
+  let text = ''
+  line.on('data', (part) => (text += String(part)))
   await once(line, 'connect')
   line.write(`${command}\n`)
   await after(500)
   line.end()
+  return text
+}
+
+/** Asks the monitor until it says so. */
+async function untilSaid(monitor: Guest['monitor'], command: string, answer: RegExp) {
+  for (let tries = 0; tries < 300; tries++) {
+    if (answer.test(await monitor(command).catch(() => ''))) return
+    await after(1000)
+  }
+  throw new Trouble(`QEMU: ${command}`)
 }
 
 let asked = 0
@@ -122,12 +137,15 @@ async function ask(running: ChildProcess, output: () => string, command: string)
   throw new Trouble(`The guest did not answer: ${command}\n${output().slice(-2000)}`)
 }
 
-/** Starts the card in QEMU's machine `virt`: the same kernel, first root and root as on a Pi. */
-export function startGuest(card: Card): Guest {
+/**
+ * Starts the card in QEMU's machine `virt`: the same kernel, first root and root as on a Pi.
+ * @param memory what `freeze` wrote, of a machine with this card; null: it is switched on
+ */
+export function startGuest(card: Card, memory: string | null = null): Guest {
   mkdirSync(card.work, { recursive: true })
   rmSync(join(card.work, 'monitor'), { force: true })
   const { slot, append } = load(card)
-  const running = spawn('nice', ['-n', '0', 'qemu-system-aarch64', ...machine(card, append)], {
+  const running = spawn('nice', ['-n', '0', 'qemu-system-aarch64', ...machine(card, append, memory)], {
     stdio: ['pipe', 'pipe', 'inherit'],
   })
   let text = ''
@@ -141,15 +159,29 @@ export function startGuest(card: Card): Guest {
   started.add(running)
   void ended.then(() => started.delete(running))
   const output = () => text
+  const monitor = (command: string) => say(join(card.work, 'monitor'), command)
+  const cut = async () => {
+    running.kill('SIGKILL')
+    await ended
+  }
   return {
-    ...{ slot, ended, output },
+    ...{ slot, ended, output, monitor, cut },
     shell: (command) => ask(running, output, command),
-    monitor: (command) => say(join(card.work, 'monitor'), command),
-    async cut() {
-      running.kill('SIGKILL')
-      await ended
+    async freeze(file) {
+      await monitor('stop')
+      await monitor(`migrate -d "exec:cat > '${file}'"`)
+      await untilSaid(monitor, 'info migrate', /status: completed/)
+      await cut()
     },
   }
+}
+
+/** Continues where a machine with this card was frozen. */
+export async function goOn(card: Card, memory: string): Promise<Guest> {
+  const guest = startGuest(card, memory)
+  await untilSaid((word) => guest.monitor(word), 'info status', /status: (running|paused(?! \(inmigrate))/)
+  await guest.monitor('cont')
+  return guest
 }
 
 /** @throws after half an hour, with the last lines of the guest */

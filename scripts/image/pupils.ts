@@ -7,6 +7,16 @@ export interface Pupil {
   acknowledged: number
 }
 
+/** A pupil as it was kept. */
+export function pupilOf(
+  url: string,
+  { cookies, project, acknowledged }: Omit<Pupil, 'client'> & { readonly cookies: [string, string][] },
+): Pupil {
+  const client = new Client(url)
+  for (const [name, value] of cookies) client.cookies.set(name, value)
+  return { client, project, acknowledged }
+}
+
 const markOf = (count: number) => `save ${count}`
 
 /** A teacher, an open class, and pupils in it. @param token of the link for the first teacher */

@@ -1,7 +1,6 @@
 import { execFileSync } from 'node:child_process'
 import {
   chmodSync,
-  cpSync,
   existsSync,
   mkdirSync,
   readdirSync,
@@ -14,6 +13,7 @@ import {
 import { dirname, join } from 'node:path'
 import { Trouble } from '../prepare/run.mjs'
 import type { Entry } from '../zips/archive.ts'
+import { plain, plainPath } from '../zips/plain.ts'
 import { packagesIn } from './packages.ts'
 import { diskId } from './partitions.ts'
 import { fill } from './pi/slots.ts'
@@ -112,6 +112,19 @@ export function finishTree(tree: string): void {
   }
 }
 
+/** What runs on the Pi itself, as modules of a zip are: without types. */
+function addPrograms(folder: string) {
+  const from = join(here, 'pi')
+  mkdirSync(folder)
+  for (const name of readdirSync(from).filter((one) => !one.endsWith('.test.ts'))) {
+    const [text, { mode }] = [readFileSync(join(from, name), 'utf8'), statSync(join(from, name))]
+    writeFileSync(join(folder, plainPath(name)), name.endsWith('.ts') ? plain(text) : text, {
+      mode: mode & 0o111 ? 0o755 : 0o644,
+    })
+  }
+  writeFileSync(join(folder, 'package.json'), '{ "type": "module" }\n')
+}
+
 /** The lab as its zip has it, and the programs of the Pi beside it. */
 export function addLab(tree: string, entries: readonly Entry[]): void {
   const folder = join(tree, 'opt/botgarten')
@@ -121,9 +134,5 @@ export function addLab(tree: string, entries: readonly Entry[]): void {
     mkdirSync(dirname(join(folder, path)), { recursive: true })
     writeFileSync(join(folder, path), read(), { mode: program ? 0o755 : 0o644 })
   }
-  cpSync(join(here, 'pi'), join(folder, 'pi'), {
-    recursive: true,
-    filter: (path) => !path.endsWith('.test.ts'),
-  })
-  writeFileSync(join(folder, 'pi/package.json'), '{ "type": "module" }\n')
+  addPrograms(join(folder, 'pi'))
 }

@@ -4,7 +4,8 @@ const pause = 200
 
 /** Somebody with cookies of their own who asks a class server over HTTP, and asks again where nobody answers. */
 export class Client {
-  private readonly jar = new Map<string, string>()
+  /** By their names. */
+  readonly cookies = new Map<string, string>()
   private readonly url: string
   private readonly signal: AbortSignal
   /** How often something was sent again. */
@@ -19,7 +20,7 @@ export class Client {
   private headers(body: boolean): Headers {
     const headers = new Headers({ origin: this.url })
     if (body) headers.set('content-type', 'application/json')
-    const cookie = [...this.jar].map(([name, value]) => `${name}=${value}`).join('; ')
+    const cookie = [...this.cookies].map(([name, value]) => `${name}=${value}`).join('; ')
     if (cookie !== '') headers.set('cookie', cookie)
     return headers
   }
@@ -27,7 +28,7 @@ export class Client {
   private keep(answer: Response) {
     for (const line of answer.headers.getSetCookie()) {
       const [, name = '', value = ''] = /^([^=]+)=([^;]*)/.exec(line) ?? []
-      this.jar.set(name, value)
+      this.cookies.set(name, value)
     }
   }
 

@@ -2,8 +2,9 @@
 import { chmodSync, chownSync, existsSync, mkdirSync, rmSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'
 import { hotspotProfile, newPassword } from './hotspot.ts'
-import { data, keepSettings, lab, labUser, readBoot, run, textIn, writeBoot } from './machine.ts'
+import { data, here, keepSettings, lab, labUser, readBoot, run, textIn, writeBoot } from './machine.ts'
 import { readSettings, type Settings } from './settings.ts'
+import { readTrial, taskOf } from './slots.ts'
 
 const [reset, password] = ['reset-teacher.txt', `${data}/hotspot-password`]
 
@@ -38,9 +39,10 @@ function takeReset(name: string) {
   writeBoot((folder) => rmSync(join(folder, reset)))
 }
 
-const { text, asked } = readBoot((folder) => ({
+const { text, asked, trial } = readBoot((folder) => ({
   text: textIn(join(folder, 'botgarten.txt')) ?? '',
   asked: textIn(join(folder, reset)),
+  trial: readTrial(textIn(join(folder, 'trial.txt')) ?? ''),
 }))
 const wanted = readSettings(text)
 if (!existsSync(lab)) mkdirSync(lab, { mode: 0o700 })
@@ -49,6 +51,7 @@ const settings = { ...wanted, password: passwordFor(wanted) }
 keepSettings(settings)
 keepHotspot(settings)
 if (asked !== null) takeReset(asked)
+if (taskOf(here.slot, trial) !== 'nothing') writeFileSync('/run/botgarten/trial', '')
 const wifi = '/run/botgarten/wifi.json'
 writeFileSync(wifi, JSON.stringify({ name: settings.hotspot, password: settings.password }))
 chownSync(wifi, labUser, labUser)

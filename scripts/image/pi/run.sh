@@ -3,5 +3,4 @@
 program=$1
 shift
 mkdir -p -m 711 /run/botgarten
-exec flock /run/botgarten/lock /opt/botgarten/node/node --disable-warning=ExperimentalWarning \
-  "/opt/botgarten/pi/$program.ts" "$@"
+exec flock /run/botgarten/lock /opt/botgarten/node/node "/opt/botgarten/pi/$program.js" "$@"
