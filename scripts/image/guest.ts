@@ -4,6 +4,7 @@ import { createWriteStream, mkdirSync, readFileSync, rmSync } from 'node:fs'
 import { connect } from 'node:net'
 import { join } from 'node:path'
 import { setTimeout as after } from 'node:timers/promises'
+import { stripVTControlCharacters } from 'node:util'
 import { Trouble } from '../prepare/run.mjs'
 import { mib, partitions, place, sector } from './partitions.ts'
 
@@ -131,7 +132,8 @@ async function ask(running: ChildProcess, output: () => string, command: string)
   running.stdin!.write(`printf '%s%s\\n' beg ${mark}; { ${command}; } 2>&1; printf '%s%s\\n' end ${mark}\n`)
   for (let tries = 0; tries < 1200; tries++) {
     const found = new RegExp(`beg${mark}\\r?\\n([^]*?)end${mark}`).exec(output())
-    if (found) return found[1]!.replaceAll('\r', '').trim()
+    // A shell on a line that looks like a terminal: some programs write in colours.
+    if (found) return stripVTControlCharacters(found[1]!).replaceAll('\r', '').trim()
     await after(250)
   }
   throw new Trouble(`The guest did not answer: ${command}\n${output().slice(-2000)}`)

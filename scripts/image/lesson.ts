@@ -4,7 +4,7 @@ import { join } from 'node:path'
 import { startNode } from '@botgarten/server/rehearsal'
 import { Trouble } from '../prepare/run.mjs'
 import { goOn, type Card, type Guest } from './guest.ts'
-import { partitions, place, sector } from './partitions.ts'
+import { mib, partitions, place, sector } from './partitions.ts'
 import { lostOf, pupilOf, type Pupil } from './pupils.ts'
 
 /** A lesson in a guest: what a part of the try begins with. */
@@ -43,11 +43,13 @@ export async function lessonFor(name: string, port: number, folder: string): Pro
   return { card, guest: await goOn(card, memory), pupils: kept.map((one) => pupilOf(siteOf(card), one)) }
 }
 
-const dataAt = place(partitions)[3]!.start * sector
+const dataAt = (place(partitions)[3]!.start * sector) / mib
 
 /** Takes the lab's data out of a card whose plug was pulled, by the journal of its file system. */
 function dataOf({ file, work }: Card): string {
-  const [partition, folder] = [`${file}?offset=${dataAt}`, join(work, 'data')]
+  const [partition, folder] = [join(work, 'data.img'), join(work, 'data')]
+  const copy = [`if=${file}`, `of=${partition}`, 'bs=1M', `skip=${dataAt}`, 'conv=sparse', 'status=none']
+  execFileSync('dd', copy)
   const { status, stdout } = spawnSync('e2fsck', ['-f', '-p', partition], { encoding: 'utf8' })
   // 1: put right, as after any cut.
   if (status === null || status > 1) throw new Trouble(`The file system of the data is broken.\n${stdout}`)
