@@ -21,7 +21,7 @@ interface ReadPage {
   readonly missingFonts: readonly string[]
   /** Words that stand beyond its edges. */
   readonly outside: readonly string[]
-  /** Words on it with the size of their letters in pt; those in pictures apart. */
+  /** Words on it with the size of their letters in pt. */
   readonly words: readonly SizedWords[]
   /** Letters, lines and pictures on it. */
   readonly marks: number
@@ -35,7 +35,6 @@ interface ReadPage {
 interface SizedWords {
   readonly words: string
   readonly pt: number
-  readonly inPicture: boolean
 }
 
 const mm = (points: number) => Math.round((points / 72) * 25.4)
@@ -66,9 +65,7 @@ async function readPage(pdf: PDFDocumentProxy, number: number): Promise<ReadPage
   const page = await pdf.getPage(number)
   const [left, bottom, right, top] = page.view as [number, number, number, number]
   const content = await page.getTextContent()
-  const marked = await page.getTextContent({ includeMarkedContent: true })
-  const tree = await page.getStructTree()
-  const roles = rolesOf(tree)
+  const roles = rolesOf(await page.getStructTree())
   const figures = roles.filter(({ role }) => role === 'Figure')
   const links = (await page.getAnnotations()) as { url?: string }[]
   return {
@@ -87,7 +84,11 @@ async function readPage(pdf: PDFDocumentProxy, number: number): Promise<ReadPage
         x >= left - 1 && x + item.width <= right + 1 && y >= bottom - 1 && y + item.height <= top + 1
       return inside ? [] : [item.str]
     }),
-    words: sizedIn(marked.items, markedIn(tree)),
+    words: content.items.flatMap((item): SizedWords[] => {
+      if (!('str' in item) || item.str.trim() === '') return []
+      const [, , c, d] = item.transform as readonly number[]
+      return [{ words: item.str.trim(), pt: Math.hypot(c!, d!) }]
+    }),
     marks: await marksOn(page),
     headings: roles.flatMap(({ role }) => /^H([1-6])$/.exec(role)?.[1] ?? []).map(Number),
     figures: figures.length,
@@ -98,33 +99,7 @@ async function readPage(pdf: PDFDocumentProxy, number: number): Promise<ReadPage
 interface StructNode {
   readonly role: string
   readonly alt?: string
-  readonly children?: readonly (StructNode | { readonly type: string; readonly id?: string })[]
-}
-
-/** Ids of marked content in figures. */
-const markedIn = (node: StructNode | null, inside = false): readonly string[] =>
-  (node?.children ?? []).flatMap((child) => {
-    if (!('role' in child)) return inside && child.id ? [child.id] : []
-    return markedIn(child, inside || child.role === 'Figure')
-  })
-
-type MarkedItems = Awaited<
-  ReturnType<Awaited<ReturnType<PDFDocumentProxy['getPage']>>['getTextContent']>
->['items']
-
-function sizedIn(items: MarkedItems, pictures: readonly string[]): SizedWords[] {
-  const inFigure = new Set(pictures)
-  const open: boolean[] = []
-  return items.flatMap((item): SizedWords[] => {
-    if ('type' in item) {
-      if (item.type === 'endMarkedContent') open.pop()
-      else open.push(inFigure.has((item as { id?: string }).id ?? ''))
-      return []
-    }
-    const words = item.str.trim()
-    const [, , c, d] = item.transform as readonly number[]
-    return words === '' ? [] : [{ words, pt: Math.hypot(c!, d!), inPicture: open.some(Boolean) }]
-  })
+  readonly children?: readonly (StructNode | { readonly type: string })[]
 }
 
 const rolesOf = (node: StructNode | null): StructNode[] =>
