@@ -3,11 +3,14 @@ import { learning } from '@botgarten/blocks/packs/learning'
 import { outcomeOf } from '@botgarten/experiments'
 import { raceOf, winnersOf, type Bill, type Criterion, type Racer } from '@botgarten/experiments/race'
 import { createLab } from '@botgarten/lab'
+import { courseOf, isShortest } from '@botgarten/maps'
+import { learningIn } from '@botgarten/programs'
 import { TICKS_PER_SECOND } from '@botgarten/simulation'
 import { expect } from 'vitest'
 import { content } from '../files.ts'
 import { cardDocument, type CardProgram } from '../index.ts'
-import type { Claim, DriveClaim, RaceClaim } from '../schema/planTypes.ts'
+import { blocksIn } from '../items/blocksIn.ts'
+import type { Claim, DriveClaim, LearnClaim, RaceClaim } from '../schema/planTypes.ts'
 import { givenFor } from './given.ts'
 
 addBlocks(learning)
@@ -17,6 +20,7 @@ export const named = (claim: Claim) => [nameOf(claim), claim] as const
 
 function nameOf(claim: Claim): string {
   if ('card' in claim) return `Bo on ${claim.card} from place ${claim.place}: ${claim.passed}`
+  if ('learns' in claim) return `${claim.found} of ${claim.of} Bos on ${claim.learns} after ${claim.tries} tries`
   if ('run' in claim) return `${Object.values(claim.run).join(' ')}: ${claim.answer}`
   return `${claim.race.racers.join(' against ')} on ${claim.race.map}: ${claim.wins.join(', ')}`
 }
@@ -24,13 +28,16 @@ function nameOf(claim: Claim): string {
 /** Makes the run that a claim speaks of. */
 export function expectTrue(claim: Claim): void {
   if ('card' in claim) expect(secondOf(claim)).toBe(claim.passed)
+  else if ('learns' in claim) expect(shortestOf(claim)).toBe(claim.found)
   else if ('run' in claim) expect(outcomeOf(claim.run, givenFor(claim.run))).toBe(claim.answer)
   else expect(raced(claim)).toEqual({ wins: claim.wins, bills: claim.bills })
 }
 
 /** A card's program as the claim has it. */
-function programOf({ card, weights, file = 'solution' }: DriveClaim): CardProgram {
-  const program = content.program(card, file)!
+function programOf({ card, weights, file = 'solution', numbers = {} }: DriveClaim): CardProgram {
+  const program = structuredClone(content.program(card, file)!)
+  for (const block of blocksIn(program) as readonly { id: string; fields: Record<string, string> }[])
+    if (block.id in numbers) block.fields['NUM'] = String(numbers[block.id])
   const brains = Object.entries(program.brains).map(([name, brain]) => [
     name,
     { ...brain, ...(weights && { weights }) },
@@ -51,6 +58,21 @@ function secondOf(claim: DriveClaim): number | null {
     if (lab.view().checks.every(({ passed }) => passed)) return second
   }
   return null
+}
+
+/** How many of these Bos know a shortest way. */
+function shortestOf({ learns, tries, of, settings = {} }: LearnClaim): number {
+  const { programs } = content.program(learns, 'solution')!
+  const outline = Object.values(programs).flatMap((program) => learningIn(program) ?? [])[0]!
+  const asked = { ...outline, episodes: tries, settings: { ...outline.settings, ...settings } }
+  const map = content.mapFile(outline.map)!
+  const seeds = Array.from({ length: of }, (_, at) => at + 1)
+  return seeds.filter((seed) => {
+    const course = courseOf(asked, map, seed)
+    course.advance(asked.moves)
+    const { states } = course.way()
+    return states !== null && isShortest(course, states)
+  }).length
 }
 
 /** The race with the settings that the page of races begins with. */

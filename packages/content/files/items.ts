@@ -11,12 +11,10 @@ import { named, numberOf, once, type Folder } from './folder.ts'
 /** Learning materials and the questions about what Bo will do. */
 export function itemsIn(content: Folder) {
   const items = once(() =>
-    content
-      .foldersWith('materials/*/*/item.json')
-      .map((folder): readonly [string, NumberedItem] => [
-        folder,
-        { ...named(folder, readItem(content.json(folder, 'item.json'))), number: numberOf(folder) },
-      ]),
+    content.foldersWith('materials/*/*/item.json').flatMap((folder) => {
+      const item = named(folder, readItem(content.json(folder, 'item.json')))
+      return levelsOf(folder, { ...item, number: numberOf(folder) })
+    }),
   )
   const questions = once(() =>
     content
@@ -54,6 +52,20 @@ export function itemsIn(content: Folder) {
     picturesOf: (id: string) =>
       readdirSync(content.path(folderOf(id))).filter((file) => /\.(svg|png)$/.test(file)),
   }
+}
+
+/** An item, and each of its other reading levels as one: with a text, grades and a code of its own. */
+function levelsOf(folder: string, item: NumberedItem): readonly (readonly [string, NumberedItem])[] {
+  const { levels, ...middle } = item
+  if (!levels) return [[folder, item]]
+  const others = Object.entries(levels).map(
+    ([level, grades]) =>
+      [
+        `${folder}/${level}`,
+        { ...middle, grades, id: `${item.id}-${level}`, code: `${item.code}${level}` },
+      ] as const,
+  )
+  return [[folder, { ...item, code: `${item.code}b` }], ...others]
 }
 
 /** A picture lies beside its text: its path below `content/materials` tells it from others of its name. */

@@ -18,13 +18,18 @@ const itemKinds: readonly ItemKind[] = [
   'links',
 ]
 
-/** `3.1`, `E7.2`, `P 3`, `K 5`, `A NN`, `NN 0`. */
+/** `3.1` (with levels `3.1b`), `E7.2`, `P 3`, `K 5`, `A NN`, `NN 0`. */
 const code = v.pipe(
   v.string(),
   v.regex(/^(([EL])?\d+\.\d|[A-Z]{1,4} [A-Z]{1,2}|[A-Z]{1,4} ([EL] )?\d+|[A-Z]{1,2})$/),
 )
 
 const grade = v.pipe(v.number(), v.integer(), v.minValue(1), v.maxValue(13))
+
+const grades = v.pipe(
+  v.tuple([grade, grade]),
+  v.check(([from, to]) => from <= to, 'The youngest grade comes first.'),
+)
 
 const harder = v.strictObject({ upTo: v.number(), reason: v.pipe(v.string(), v.minLength(20)) })
 
@@ -33,10 +38,7 @@ const item: v.GenericSchema<unknown, Item> = v.strictObject({
   kind: v.picklist(itemKinds),
   code: v.exactOptional(code),
   audience: v.picklist(['pupils', 'teachers']),
-  grades: v.pipe(
-    v.tuple([grade, grade]),
-    v.check(([from, to]) => from <= to, 'The youngest grade comes first.'),
-  ),
+  grades,
   minutes: v.pipe(v.number(), v.minValue(1)),
   way: v.picklist(['supervised', 'unsupervised', 'reinforcement', 'all']),
   social: v.picklist(['alone', 'pairs', 'groups', 'class']),
@@ -45,6 +47,7 @@ const item: v.GenericSchema<unknown, Item> = v.strictObject({
   sides: v.exactOptional(v.pipe(v.number(), v.integer(), v.minValue(1))),
   competences: v.pipe(v.array(v.string()), v.minLength(1)),
   unplugged: v.boolean(),
+  levels: v.exactOptional(v.strictObject({ a: v.exactOptional(grades), c: v.exactOptional(grades) })),
   harder: v.exactOptional(v.record(v.string(), harder)),
   claims: v.exactOptional(claims),
   plan: v.exactOptional(plan),

@@ -23,6 +23,11 @@ export interface Item {
   readonly competences: readonly string[]
   /** Does it need a screen? */
   readonly unplugged: boolean
+  /**
+   * Grades of the reading levels beside the middle one, whose text lies in the folder itself: `a` (3 to 4) and
+   * `c` (10 to 12), each in a folder of its own. Every level is an item: `3.1b` is `my-knobs`, `3.1a` is `my-knobs-a`.
+   */
+  readonly levels?: { readonly [level in Level]?: readonly [number, number] }
   /** A text that is harder than its youngest grade, by language, and why it has to be. */
   readonly harder?: { readonly [language: string]: { readonly upTo: number; readonly reason: string } }
   /** Of answers: what Bo does as they say; the contract test runs it. */
@@ -30,6 +35,8 @@ export interface Item {
   /** Of a lesson plan. */
   readonly plan?: Plan
 }
+
+export type Level = 'a' | 'c'
 
 export type ItemKind =
   | 'curriculum'

@@ -17,8 +17,14 @@ const claim: v.GenericSchema<unknown, Claim> = v.union([
     card: v.string(),
     weights: v.exactOptional(v.record(v.string(), v.record(v.string(), v.number()))),
     file: v.exactOptional(v.string()),
+    numbers: v.exactOptional(v.record(v.string(), v.number())),
     place: count,
     passed: v.nullable(count),
+  }),
+  v.strictObject({
+    ...{ learns: v.string(), tries: count, of: count },
+    found: v.pipe(v.number(), v.integer(), v.minValue(0)),
+    settings: v.exactOptional(v.record(v.string(), v.number())),
   }),
   v.strictObject({ run: questionRun, answer: v.string() }),
   v.strictObject({

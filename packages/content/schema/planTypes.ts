@@ -24,17 +24,29 @@ export interface PlanStep {
 }
 
 /** What the plan says of a run, which the tests make. */
-export type Claim = DriveClaim | RunClaim | RaceClaim
+export type Claim = DriveClaim | LearnClaim | RunClaim | RaceClaim
 
 /** A card's solution with these weights on its network, or another program (`file` as in embeds), driven from a start pose. */
 export interface DriveClaim {
   readonly card: string
   readonly weights?: { readonly [from: string]: { readonly [to: string]: number } }
   readonly file?: string
+  /** Numbers in blocks, by the block's id. */
+  readonly numbers?: { readonly [block: string]: number }
   /** Number of the start pose, from 1 as children count. */
   readonly place: number
   /** The second in which all checks have passed; null: they do not. */
   readonly passed: number | null
+}
+
+/** Of so many Bos that learn a card's way (seeds 1 to `of`): how many know a shortest way after so many tries. */
+export interface LearnClaim {
+  readonly learns: string
+  readonly tries: number
+  readonly of: number
+  readonly found: number
+  /** Settings that are not those of the card: `rho` and the like. */
+  readonly settings?: { readonly [name: string]: number }
 }
 
 /** What a run ends with, in the words of the questions "what will Bo do?". */
