@@ -20,7 +20,8 @@ export const named = (claim: Claim) => [nameOf(claim), claim] as const
 
 function nameOf(claim: Claim): string {
   if ('card' in claim) return `Bo on ${claim.card} from place ${claim.place}: ${claim.passed}`
-  if ('learns' in claim) return `${claim.found} of ${claim.of} Bos on ${claim.learns} after ${claim.tries} tries`
+  if ('learns' in claim)
+    return `${claim.found} of ${claim.of} Bos on ${claim.learns} after ${claim.tries} tries`
   if ('run' in claim) return `${Object.values(claim.run).join(' ')}: ${claim.answer}`
   return `${claim.race.racers.join(' against ')} on ${claim.race.map}: ${claim.wins.join(', ')}`
 }
