@@ -14,6 +14,8 @@ const all = (some: Commands, path: readonly string[] = []): [string[], Commands[
 
 const reasons: { readonly [reason in ProjectReason]: true } = {
   ...{ notJson: true, tooBig: true, notAProject: true, newerVersion: true },
+  ...{ notACard: true, newerCard: true, cardTags: true },
+  ...{ cardCheck: true, cardNumbers: true, cardWords: true },
   ...{ sceneNotJson: true, notAScene: true, isAProject: true, tooManyThings: true },
   ...{
     notXml: true,

@@ -1,6 +1,7 @@
 import type { Block } from '@botgarten/blocks'
 import type { Answers } from './answers/index.ts'
 import type { Cage } from '@botgarten/maps/zoo'
+import type { Project } from '@botgarten/programs'
 import type { Alignment } from './schema/alignment.ts'
 import type { CageText } from './schema/cageText.ts'
 import type { Card, CardProgram, CardText, Playground, WorldFile } from './schema/cardTypes.ts'
@@ -33,6 +34,8 @@ export interface LoadedCard {
   readonly world: WorldFile
   readonly start: CardProgram
   readonly text: Translated<CardText>
+  /** Pictures of a card that somebody has made; cards of the house have none of their own. */
+  readonly assets?: Project['assets']
 }
 
 export interface Cards {

@@ -15,6 +15,7 @@ import type { TableBrain } from '@botgarten/learning/q-senses'
 import type { StreamState } from '@botgarten/numbers'
 import type { World } from '@botgarten/simulation'
 import type { MapDocument } from './map-document.ts'
+import type { OwnCard } from './own-card.ts'
 
 export interface Stack {
   readonly x: number
@@ -195,7 +196,7 @@ export interface Progress {
 
 /** What a child keeps: one file, at most 5 MB. */
 export interface Project {
-  readonly botgarten: 1 | 2
+  readonly botgarten: 1 | 2 | 3
   readonly name: string
   readonly card?: string
   readonly programs: { readonly [id: string]: Program }
@@ -206,6 +207,8 @@ export interface Project {
   readonly tables?: { readonly [blockId: string]: TableBrain }
   /** Maps of its own. Blocks call one `own:<id>`. */
   readonly maps?: { readonly [id: string]: MapDocument }
+  /** A card that somebody has made of it, or that a child plays. It is in place of `card`. */
+  readonly ownCard?: OwnCard
   /** By program: what its robot has learned by trying. */
   readonly q?: { readonly [program: string]: Learned }
   /** The sorting playground as it was left. It is not checked here: the playground that opens it validates it. */

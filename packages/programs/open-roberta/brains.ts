@@ -1,7 +1,7 @@
 import type { Block } from '@botgarten/blocks'
 import type { Brain } from '@botgarten/learning/neural-network/brain'
 import * as v from 'valibot'
-import { brainSchema } from '../project/schema.ts'
+import { brainSchema } from '../project/schema-brain.ts'
 import type { Program, Project } from '../types.ts'
 import { networkIn, withNetwork } from './network-json.ts'
 

@@ -2,7 +2,10 @@ import type { Facts } from '@botgarten/blocks'
 
 /** Why a file was refused; worded as `problem.<reason>.title` and `.text`, with the error's facts. */
 export type ProjectReason =
-  'notJson' | 'tooBig' | 'notAProject' | 'newerVersion' | SceneReason | OpenRobertaReason
+  'notJson' | 'tooBig' | 'notAProject' | 'newerVersion' | CardReason | SceneReason | OpenRobertaReason
+
+/** A card's own: it is none, is newer, holds tags, an unknown check, numbers that cannot be, or lacks words. */
+type CardReason = 'notACard' | 'newerCard' | 'cardTags' | 'cardCheck' | 'cardNumbers' | 'cardWords'
 
 /** A scene's own: the file is none, it is a project, or more is in it than a world holds (`count`, `most`). */
 type SceneReason = 'sceneNotJson' | 'notAScene' | 'isAProject' | 'tooManyThings'

@@ -1,12 +1,13 @@
 import type * as v from 'valibot'
 import { ProjectError, type Limit } from './error.ts'
 import { longestKey } from './limits.ts'
+import { problemOf } from './schema-card.ts'
 
 type Issue = v.BaseIssue<unknown>
 
 /** What a schema found, as the error that a reader throws. */
 export const issueError = (issue: Issue, data: unknown): ProjectError =>
-  new ProjectError('notAProject', describe(issue), {}, limitIn(issue, data))
+  new ProjectError(problemOf(issue.message) ?? 'notAProject', describe(issue), {}, limitIn(issue, data))
 
 export const keysOf = (issue: Issue): readonly unknown[] => issue.path?.map(({ key }) => key) ?? []
 

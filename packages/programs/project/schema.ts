@@ -1,25 +1,13 @@
 import * as v from 'valibot'
-import { activations, type Brain } from '@botgarten/learning/neural-network/brain'
 import { mostOf } from '@botgarten/learning/neural-network/examples/types'
 import type { Learned, Project } from '../types.ts'
 import { finite, idSchema, programSchema, recordOf, textSchema } from './schema-program.ts'
 import { assetsSchema } from './schema-assets.ts'
 import { mapsSchema } from './schema-maps.ts'
-import { examplesSchema, practiceSchema } from './schema-examples.ts'
+import { brainSchema } from './schema-brain.ts'
+import { cardSchema } from './schema-card.ts'
 import { tableSchema } from './schema-tables.ts'
 import { worldSchema } from './schema-world.ts'
-
-const weights = recordOf(recordOf(finite))
-const neuron = v.object({ id: idSchema, activation: v.picklist(activations), bias: finite })
-
-export const brainSchema: v.GenericSchema<unknown, Brain> = v.object({
-  kind: v.literal('network'),
-  layers: v.array(v.array(neuron)),
-  weights,
-  sets: recordOf(weights),
-  examples: v.exactOptional(examplesSchema),
-  practice: v.exactOptional(practiceSchema),
-})
 
 const whole = v.pipe(v.number(), v.integer(), v.minValue(0), v.maxValue(1_000_000))
 const station = v.pipe(v.number(), v.integer(), v.minValue(0), v.maxValue(9999))
@@ -62,7 +50,7 @@ const rowsIn = ({ brains }: Project) =>
 /** What is not named here is left out. */
 export const projectSchema: v.GenericSchema<unknown, Project> = v.pipe(
   v.object({
-    botgarten: v.picklist([1, 2]),
+    botgarten: v.picklist([1, 2, 3]),
     name: textSchema,
     card: v.exactOptional(idSchema),
     programs: recordOf(programSchema),
@@ -70,6 +58,7 @@ export const projectSchema: v.GenericSchema<unknown, Project> = v.pipe(
     brains: recordOf(brainSchema),
     tables: v.exactOptional(recordOf(tableSchema)),
     maps: v.exactOptional(mapsSchema),
+    ownCard: v.exactOptional(cardSchema),
     q: v.exactOptional(recordOf(learned)),
     sorting: v.exactOptional(recordOf(v.unknown())),
     assets: assetsSchema,

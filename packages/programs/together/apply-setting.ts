@@ -1,5 +1,5 @@
 import * as v from 'valibot'
-import { brainSchema } from '../project/schema.ts'
+import { brainSchema } from '../project/schema-brain.ts'
 import { worldSchema } from '../project/schema-world.ts'
 import { getIn, setIn } from './settings.ts'
 import type { State } from './state.ts'

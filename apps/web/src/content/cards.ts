@@ -1,6 +1,7 @@
 import catalogue from 'content:cards'
 import worlds from 'content:worlds'
 import type { WorldFile } from '@botgarten/content'
+import type { LoadedCard } from '@botgarten/content/catalogue'
 import type { Project } from '@botgarten/programs'
 
 export type { LoadedCard } from '@botgarten/content/catalogue'
@@ -18,6 +19,13 @@ export const loadGoals = catalogue.goals
 export const pictureOf = catalogue.pictureOfCard
 
 export const { floorAddress, pixelsAddress } = worlds
+
+/** The id of a card that somebody has made; no card of the house is called so. */
+export const ownCardId = 'own'
+
+/** Id of a card of the house; null for one that somebody has made, and where there is none. */
+export const houseIdOf = (loaded: LoadedCard | null): string | null =>
+  loaded && loaded.card.id !== ownCardId ? loaded.card.id : null
 
 /** Where a project is shown: its card, or the free lab where this version has no such card. */
 export const placeOf = ({ card }: Pick<Project, 'card'>): string =>

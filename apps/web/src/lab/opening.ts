@@ -5,6 +5,7 @@ import { freshId, load } from '#storage/projects.ts'
 import { knowOwnMaps } from '@botgarten/blocks'
 import { cardProject } from '@botgarten/content/document'
 import { parseProject, salvageProject, type Project } from '@botgarten/programs'
+import { withWords } from '#words/message.ts'
 import { askForPixels, pictureIn } from './floor/pictures.ts'
 import { paintFloor, type Floor, type World } from '@botgarten/simulation'
 
@@ -46,6 +47,7 @@ export async function openLab(name: string, projectId: string | null, packs: Pac
   const fresh = card ? cardProject(card.world, card.card, card.start, card.card.id) : await loadFreeLab()
   const kept = readKept(projectId ?? name, name, fresh, await stored)
   const project = kept.project ?? fresh
+  const own = name === 'free' ? await ownCardIn(project) : null
   knowOwnMaps(namesOf(project))
   const [floor, expert] = await Promise.all([
     floorOf(project),
@@ -56,7 +58,7 @@ export async function openLab(name: string, projectId: string | null, packs: Pac
     id: kept.id,
     revision: kept.revision,
     project,
-    card,
+    card: card ?? own,
     floor: floor ?? paintFloor({ ...project.world, floor: { colour: '#FFFFFF' } }),
     floorAddress: pictureOf(project),
     expert,
@@ -64,6 +66,14 @@ export async function openLab(name: string, projectId: string | null, packs: Pac
     damaged: kept.damaged,
     keeps: kept.revision > 0 || (await keepsAnything()),
   }
+}
+
+/** The card that somebody has made of a project; what is still being made is a project like every other. */
+async function ownCardIn(project: Project): Promise<LoadedCard | null> {
+  const { ownCard } = project
+  if (!ownCard || ownCard.draft) return null
+  const { loadedFrom } = await withWords(import('#content/own-card.ts'), ['own-card'])
+  return loadedFrom({ ...project, ownCard })
 }
 
 const namesOf = ({ maps = {} }: Project) =>

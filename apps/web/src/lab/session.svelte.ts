@@ -2,7 +2,8 @@ import type { Finding } from '@botgarten/blocks'
 import type { DriveKey } from '@botgarten/lab'
 import type { Brain } from '@botgarten/learning/neural-network/brain'
 import { networksByUse } from '@botgarten/programs'
-import type { Learned, Project, Scene } from '@botgarten/programs'
+import type { Learned, OwnCard, Project, Scene } from '@botgarten/programs'
+import { ownCardId } from '#content/cards.ts'
 import type { Floor } from '@botgarten/simulation'
 import { allowed } from './allowed.svelte.ts'
 import type { Slots } from './slots.ts'
@@ -118,13 +119,19 @@ export class LabSession {
   /** Address of the floor's picture, null where it has none. */
   floorUrl = $derived.by(() => floorPictureOf(this.lab.document.world, this.pictures))
 
+  /** The card that somebody has made and that is played here. */
+  get ownCard(): OwnCard | null {
+    const { card, project } = this.opened
+    return card?.card.id === ownCardId ? (project.ownCard ?? null) : null
+  }
   /** May the child choose between the two toolboxes? */
   get choosesBlocks(): boolean {
-    return allowed.level === null
+    return allowed.level === null && this.ownCard === null
   }
   /** Is the toolbox with every block shown? Where nobody has said so, a program that holds more comes with it. */
   get showsAll(): boolean {
     if (allowed.level !== null) return allowed.level === 'all'
+    if (this.ownCard) return this.ownCard.blocks.level === 'all'
     const { shelf } = this.#extras
     return shelf ? shelf === 'all' : this.opened.expert
   }

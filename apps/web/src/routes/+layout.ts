@@ -11,7 +11,17 @@ export const prerender = true
 export const trailingSlash = __WEB_SPACE__ ? 'always' : 'never'
 
 /** Pages that no study leaves open: what is done there stands in no log, and home and projects show those of all children. */
-const closedInStudy = ['/', '/maps', '/open', '/projects', '/projects/bin', '/race', '/sorting', '/zoo']
+const closedInStudy = [
+  '/',
+  '/cards',
+  '/maps',
+  '/open',
+  '/projects',
+  '/projects/bin',
+  '/race',
+  '/sorting',
+  '/zoo',
+]
 
 export const load: LayoutLoad = ({ route }) => {
   if (studyIsOn() && closedInStudy.includes(route.id ?? '')) redirect(307, resolve('/study'))

@@ -1,5 +1,12 @@
 import type { Facts } from '@botgarten/blocks'
-import { parseProject, ProjectError, salvageProject, type Project } from '@botgarten/programs/project'
+import {
+  isCardFile,
+  parseCardFile,
+  parseProject,
+  ProjectError,
+  salvageProject,
+  type Project,
+} from '@botgarten/programs/project'
 import { loadFreeLab, placeOf } from '#content/cards.ts'
 import { shownName } from '#content/names.ts'
 import { m } from '#words/message.ts'
@@ -61,10 +68,11 @@ export async function openProjectFile(file: File): Promise<OpenedFile> {
 /** Of a project that is too much what can be opened; the child still has the file. */
 async function takeProject(text: string): Promise<OpenedFile> {
   try {
-    return await keepProject(parseProject(text))
+    return await keepProject(isCard(text) ? parseCardFile(text) : parseProject(text))
   } catch (error) {
-    if (!(error instanceof ProjectError) || error.limit === undefined || error.reason === 'tooBig')
-      throw error
+    const isOver = error instanceof ProjectError && error.limit !== undefined && error.reason !== 'tooBig'
+    // Of a card that is too much nothing is taken: it could no longer be solved.
+    if (!isOver || isCard(text)) throw error
     const salvaged = salvageProject(JSON.parse(text), await loadFreeLab())
     if (!salvaged) throw error
     const opened = await keepProject(salvaged.project)
@@ -79,6 +87,16 @@ async function takeOpenRoberta(text: string, name: string): Promise<OpenedFile> 
     loadFreeLab(),
   ])
   return keepProject(projectFrom(text, name.replace(/\.xml$/i, '').slice(0, 100), world))
+}
+
+/** Does it say that it is a card? */
+function isCard(text: string): boolean {
+  if (!/"botgarten"\s*:\s*"card"/.test(text)) return false
+  try {
+    return isCardFile(JSON.parse(text))
+  } catch {
+    return false
+  }
 }
 
 /** What a home file holds; null for every other text. */

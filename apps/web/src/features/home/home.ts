@@ -16,6 +16,8 @@ export interface RecentProject {
   readonly when: number
   /** Address of a small picture of its world, or null. */
   readonly picture: string | null
+  /** Is it a card that somebody has made, ready to be played? */
+  readonly isCard: boolean
 }
 
 /** Start places from which all goals were reached. */
@@ -108,6 +110,7 @@ export const recentOf = (kept: readonly Listed[]): RecentProject[] =>
     name: shownName(one),
     when: one.changed,
     picture: pictureOf(placeOf(one.project)),
+    isCard: one.project.ownCard !== undefined && !one.project.ownCard.draft,
   }))
 
 /** From how many of its start poses a card has been solved on this device. */

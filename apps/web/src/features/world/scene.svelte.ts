@@ -25,7 +25,7 @@ import { fetchWords, m } from '#words/message.ts'
 import type { Hand } from './hand.svelte.ts'
 import { layBadges, withRays } from './lay-badges.ts'
 import { standing, type Standing } from './steady.ts'
-import { thingName } from './words.ts'
+import { thingName } from '#content/thing-name.ts'
 
 /** What the world's pane shows. */
 export interface Shown {

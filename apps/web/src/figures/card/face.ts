@@ -1,6 +1,7 @@
 import { pictureOf, type LoadedCard } from '#content/cards.ts'
 import { language } from '#words/language.svelte.ts'
 import type { Card, CardText, Playground } from '@botgarten/content'
+import type { Project } from '@botgarten/programs'
 import type { Markdown } from '#parts/markdown.ts'
 import type { IconName } from '#parts/icons.ts'
 
@@ -18,6 +19,8 @@ export interface CardFace {
   /** Address of the card's picture, or null. */
   readonly picture: string | null
   readonly story: Markdown
+  /** World and pictures of a card that somebody has made: they are drawn in the picture's place. */
+  readonly made?: Pick<Project, 'world' | 'assets'>
   /** What Bo should do, in one sentence. */
   readonly goal: string
   readonly further: Markdown
@@ -36,6 +39,7 @@ export function faceOf(loaded: LoadedCard): CardFace {
     ...{ id, title, code, story, further, needs, minutes },
     bed: loaded.bed,
     picture: pictureOf(id),
+    ...(loaded.assets && { made: { world: loaded.world, assets: loaded.assets } }),
     goal: goal.sentence,
     fromGrade: grades[0],
   }

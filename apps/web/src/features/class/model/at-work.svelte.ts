@@ -1,4 +1,5 @@
 import { untrack } from 'svelte'
+import { houseIdOf } from '#content/cards.ts'
 import type { LabSession } from '#lab/session.svelte.ts'
 import type { LabUi } from '#lab/ui.svelte.ts'
 import type { PupilLive } from './live.svelte.ts'
@@ -15,6 +16,7 @@ export function countMissed(
 /** Lets the class know what happens in a lab, and stop it. Returns how to end that. */
 export function follow(live: PupilLive, session: LabSession, ui: LabUi): () => void {
   const card = session.opened.card?.card
+  const id = houseIdOf(session.opened.card)
   let failed: ReturnType<typeof countMissed> | null = null
   let changedAt = Date.now()
   const stopListening = session.listen((event) => {
@@ -33,13 +35,13 @@ export function follow(live: PupilLive, session: LabSession, ui: LabUi): () => v
     })
   })
   const leave = live.work({
-    place: card?.id ?? 'free',
+    place: id ?? 'free',
     get changedAt() {
       return changedAt
     },
     report: () =>
       reportOf({
-        ...{ card: card?.id ?? null, project: session.autosave.id },
+        ...{ card: id, project: session.autosave.id },
         checks: card?.checks.map(({ id }) => id) ?? [],
         ...{ missed: ui.missed?.check ?? null, failed: failed?.times ?? 0 },
         ...{ size: session.lab.document.world.size, view: session.lab.view },

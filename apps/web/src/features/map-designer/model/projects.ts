@@ -83,7 +83,7 @@ function freeId({ maps = {} }: Project): string {
 
 export function withMap(project: Project, id: string, map: MapDocument): Project {
   const all = { ...project.maps, [id]: map }
-  return { ...project, maps: all, botgarten: versionOf({ maps: all }) }
+  return { ...project, maps: all, botgarten: versionOf({ ...project, maps: all }) }
 }
 
 const mapBlock = 'ai_q_learning_states_and_actions_map'

@@ -53,12 +53,12 @@ function fitBox(box: HTMLElement): void {
   card.classList.remove('tight', 'broad')
   shrink(box, least, () => tooMuch(box))
   const full = Number(box.dataset['zoom']) < leastOfCard
-  if (full && box.querySelector(':scope > img ~ .columns')) fitTight(card, box)
+  if (full && box.querySelector(':scope > :is(img, .world) ~ .columns')) fitTight(card, box)
 }
 
 function fitTight(card: HTMLElement, box: HTMLElement): void {
   card.classList.add('tight')
-  card.classList.toggle('broad', box.querySelector('.columns .blocks') === null)
+  card.classList.toggle('broad', box.querySelector('.columns .blocks, :scope > .world') === null)
   box.style.setProperty('zoom', '1')
   const fits = (width: number) => {
     box.style.setProperty('--picture', `${width}px`)

@@ -1,3 +1,4 @@
+import { houseIdOf } from '#content/cards.ts'
 import { recorded, type RecordedLab } from '@botgarten/experiments/study'
 import type { Lab } from '@botgarten/lab'
 import type { LabEvent } from '#lab/change.ts'
@@ -9,7 +10,7 @@ const seed = 1
 
 /** Writes down what is done in a lab, while its child wants that. Returns how to end it. */
 export function follow(session: LabSession): () => void {
-  const place = session.opened.card?.card.id ?? 'free'
+  const place = houseIdOf(session.opened.card) ?? 'free'
   let plain: Lab | null = null
   let held: RecordedLab | null = null
   const begin = () => {

@@ -9,14 +9,19 @@ export interface OwnProject {
   readonly file: () => Promise<string>
 }
 
-/** What lies on this device, the newest first. */
+/** What lies on this device, the newest first, without cards that are still being made. */
 export async function ownProjects(): Promise<readonly OwnProject[]> {
   const { projects } = await list()
-  return projects.map((one) => ({ id: one.id, name: shownName(one), file: () => fileOf(one.id) }))
+  const finished = projects.filter(({ project }) => !project.ownCard?.draft)
+  return finished.map((one) => ({ id: one.id, name: shownName(one), file: () => fileOf(one.id) }))
 }
 
 async function fileOf(id: string): Promise<string> {
-  const [found, { writeProjectFile }] = await Promise.all([load(id), import('@botgarten/programs/project')])
+  const [found, { playedFrom, writeProjectFile }] = await Promise.all([
+    load(id),
+    import('@botgarten/programs/project'),
+  ])
   if (!found) throw new Error(`The project ${id} is no more.`)
-  return writeProjectFile(found.project)
+  // Children get a card without its solution.
+  return writeProjectFile(found.project.ownCard ? playedFrom(found.project) : found.project)
 }

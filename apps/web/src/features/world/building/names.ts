@@ -1,5 +1,5 @@
 import { m } from '#words/message.ts'
-import { thingName } from '../words.ts'
+import { thingName } from '#content/thing-name.ts'
 import type { Item } from './edits.ts'
 
 /** What a child calls it. */

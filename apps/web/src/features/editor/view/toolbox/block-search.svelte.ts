@@ -1,6 +1,7 @@
+import type { Category } from '@botgarten/blocks'
 import type { WorkspaceSvg } from 'blockly/core'
 import { message } from '#words/message.ts'
-import { matching, offersOn } from './offers.ts'
+import { matching, offersOn, type Offer } from './offers.ts'
 
 /** How far a key moves in a list of `count` hits; PageUp and PageDown stop at its ends. */
 const steps: { readonly [key: string]: (at: number, count: number) => number } = {
@@ -13,15 +14,17 @@ const steps: { readonly [key: string]: (at: number, count: number) => number } =
 /** A search for a block: what is looked for, what is found, and which hit the keys are at. */
 export class BlockSearch {
   #workspace: WorkspaceSvg
-  #offers
+  readonly #families: readonly Category[] | null
+  #offers: readonly Offer[]
   #query = $state('')
   #at = $state(0)
   readonly hits = $derived.by(() => matching(this.#offers, this.#query))
 
-  /** `all`: the toolbox shows every block. */
-  constructor(workspace: WorkspaceSvg, all: boolean) {
+  /** `all`: the toolbox shows every block. `families`: of these alone; null: of all. */
+  constructor(workspace: WorkspaceSvg, all: boolean, families: readonly Category[] | null = null) {
     this.#workspace = workspace
-    this.#offers = $state.raw(offersOn(workspace, all, message))
+    this.#families = families
+    this.#offers = $state.raw(this.#offersOn(all))
   }
 
   get query(): string {
@@ -45,7 +48,12 @@ export class BlockSearch {
 
   /** Looks among the blocks of the toolbox that shows every block from now on. */
   lookInAll(): void {
-    this.#offers = offersOn(this.#workspace, true, message)
+    this.#offers = this.#offersOn(true)
+  }
+
+  #offersOn(all: boolean): readonly Offer[] {
+    const offers = offersOn(this.#workspace, all, message)
+    return offers.filter(({ category }) => this.#families?.includes(category) ?? true)
   }
 
   /** Goes to another hit. Returns whether the key means one; arrows lead from the last to the first. */

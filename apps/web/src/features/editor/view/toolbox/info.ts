@@ -1,5 +1,5 @@
 import * as Blockly from 'blockly/core'
-import { hiddenType, toolbox, type ToolboxCategory } from '@botgarten/blocks'
+import { hiddenType, toolbox, type Category, type ToolboxCategory } from '@botgarten/blocks'
 import { stateOfTemplate } from '../../model/state.ts'
 import type { Words } from '#words/message.ts'
 
@@ -21,6 +21,17 @@ export function toolboxInfo(
         .map((template) => ({ kind: 'block', ...stateOfTemplate(template) })),
     })),
   }
+}
+
+/** The rows of some families; null: all of them. */
+export function only(
+  info: Blockly.utils.toolbox.ToolboxInfo,
+  families: readonly Category[] | null,
+): Blockly.utils.toolbox.ToolboxInfo {
+  if (!families) return info
+  const ids = families.map((family) => `shelf-${family}`)
+  const isOffered = (row: object) => 'toolboxitemid' in row && ids.includes(String(row.toolboxitemid))
+  return { ...info, contents: info.contents.filter(isOffered) }
 }
 
 /** A row of the toolbox: a coloured circle above its word; the chosen one in a box of its colour. */

@@ -1,8 +1,8 @@
 import type * as Blockly from 'blockly/core'
-import { toolbox } from '@botgarten/blocks'
+import { toolbox, type Category } from '@botgarten/blocks'
 import type { Words } from '#words/message.ts'
 import { loadExpert, loadLearning, expertParts } from '../../model/packs.ts'
-import { toolboxInfo } from './info.ts'
+import { only, toolboxInfo } from './info.ts'
 
 interface DrawnBlocks {
   /** Gives blocks that have come their words. */
@@ -21,6 +21,8 @@ export class Toolbox {
   /** Are blocks drawn as the whole language draws them? */
   #knowsAll = expertParts() !== null
   #layers = false
+  /** Families that a card offers; null: all of them. */
+  #families: readonly Category[] | null = null
 
   constructor(workspace: Blockly.WorkspaceSvg, words: () => Words, blocks: DrawnBlocks) {
     this.#workspace = workspace
@@ -55,13 +57,19 @@ export class Toolbox {
     this.fill()
   }
 
+  /** Offers these families alone. */
+  offerFamilies(families: readonly Category[] | null): void {
+    if (String(families) === String(this.#families)) return
+    this.#families = families
+    this.fill()
+  }
+
   fill(): void {
     const words = this.#words()
     const parts = this.#all ? expertParts() : null
-    this.#workspace.updateToolbox(
-      parts
-        ? parts.toolboxOf(words, this.#workspace)
-        : toolboxInfo(words, toolbox, this.#layers ? '' : undefined),
-    )
+    const info = parts
+      ? parts.toolboxOf(words, this.#workspace)
+      : toolboxInfo(words, toolbox, this.#layers ? '' : undefined)
+    this.#workspace.updateToolbox(only(info, this.#families))
   }
 }
