@@ -7,7 +7,7 @@ import { open } from '#storage/projects.ts'
 import { fetchWords } from '#words/message.ts'
 
 /** A card of this device, as it is printed. */
-export interface PrintedCard {
+interface PrintedCard {
   readonly loaded: LoadedCard
   /** With it anybody opens the card; null: it is too large for a link. */
   readonly address: string | null
