@@ -56,8 +56,8 @@ async function played({ program, data, env }: Installed, { title, ...lesson }: (
 }
 
 /**
- * As after a restart of the computer: of a program that was just written Linux counts 40 MB more as the process's own, since
- * what it still has of the file in its cache comes in large pieces.
+ * As after a restart of the computer: of a program that was just written Linux counts 40 MB more as the process's own. It
+ * seems to take what is still in its cache in large pieces.
  */
 const forgetProgram = (file: string) =>
   execFileSync('sh', ['-c', 'sync "$1"; dd if="$1" iflag=nocache count=0 status=none', 'sh', file])

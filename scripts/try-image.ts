@@ -129,12 +129,12 @@ async function tryHotspot({ card, guest }: Lesson) {
 
 async function tryFullCard({ guest, pupils }: Lesson) {
   const [pupil] = pupils
+  let status: number | null = 200
   await holds('on a full card a save is refused in words, and the teacher is told', async () => {
     const folder = '/var/lib/botgarten'
     await guest.shell(
       `cd ${folder}; fallocate -l $(df -B1 --output=avail . | tail -n 1) filler; cat /dev/zero > rest; sync`,
     )
-    let status: number | null = 200
     // What the database has written already is written again for some saves.
     for (let tries = 0; tries < 400 && status !== 507; tries++) status = await saveOnce(pupil!)
     assert.equal(status, 507)
@@ -143,7 +143,9 @@ async function tryFullCard({ guest, pupils }: Lesson) {
   })
   await holds('with room again saves go on', async () => {
     await guest.shell('cd /var/lib/botgarten; rm filler rest; sync')
-    assert.equal(await saveOnce(pupil!), 200)
+    // An emulated Pi on a busy machine may take longer to check a project than is allowed.
+    for (let tries = 0; tries < 60 && status !== 200; tries++) status = await saveOnce(pupil!)
+    assert.equal(status, 200)
     assert.equal(await lostOf(pupil!), 0)
   })
   await guest.cut()
