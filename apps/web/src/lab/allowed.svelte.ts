@@ -7,6 +7,8 @@ interface Today {
   /** Is there a gallery of the class? May classmates be asked? Not given: no. */
   readonly gallery?: boolean
   readonly asking?: boolean
+  /** May two work on one program? */
+  readonly together?: boolean
 }
 
 /** What may be opened today. Without a class or a study that is everything but what only a class has; they set it. */
@@ -27,6 +29,9 @@ class Allowed {
   }
   get asking() {
     return this.#today.asking ?? false
+  }
+  get together() {
+    return this.#today.together ?? false
   }
   get level() {
     return this.#today.level

@@ -3,6 +3,8 @@ import type { Activation } from '@botgarten/learning/neural-network/brain'
 /** What the parts of the lab ask of the blocks. Blocks are named by their ids. */
 export interface Blocks {
   moveBlocks(direction: 'undo' | 'redo', program: string): boolean | undefined
+  /** What a hand has done is told now; false while it holds a block or a field is open. */
+  settle(): boolean
   setFields(block: string, fields: { readonly [name: string]: string }): void
   setClosed(map: string, roads: readonly (readonly [number, number])[]): void
   /** Brings a block into sight. */

@@ -40,6 +40,10 @@ export class LabSession {
   readonly opened: Opened
   /** Takes one of Blockly's own steps back or forth; the editor sets it. */
   moveBlocks: (direction: 'undo' | 'redo', program: string) => boolean = () => false
+  /** What a hand has done to the blocks so far is a change now; false while it holds one. The editor sets it. */
+  settleBlocks: () => boolean = () => true
+  /** Does another child edit it, too? */
+  shared = $state(false)
   /** Paints the floor of a scene that is taken back; who builds sets it. */
   paint: (scene: Scene) => Floor | null = () => null
   /** Start was pressed: learns first what the program wants learned. The playground sets it; true where it has begun. */

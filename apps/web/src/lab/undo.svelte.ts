@@ -20,6 +20,14 @@ interface Host {
   settle(): void
 }
 
+/** Takes back only what one of two children has done. */
+export interface OwnSteps {
+  readonly canUndo: boolean
+  readonly canRedo: boolean
+  undo(): void
+  redo(): void
+}
+
 const LONGEST = 500
 const future: Step = { change: { kind: 'future' }, back: { kind: 'future' } }
 /** Changes that end the timeline, and every other future with it. */
@@ -30,6 +38,8 @@ export class UndoStack {
   #done = $state.raw<readonly Step[]>([])
   #undone = $state.raw<readonly Step[]>([])
   #host: Host
+  /** Who knows the own steps where another child edits, too. */
+  #lent = $state.raw<OwnSteps | null>(null)
   /** When steps were done: the tick of the present run. */
   #at = new WeakMap<Step, number>()
   /** What was done in the other future. */
@@ -40,9 +50,11 @@ export class UndoStack {
   }
 
   get canUndo() {
+    if (this.#lent) return this.#lent.canUndo
     return this.#done.some(this.#stands)
   }
   get canRedo() {
+    if (this.#lent) return this.#lent.canRedo
     return this.#undone.some(this.#stands)
   }
 
@@ -51,6 +63,13 @@ export class UndoStack {
   /** How many steps can be taken back, for who joins one to what came before it. */
   get count() {
     return this.#done.length
+  }
+
+  /** Lets somebody else take steps back, until null: what was done before that is a step no longer. */
+  lend(to: OwnSteps | null): void {
+    this.#lent = to
+    this.#done = []
+    this.#undone = []
   }
 
   hear = (event: LabEvent): void => {
@@ -78,6 +97,7 @@ export class UndoStack {
   }
 
   undo(): void {
+    if (this.#lent) return this.#lent.undo()
     this.#host.settle()
     this.#forgetFuture()
     const step = this.#done.at(-1)
@@ -89,6 +109,7 @@ export class UndoStack {
   }
 
   redo(): void {
+    if (this.#lent) return this.#lent.redo()
     this.#host.settle()
     this.#forgetFuture()
     const step = this.#undone.at(-1)

@@ -5,6 +5,7 @@ import { HandingOut } from '../handing-out.svelte.ts'
 import { Robots } from '#features/robots/feature.ts'
 import type { Held } from '#lab/blocks.ts'
 import { inside } from '#features/inside/feature.ts'
+import type { Together } from '#features/class/feature.ts'
 import type { Code } from '#features/python/feature.ts'
 import type { Learner } from '#features/q-learning/feature.ts'
 import { addNeuron, applyFix } from '#features/robot/feature.ts'
@@ -53,6 +54,8 @@ export class LabScreenState {
   held = $state<Held>(null)
   /** The playground for learning by trying, once a program learns so. */
   learner = $state.raw<Learner | null>(null)
+  /** The classmate who edits it, too. */
+  together = $state.raw<Together | null>(null)
   /** What may end the program here and not in Open Roberta; said once, when the file was opened. */
   differences = $state.raw<readonly Difference[]>([])
 
@@ -72,6 +75,7 @@ export class LabScreenState {
     )
     // A card about learning by trying begins where Bo learns, where one part is seen at a time.
     if (this.card?.card.playground === 'q-learning') this.ui.page = 'network'
+    this.session.settleBlocks = () => this.blocks?.settle() ?? true
     this.session.moveBlocks = (direction, program) => this.blocks?.moveBlocks(direction, program) ?? false
   }
 

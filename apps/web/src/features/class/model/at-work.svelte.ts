@@ -4,6 +4,8 @@ import type { LabSession } from '#lab/session.svelte.ts'
 import type { LabUi } from '#lab/ui.svelte.ts'
 import type { PupilLive } from './live.svelte.ts'
 import { reportOf } from './report.ts'
+import { followPair } from './together/follow-pair.svelte.ts'
+import type { Together } from './together/together.svelte.ts'
 
 /** How many runs in a row have missed the same check first. */
 export function countMissed(
@@ -14,7 +16,12 @@ export function countMissed(
 }
 
 /** Lets the class know what happens in a lab, and stop it. Returns how to end that. */
-export function follow(live: PupilLive, session: LabSession, ui: LabUi): () => void {
+export function follow(
+  live: PupilLive,
+  session: LabSession,
+  ui: LabUi,
+  joined: (together: Together | null) => void,
+): () => void {
   const card = session.opened.card?.card
   const id = houseIdOf(session.opened.card)
   let failed: ReturnType<typeof countMissed> | null = null
@@ -22,6 +29,7 @@ export function follow(live: PupilLive, session: LabSession, ui: LabUi): () => v
   const stopListening = session.listen((event) => {
     if (event.kind === 'changed') changedAt = Date.now()
   })
+  const stopTogether = followPair(live, session, joined)
   const stopWatching = $effect.root(() => {
     $effect(() => {
       if (ui.missed) failed = countMissed(failed, ui.missed.check)
@@ -39,6 +47,7 @@ export function follow(live: PupilLive, session: LabSession, ui: LabUi): () => v
     get changedAt() {
       return changedAt
     },
+    open: () => ({ id: session.autosave.id, project: session.project }),
     report: () =>
       reportOf({
         ...{ card: id, project: session.autosave.id },
@@ -47,5 +56,5 @@ export function follow(live: PupilLive, session: LabSession, ui: LabUi): () => v
         ...{ size: session.lab.document.world.size, view: session.lab.view },
       }),
   })
-  return () => (leave(), stopWatching(), stopListening())
+  return () => (leave(), stopWatching(), stopListening(), stopTogether())
 }

@@ -1,8 +1,15 @@
+import type { Project } from '@botgarten/programs'
 import { allowed } from '#lab/allowed.svelte.ts'
 import type { Ask } from '#storage/ask.ts'
 import type { Handout, Me } from './pupil.ts'
 import { nowhere, type Report } from './report.ts'
-import { holdWhileSeen, SharedStream, type Heard, type StreamListener } from './shared-stream.ts'
+import {
+  holdWhileSeen,
+  SharedStream,
+  type Heard,
+  type LiveEvent,
+  type StreamListener,
+} from './shared-stream.ts'
 
 /** In ms: so often a page that is looked at reports. */
 const reportEvery = 5000
@@ -17,6 +24,8 @@ export interface Work {
   /** Card or `free`. */
   readonly place: string
   report(): Report
+  /** What is open, as it stands now, and its id on this device. */
+  open?(): { readonly id: string; readonly project: Project }
   /** When the child changed something last, ms since 1970. */
   readonly changedAt: number
 }
@@ -30,7 +39,7 @@ interface Listener {
 
 /** What the teacher does to this pupil's pages now, and what these tell the teacher. */
 export class PupilLive {
-  readonly #ask: Ask
+  readonly ask: Ask
   readonly #listener: Listener
   readonly #makeStream: (hear: StreamListener) => SharedStream
   #heard = $state.raw<Heard | null>(null)
@@ -44,7 +53,7 @@ export class PupilLive {
   readonly #since = Date.now()
 
   constructor(ask: Ask, listener: Listener, makeStream = (hear: StreamListener) => new SharedStream(hear)) {
-    this.#ask = ask
+    this.ask = ask
     this.#listener = listener
     this.#makeStream = makeStream
   }
@@ -69,6 +78,18 @@ export class PupilLive {
   get asking(): string | null | undefined {
     return this.#heard?.me.asking
   }
+  /** The classmate with whom this pupil works on one program, or who asks to. */
+  get pair(): Me['pair'] {
+    return this.#heard?.me.pair ?? null
+  }
+  /** The pair whose program is open on this page, by its id. */
+  working = $state<string | null>(null)
+  /** What is open on this page. */
+  get opened(): { readonly id: string; readonly project: Project } | null {
+    return this.#work?.open?.() ?? null
+  }
+  /** Hears what is sent once. */
+  whenEvent: (event: LiveEvent) => void = () => {}
   /** What this pupil asks a classmate, and what classmates ask. */
   get asked(): Me['asked'] {
     return this.#heard?.me.asked ?? null
@@ -85,7 +106,11 @@ export class PupilLive {
   /** Follows the class until `stop`. */
   start(): void {
     this.stop()
-    const stream = this.#makeStream({ state: (heard) => this.#take(heard), end: () => this.#end() })
+    const stream = this.#makeStream({
+      state: (heard) => this.#take(heard),
+      event: (event) => this.whenEvent(event),
+      end: () => this.#end(),
+    })
     this.#stream = stream
     const report = setInterval(() => void this.#beat(), reportEvery)
     const tick = setInterval(() => (this.#now = Date.now()), tickEvery)
@@ -117,8 +142,8 @@ export class PupilLive {
     this.#heard = heard
     this.#now = Date.now()
     this.#heardAt = this.#now
-    const { cards, level, gallery, asking } = me.class
-    allowed.set({ cards, level, gallery, asking })
+    const { cards, level, gallery, asking, together } = me.class
+    allowed.set({ cards, level, gallery, asking, together })
     this.#listener.me(me)
   }
 
@@ -133,7 +158,7 @@ export class PupilLive {
     if (!this.#stream?.isHeld) return
     const changedAt = Math.max(this.#work?.changedAt ?? 0, this.#since)
     const idle = Math.floor((Date.now() - changedAt) / 1000)
-    const reply = await this.#ask('PUT', '/me/here', { ...(this.#work?.report() ?? nowhere), idle })
+    const reply = await this.ask('PUT', '/me/here', { ...(this.#work?.report() ?? nowhere), idle })
     if (reply.kind === 'refused' && notHere.includes(reply.status)) return this.#end()
     const isAway = reply.kind === 'away'
     // The cable was out: the stream may have died without a word.
@@ -144,7 +169,7 @@ export class PupilLive {
 
   /** @returns whether the class has it no more */
   async putAway(handout: string): Promise<boolean> {
-    const reply = await this.#ask('DELETE', `/me/handouts/${handout}`)
+    const reply = await this.ask('DELETE', `/me/handouts/${handout}`)
     const isGone = reply.kind === 'done' || (reply.kind === 'refused' && reply.code === 'noSuchHandout')
     if (isGone && this.#heard) {
       const { me, at } = this.#heard

@@ -13,6 +13,18 @@ const handout = v.object({
   text: v.nullable(v.string()),
 })
 
+/** Two on one program. `me`: which of the two this pupil is, `a` has invited; `over`: the other one has left. */
+export const pair = v.object({
+  id: v.string(),
+  title: v.string(),
+  with: v.string(),
+  me: v.picklist(['a', 'b']),
+  accepted: v.boolean(),
+  role: v.picklist(['hand', 'eye']),
+  over: v.boolean(),
+})
+export type Pair = v.InferOutput<typeof pair>
+
 export const me = v.object({
   id: v.string(),
   nickname: v.string(),
@@ -30,6 +42,8 @@ export const me = v.object({
     /** Is there a gallery of what pupils share? May they ask each other? */
     gallery: v.boolean(),
     asking: v.boolean(),
+    /** May two work on one program? A class that does not say so does not offer it. */
+    together: v.optional(v.boolean(), false),
   }),
   /** For so many seconds at the most the teacher wants to be looked at. */
   attention: v.nullable(v.number()),
@@ -39,6 +53,8 @@ export const me = v.object({
   handouts: v.array(handout),
   /** The questionnaire that the class is asked now, by its key. A server that is older asks none. */
   asking: v.optional(v.nullable(v.string()), null),
+  /** The classmate with whom this pupil works on one program, or who asks to. An older server has none. */
+  pair: v.optional(v.nullable(pair), null),
   /** What this pupil asks a classmate; no answer: not yet. */
   asked: v.nullable(
     v.object({ to: v.string(), card: v.string(), answer: v.nullable(v.picklist(['coming', 'notNow'])) }),

@@ -4,9 +4,18 @@ import type { Me } from './pupil.ts'
 import { SharedStream, type Channel } from './shared-stream.ts'
 
 const me = (nickname: string): Me => ({
-  ...{ id: 'p', nickname, fresh: true, hand: false, attention: null, inside: null, handouts: [] },
+  ...{ id: 'p', nickname, fresh: true, hand: false, attention: null, inside: null, handouts: [], pair: null },
   ...{ asking: null, asked: null, questions: [] },
-  class: { id: 'c', name: '5b', open: true, cards: null, level: null, gallery: true, asking: false },
+  class: {
+    id: 'c',
+    name: '5b',
+    open: true,
+    cards: null,
+    level: null,
+    gallery: true,
+    asking: false,
+    together: false,
+  },
 })
 
 /** A stream whose events a test sends. */

@@ -12,15 +12,23 @@ export interface Heard {
   readonly at: number
 }
 
+/** Something short that is not sent again. */
+export interface LiveEvent {
+  readonly event: 'pair' | 'hand'
+  readonly data: unknown
+}
+
 type Message =
   | { readonly kind: 'holds'; readonly since: number; readonly page: string }
   | ({ readonly kind: 'state' } & Heard)
+  | ({ readonly kind: 'event' } & LiveEvent)
   | { readonly kind: 'end'; readonly reason: string }
   /** The page is not looked at any more: another one takes the stream. */
   | { readonly kind: 'free' }
 
 export interface StreamListener {
   state(heard: Heard): void
+  event?(event: LiveEvent): void
   /** The class is over for this pupil, or for now. */
   end(reason: string): void
 }
@@ -80,6 +88,8 @@ export class SharedStream {
 
   #follow(source: Source): void {
     source.addEventListener('state', ({ data }) => this.#takeIn(data))
+    for (const event of ['pair', 'hand'] as const)
+      source.addEventListener(event, ({ data }) => this.#passOn({ event, data: JSON.parse(data) as unknown }))
     source.addEventListener('end', ({ data }) => this.#ends(v.parse(ending, JSON.parse(data)).reason))
   }
 
@@ -108,6 +118,11 @@ export class SharedStream {
     this.#heardAt = Date.now()
   }
 
+  #passOn(event: LiveEvent): void {
+    this.#channel.postMessage({ kind: 'event', ...event } satisfies Message)
+    this.#hear.event?.(event)
+  }
+
   #takeIn(text: string): void {
     const heard = { me: v.parse(me, JSON.parse(text)), at: Date.now() }
     this.#last = heard
@@ -127,6 +142,7 @@ export class SharedStream {
     if (message.kind === 'holds') this.#yields(message)
     else if (message.kind === 'free') void (isVisible() && this.take())
     else if (message.kind === 'end') this.#hear.end(message.reason)
+    else if (message.kind === 'event') this.#hear.event?.(message)
     else this.#hear.state(message)
   }
 

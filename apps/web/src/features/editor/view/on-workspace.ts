@@ -110,7 +110,7 @@ export function setFields(
 }
 
 /** Does something to the workspace that is no step; what was chosen before is so again. */
-export function unseen(workspace: Workspace, change: () => void, after: () => void): void {
+export function unseen(workspace: Workspace, change: () => void, after: () => void, focus = true): void {
   const selected = Blockly.common.getSelected()?.id
   workspace.hideChaff()
   Blockly.Events.disable()
@@ -121,5 +121,7 @@ export function unseen(workspace: Workspace, change: () => void, after: () => vo
   }
   after()
   const block = selected === undefined ? null : workspace.getBlockById(selected)
-  if (block) Blockly.getFocusManager().focusNode(block)
+  if (!block) return
+  if (focus) Blockly.getFocusManager().focusNode(block)
+  else Blockly.common.setSelected(block)
 }

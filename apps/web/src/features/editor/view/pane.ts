@@ -92,14 +92,33 @@ export class Pane {
   }
 
   /** Shows another program. The one that this pane gave out itself is on the screen already. */
-  load(program: Program): void {
+  load(program: Program, shared = false): void {
     const shown = program === this.#program || JSON.stringify(program) === JSON.stringify(this.#program)
     this.#program = program
     if (shown) return
+    if (shared) return this.#follow(program)
     this.#refill(() => this.#show(program))
     this.#workspace.clearUndo()
     this.#workspace.setScale(scaleOf(this.#looks))
     this.#place()
+  }
+
+  /** Another child has done something: whoever looks on or types elsewhere is not disturbed. */
+  #follow(program: Program): void {
+    const { scrollX, scrollY } = this.#workspace
+    const focused = this.#host.contains(document.activeElement)
+    this.#refill(() => this.#show(program), focused)
+    this.#workspace.clearUndo()
+    this.#workspace.scroll(scrollX, scrollY)
+  }
+
+  /** What was done to the blocks is told now; false while a hand holds one, or a field is open. */
+  settle(): boolean {
+    if (this.#workspace.isDragging() || Blockly.WidgetDiv.isVisible() || Blockly.DropDownDiv.isVisible())
+      return false
+    const now = JSON.stringify(toProgram(this.#workspace, this.#program).stacks)
+    if (now !== JSON.stringify(this.#program.stacks)) this.#emit()
+    return true
   }
 
   /** The workspace with the blocks, for what comes late. */
@@ -271,13 +290,13 @@ export class Pane {
   }
 
   /** Builds all blocks again under their ids: what is chosen, lit or marked is so again. */
-  #refill(fill: () => void) {
+  #refill(fill: () => void, focus = true) {
     this.#fill?.drop()
     const build = () => {
       this.#workspace.clear()
       fill()
     }
-    unseen(this.#workspace, build, () => this.#filled())
+    unseen(this.#workspace, build, () => this.#filled(), focus)
   }
 
   #show(program: Program) {

@@ -1,0 +1,43 @@
+import { untrack } from 'svelte'
+import type { LabSession } from '#lab/session.svelte.ts'
+import type { PupilLive } from '../live.svelte.ts'
+import { kept } from './kept.ts'
+import type { Together } from './together.svelte.ts'
+
+/** Joins the pair that the open project belongs to, as soon as there is one. Returns how to end that. */
+export function followPair(
+  live: PupilLive,
+  session: LabSession,
+  joined: (together: Together | null) => void,
+): () => void {
+  const opened = session.project
+  let together: Together | null = null
+  let isComing = false
+  let isGone = false
+  const end = () => {
+    together?.stop()
+    together = null
+    joined(null)
+  }
+  async function join(pair: string) {
+    isComing = true
+    const { Together } = await import('./together.svelte.ts')
+    isComing = false
+    if (isGone) return
+    together = new Together(live, session, pair, kept()?.pending.length ? opened : session.project, end)
+    joined(together)
+  }
+  const stop = $effect.root(() => {
+    $effect(() => {
+      const { pair } = live
+      if (!pair?.accepted || pair.over || together || isComing) return
+      const own = kept()
+      if (own?.pair === pair.id && own.project === session.autosave.id) untrack(() => void join(pair.id))
+    })
+  })
+  return () => {
+    isGone = true
+    stop()
+    end()
+  }
+}
