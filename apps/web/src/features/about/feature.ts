@@ -9,5 +9,5 @@ export const about = {
   id: 'about',
   words: ['about'],
   route: 'about',
-  budget: { page: 108_000 },
+  budget: { page: 110_000 },
 } satisfies Feature

@@ -7,5 +7,5 @@ export const trust = {
   id: 'trust',
   words: ['trust'],
   route: 'trust',
-  budget: { page: 96_000 },
+  budget: { page: 98_000 },
 } satisfies Feature
