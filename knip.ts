@@ -27,6 +27,7 @@ const config: KnipConfig = {
           'mkfs.vfat',
           'debugfs',
           'e2fsck',
+          'dd',
         ],
       ],
     },

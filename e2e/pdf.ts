@@ -21,8 +21,6 @@ interface ReadPage {
   readonly missingFonts: readonly string[]
   /** Words that stand beyond its edges. */
   readonly outside: readonly string[]
-  /** Words on it with the size of their letters in pt. */
-  readonly words: readonly SizedWords[]
   /** Letters, lines and pictures on it. */
   readonly marks: number
   /** Levels of its headings, from the top down. */
@@ -30,11 +28,6 @@ interface ReadPage {
   /** Figures, and how many of them say nothing to ears. */
   readonly figures: number
   readonly silentFigures: number
-}
-
-interface SizedWords {
-  readonly words: string
-  readonly pt: number
 }
 
 const mm = (points: number) => Math.round((points / 72) * 25.4)
@@ -83,11 +76,6 @@ async function readPage(pdf: PDFDocumentProxy, number: number): Promise<ReadPage
       const inside =
         x >= left - 1 && x + item.width <= right + 1 && y >= bottom - 1 && y + item.height <= top + 1
       return inside ? [] : [item.str]
-    }),
-    words: content.items.flatMap((item): SizedWords[] => {
-      if (!('str' in item) || item.str.trim() === '') return []
-      const [, , c, d] = item.transform as readonly number[]
-      return [{ words: item.str.trim(), pt: Math.hypot(c!, d!) }]
     }),
     marks: await marksOn(page),
     headings: roles.flatMap(({ role }) => /^H([1-6])$/.exec(role)?.[1] ?? []).map(Number),

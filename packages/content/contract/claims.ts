@@ -39,10 +39,9 @@ function programOf({ card, weights, file = 'solution', numbers = {} }: DriveClai
   const program = structuredClone(content.program(card, file)!)
   for (const block of blocksIn(program) as readonly { id: string; fields: Record<string, string> }[])
     if (block.id in numbers) block.fields['NUM'] = String(numbers[block.id])
-  const brains = Object.entries(program.brains).map(([name, brain]) => [
-    name,
-    { ...brain, ...(weights && { weights }) },
-  ])
+  const brains = Object.entries(program.brains).map(
+    ([name, brain]) => [name, { ...brain, ...(weights && { weights }) }] as const,
+  )
   return { ...program, brains: Object.fromEntries(brains) }
 }
 

@@ -1,7 +1,7 @@
 import * as v from 'valibot'
 import { refuseOversize } from '../project/limits.ts'
 import { blockSchema, finite, idSchema, programSchema, textSchema } from '../project/schema-program.ts'
-import { parts, type Operation, type Place } from './types.ts'
+import { parts, type Place } from './types.ts'
 
 /** How many operations are sent at once at the most. */
 export const mostAtOnce = 500
@@ -58,9 +58,7 @@ export const sendingSchema = v.pipe(
   v.check(isSmall, 'It is nested too deeply, or a name in it is reserved.'),
   v.strictObject({
     ops: v.pipe(
-      v.array(
-        v.strictObject({ n: count, base: count, op: operation as v.GenericSchema<unknown, Operation> }),
-      ),
+      v.array(v.strictObject({ n: count, base: count, op: operation })),
       v.minLength(1),
       v.maxLength(mostAtOnce),
     ),
