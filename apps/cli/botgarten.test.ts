@@ -199,7 +199,7 @@ describe('--help', () => {
     expect(stdout).toContain('--alpha-decay F|visits')
     expect((await botgarten('learn', '--help')).stdout).toContain('botgarten learn kmeans')
     expect((await botgarten('--help', '--lang', 'de')).stdout).toMatch(
-      /botgarten print {5}Druckt Materialien als PDF\./,
+      /botgarten print {5}Druckt Materialien als PDF:/,
     )
   })
 })

@@ -178,7 +178,7 @@ describe('botgarten learn q', () => {
   })
 
   it.each([
-    [['p'], 'One of q, net, q-sweep, q-race, q-thesis, kmeans'],
+    [['p'], 'One of q, net, try, q-sweep, q-race, q-thesis, kmeans'],
     [['q'], '--map is needed'],
     [['q', '--map', 'moon'], 'There is no map and no file called "moon"'],
     [['q', '--map', 'railway'], '--start is needed: a station from 0 to 5'],
