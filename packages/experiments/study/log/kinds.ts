@@ -53,7 +53,10 @@ const parsed = <Part>(make: (data: unknown) => unknown, take: (project: Project)
 const isObject = (value: unknown): value is object =>
   typeof value === 'object' && value !== null && !Array.isArray(value)
 
-const documentOf = ({ programs, world, brains }: Project): Document => ({ programs, world, brains })
+const documentOf = ({ programs, world, brains, tables }: Project): Document => ({
+  ...{ programs, world, brains },
+  ...(tables && { tables }),
+})
 const brain = parsed<Brain>(
   (value) => ({ ...bare, brains: { one: value } }),
   ({ brains }) => brains['one']!,
@@ -133,8 +136,8 @@ export const kinds = {
   'pose or nothing': v.nullable(pose) as v.GenericSchema<unknown, Pose | null>,
   poses: v.record(name, pose) as v.GenericSchema<unknown, { readonly [id: string]: Pose }>,
   document: parsed<Document>((value) => {
-    const { programs, world, brains } = isObject(value) ? (value as Partial<Document>) : {}
-    return { ...bare, programs, world, brains }
+    const { programs, world, brains, tables } = isObject(value) ? (value as Partial<Document>) : {}
+    return { ...bare, programs, world, brains, ...(tables && { tables }) }
   }, documentOf),
   programs: parsed<Document['programs']>(
     (value) => ({ ...bare, programs: isObject(value) ? { ...value, ...bare.programs } : value }),

@@ -36,13 +36,14 @@ export class TypedTexts {
     return word
   }
 
-  document({ programs, world, brains }: Document): { document: Document; photo: boolean } {
+  document({ programs, world, brains, tables }: Document): { document: Document; photo: boolean } {
     const photo = 'asset' in world.floor && !world.floor.asset.startsWith('content:')
     return {
       document: {
         programs: this.programs(programs),
         world: this.#world(photo ? { ...world, floor: { colour: '#FFFFFF' } } : world),
         brains: Object.fromEntries(Object.entries(brains).map(([id, brain]) => [id, this.brain(brain)])),
+        ...(tables && { tables }),
       },
       photo,
     }
