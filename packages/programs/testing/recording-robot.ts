@@ -116,10 +116,22 @@ export function recordingRobot(outputs = 2, sensors: CheckContext['sensors'] = c
   const recording: Recording = {
     log,
     tick: 0,
-    context: { robot, think, now: 0, brain: () => smallNet, mail: mailTo(write) },
+    context: { robot, think, now: 0, brain: () => smallNet, mail: mailTo(write), trying: tryingOf(write) },
   }
   return recording
 }
+
+/** Has tried for long enough at once, and holds what it does for a quarter of a second. */
+const tryingOf = (write: (verb: string) => void): NonNullable<Host['trying']> => ({
+  learn: () => {
+    write('learn')
+    return true
+  },
+  act: () => {
+    write('act')
+    return 15
+  },
+})
 
 /** One tick further. */
 export function nextTick(recording: Recording): void {
