@@ -8,7 +8,7 @@ import { wellTyped } from '../testing/whole/programs.ts'
 beforeAll(() => addBlocks(expert))
 
 /** Each has tests of its own; without a learner beside it, it does nothing. */
-const learns = /^(ai_q_|rl_|ai_sorting_|ai_nn_(remember|practise|forget|error)$)/
+const learns = /^(ai_q_|ai_try_|rl_|ai_sorting_|ai_nn_(remember|practise|forget|error)$)/
 
 const inside = (block: Block): readonly string[] => [
   block.type,
