@@ -132,7 +132,8 @@ const cards = globSync('cards/*/*/card.json', { cwd: content }).map((file) => fi
 function numbersOfNoProgram([card, said]: readonly [string, string]): string[] {
   const folder = cards.find((one) => one.endsWith(`-${card}`))!
   const own = ['start', 'solution'].flatMap((file) => typed(read(`${folder}/${file}.json`)))
-  const numbers = said.match(/(?<![\w.])\d+(?![\w.])/g) ?? []
+  // The choice of a block, which no program types.
+  const numbers = said.replace(/4\s(?=cm\s(vorwärts|ahead))/, '').match(/(?<![\w.])\d+(?![\w.])/g) ?? []
   return numbers.filter((number) => !own.includes(number)).map((number) => `${card}: ${number}`)
 }
 

@@ -31,8 +31,8 @@ function botgarten(args: readonly string[], env: NodeJS.ProcessEnv = {}) {
 }
 
 const titles = {
-  de: { city: 'Stadt', program: 'Das Programm: Lass Bo lernen', drive: 'Karten zur ersten Fahrt' },
-  en: { city: 'City', program: 'The program: let Bo learn', drive: 'First Drive Cards' },
+  de: { city: 'Stadt', program: 'Das Programm', drive: 'Karten zur ersten Fahrt' },
+  en: { city: 'City', program: 'The program', drive: 'First Drive Cards' },
 }
 /** A long address goes on in the next line. */
 const unbroken = (text: string) => text.replaceAll(' ', '')

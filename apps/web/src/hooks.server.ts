@@ -41,7 +41,7 @@ const fonts = /<link [^>]*as="font"[^>]*>/g
 
 /** Letters are needed last, by the blocks: scripts go before them. */
 const withFontsLast = (html: string, links: string) =>
-  html.replace(fonts, '').replace('</head>', `${links}${(html.match(fonts) ?? []).join('')}</head>`)
+  html.replace(fonts, '').replace('</head>', `${(html.match(fonts) ?? []).join('')}${links}</head>`)
 
 /**
  * Every page there is was made at build, and is served without asking here. A page that comes here is one of no card and
