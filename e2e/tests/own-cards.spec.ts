@@ -25,7 +25,7 @@ for (const language of languagesOf(import.meta.filename)) {
       await maker.seesSolved(3, 3)
       await expect(child.words('cards.canShare')).toBeVisible()
       expect(await axeFindings(page)).toEqual([])
-      // By keys, a little aside: Bo tries it anew.
+      // By keys, a little aside: Bo tries it again.
       const place = child.button('cards.place', { number: 1 })
       await place.focus()
       await child.types('ArrowRight', 'ArrowUp', ',')

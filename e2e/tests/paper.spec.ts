@@ -128,12 +128,19 @@ function smallInPlan(): { readonly least: number; readonly wrong: readonly strin
 
 const cards = globSync('cards/*/*/card.json', { cwd: content }).map((file) => file.replace('/card.json', ''))
 
+/** What blocks let a child choose, where its words have a number in them: no program types that. */
+const choices = globSync('words/*/blocks*.json', { cwd: content })
+  .flatMap((file) => Object.values((read(file) as { readonly choice?: object }).choice ?? {}) as string[])
+  .filter((words) => /\d/.test(words) && /\p{L}{2}/u.test(words))
+
+const withoutChoices = (said: string) =>
+  choices.reduce((rest, words) => rest.replaceAll(words, ''), said.replace(/\s+/g, ' '))
+
 /** Numbers on the blocks of a card that its programs do not have. */
 function numbersOfNoProgram([card, said]: readonly [string, string]): string[] {
   const folder = cards.find((one) => one.endsWith(`-${card}`))!
   const own = ['start', 'solution'].flatMap((file) => typed(read(`${folder}/${file}.json`)))
-  // The choice of a block, which no program types.
-  const numbers = said.replace(/4\s(?=cm\s(vorwärts|ahead))/, '').match(/(?<![\w.])\d+(?![\w.])/g) ?? []
+  const numbers = withoutChoices(said).match(/(?<![\w.])\d+(?![\w.])/g) ?? []
   return numbers.filter((number) => !own.includes(number)).map((number) => `${card}: ${number}`)
 }
 

@@ -29,7 +29,7 @@ const window = 10_000
 const mostOfSending = 400_000
 const mostAnswered = 500
 
-/** The pair of whoever asks. @throws Refusal where there is none */
+/** The pair of the pupil who asks. @throws Refusal where there is none */
 async function ownPair({ ports, who }: Call<unknown>): Promise<PairRow> {
   const pair = await pairOf(ports.database.db, who.pupil!.id)
   if (!pair) throw new Refusal(404, 'noPair')

@@ -45,7 +45,7 @@ function problemOf({ world }: Pick<Ground, 'world'>, racer: Racer | null): NotRe
 const hasStart = ({ blocks: [top] }: Program['stacks'][number]) =>
   top?.type === 'robControls_start' && !top.disabled
 
-/** Blocks that change a brain. Whoever races has learned before. */
+/** Blocks that change a brain: who races has learned before. */
 const learning: ReadonlySet<string> = new Set([
   ...['ai_nn_remember', 'ai_nn_practise', 'ai_nn_forget'],
   ...['robActions_set_weight', 'robActions_change_weight', 'robActions_set_bias', 'robActions_change_bias'],

@@ -75,7 +75,7 @@ describe('learning by trying', () => {
     expect(lab.document().tables).toEqual(other.document().tables)
   })
 
-  it('drives at once by a table that the same blocks have learned, and learns anew for another pay', () => {
+  it('drives at once by a table that the same blocks have learned, and learns again for another pay', () => {
     const tables = { try: overnight(1, 60) }
     const lab = createLab()
     lab.load({ programs: { main: blocks(1) }, world, brains: {}, tables }, floor, { seed: 1, checks: [] })

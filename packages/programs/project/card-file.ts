@@ -82,7 +82,7 @@ function dataIn(text: string): unknown {
   }
 }
 
-/** Whoever makes a card may take things out of its world; a card that travels fits it. */
+/** Its maker may take things out of its world; a card that travels fits it. */
 function refuseUnfit(card: OwnCard, { world }: Project): void {
   if (!fitsWorld(card, world)) throw new ProjectError('cardNumbers', messageOf('cardNumbers'))
   if (!bringsPrograms(card, world))

@@ -135,7 +135,7 @@ class OnProgram {
     const { by, base } = this.entry
     const other = by === 'a' ? 'b' : 'a'
     const blocks = blocksIn(spot.block)
-    // Whoever deletes it has not seen what the other one has just done to it.
+    // The one who deletes it has not seen what the other one has just done to it.
     if (blocks.some((one) => (this.state.touched.get(this.key(one.id))?.[other] ?? -1) >= base)) return
     const place = 'x' in spot.place && spot.next !== null ? { before: spot.next } : spot.place
     const grave: Grave = { block: spot.block, place, at: this.seq, by }

@@ -159,7 +159,7 @@ describe('undo', () => {
     expect(indexOf(a.shared.programs[program]!.stacks).get('first')!.block.fields).toEqual({ NUM: '2' })
   })
 
-  test('what is pending is there again after the page was loaded anew', () => {
+  test('what is pending is there again after the page was loaded again', () => {
     const { a } = pair()
     a.edit([add(stop('new'), 'last')])
     const again = new Peer('a', start, a.pending)

@@ -5,14 +5,16 @@ import { grouped } from './list.ts'
 import { toProgram } from './program.ts'
 import { stateOfTemplate } from './state.ts'
 
-export const networkType = 'ai_neural_network'
+const networkType = 'ai_neural_network'
 const startType = 'robControls_start'
 const foreverType = 'robControls_loopForever'
 const switchedOff = 'MANUALLY_DISABLED'
 
-/** Is there a network in it, or below it? */
-export const holdsNetwork = (block: Blockly.Block): boolean =>
-  block.getDescendants(false).some(({ type }) => type === networkType)
+/** The network in a block, or below it. */
+export const networkIn = (block: Blockly.Block): Blockly.Block | undefined =>
+  block.getDescendants(false).find(({ type }) => type === networkType)
+
+export const holdsNetwork = (block: Blockly.Block): boolean => networkIn(block) !== undefined
 
 /**
  * Puts a block, with all that hangs with it, among those that run: a network into the loop, other blocks below the start

@@ -1,4 +1,5 @@
 import * as Blockly from 'blockly/core'
+import type { Finding } from '@botgarten/blocks'
 import type { Program } from '@botgarten/programs'
 import { watchCopies, type Copy } from '../model/copies.ts'
 import { followNeurons } from './follow.ts'
@@ -10,6 +11,8 @@ export interface Reports {
   undoStep(): void
   select(id: string | null): void
   copied(pairs: readonly Copy[]): void
+  /** A finding was pressed at its block. */
+  finding(finding: Finding): void
 }
 
 /** What happens within this many milliseconds is one change for the page. */

@@ -17,6 +17,12 @@ export interface Looks {
 
 export const scaleOf = ({ large }: Looks): number => (large ? largeScale : startScale)
 
+/** Draws blocks as large as they are now to be; its toolbox is as wide then. */
+export function rescale(workspace: Blockly.WorkspaceSvg, looks: Looks): void {
+  workspace.setScale(scaleOf(looks))
+  workspace.getToolbox()?.position()
+}
+
 /** Resolves when blocks can be measured: Blockly asks once how wide its words are. */
 export async function fontReady(letters: boolean): Promise<void> {
   await document.fonts.load(`700 16px ${fontFor(letters)}`)

@@ -1,6 +1,6 @@
 import * as Blockly from 'blockly/core'
 import type { NetworkDrop } from '#lab/blocks.ts'
-import { holdsNetwork } from '../model/put-in.ts'
+import { holdsNetwork, networkIn } from '../model/put-in.ts'
 
 class DropTarget extends Blockly.DragTarget {
   override id = 'networkPane'
@@ -39,17 +39,19 @@ class DropTarget extends Blockly.DragTarget {
 const isNetwork = (held: Blockly.IDraggable): held is Blockly.BlockSvg =>
   held instanceof Blockly.BlockSvg && holdsNetwork(held)
 
-/** `dropped` is called when Blockly has let the block go, in the same step of undo. Returns how to measure the place again. */
+/** `dropped` is called with the network when Blockly has let the block go, in the same step of undo. Returns how to measure the place again. */
 export function takeNetworks(
   workspace: Blockly.WorkspaceSvg,
   drop: NetworkDrop,
-  dropped: (block: string) => void,
+  dropped: (network: string) => void,
 ): () => void {
   const component = new DropTarget(drop, (block) => {
     const group = Blockly.Events.getGroup()
     queueMicrotask(() => {
       Blockly.Events.setGroup(group || true)
-      dropped(block)
+      const held = workspace.getBlockById(block)
+      const network = held && networkIn(held)
+      if (network) dropped(network.id)
       Blockly.Events.setGroup(false)
     })
   })

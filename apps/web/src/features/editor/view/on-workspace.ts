@@ -21,6 +21,18 @@ export function step(workspace: Workspace, redo: boolean): boolean {
   return true
 }
 
+/** Does a hand hold a block, or is a field open? */
+export const isInHand = (workspace: Workspace): boolean =>
+  workspace.isDragging() || Blockly.WidgetDiv.isVisible() || Blockly.DropDownDiv.isVisible()
+
+/** Changes what lies there: it is no step of undo, and the same part of it stays in sight. */
+export function stays(workspace: Workspace, change: () => void): void {
+  const { scrollX, scrollY } = workspace
+  change()
+  workspace.clearUndo()
+  workspace.scroll(scrollX, scrollY)
+}
+
 export function deleteSelected(): void {
   const selected = Blockly.common.getSelected()
   if (selected instanceof Blockly.BlockSvg && selected.isDeletable()) selected.checkAndDelete()

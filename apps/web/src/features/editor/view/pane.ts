@@ -1,5 +1,5 @@
 import * as Blockly from 'blockly/core'
-import type { Finding, Template } from '@botgarten/blocks'
+import type { Template } from '@botgarten/blocks'
 import type { Program } from '@botgarten/programs'
 import type { RobotConfig } from '@botgarten/simulation'
 import { setClosed } from '../model/closed-roads.ts'
@@ -11,11 +11,11 @@ import { letAsk, letPaste } from './menus.ts'
 import { addNeuron } from '../model/network.ts'
 import type { NetworkDrop } from '#lab/blocks.ts'
 import { takeNetworks } from './network-drop.ts'
-import { deleteSelected, place, reveal, setFields, step, typeAt, unseen } from './on-workspace.ts'
+import * as on from './on-workspace.ts'
 import { forgetParted, part, tidy } from '../model/positions.ts'
 import { restore, statesOn, toProgram } from '../model/program.ts'
-import { networkType, putIn, putNetworkIn, switchOn } from '../model/put-in.ts'
-import { fontReady, options, scaleOf, spaceLetters, type Looks } from './looks.ts'
+import { putIn, putNetworkIn, switchOn } from '../model/put-in.ts'
+import { fontReady, options, rescale, scaleOf, spaceLetters, type Looks } from './looks.ts'
 import { nameParts, setUp, speak } from './setup.ts'
 import { explain } from './toolbox/explain.ts'
 import { Toolbox } from './toolbox/toolbox.ts'
@@ -25,15 +25,10 @@ import { themeFor } from './theme.ts'
 import type { Locale } from '#words/language.svelte.ts'
 import { wordsIn } from '#words/message.ts'
 
-/** What the pane tells the page. */
-export interface PaneReports extends Reports {
-  finding(finding: Finding): void
-}
-
 /** One Blockly workspace in a pane, with the verbs that the page needs. */
 export class Pane {
   readonly #workspace: Blockly.WorkspaceSvg
-  readonly #reports: PaneReports
+  readonly #reports: Reports
   readonly #stops: (() => void)[]
   readonly #host: HTMLElement
   /** A pane that is not shown has no size: the view finds its place when it is. */
@@ -52,7 +47,7 @@ export class Pane {
     program: Program,
     media: string,
     looks: Looks,
-    reports: PaneReports,
+    reports: Reports,
   ) {
     setUp()
     speak(locale)
@@ -77,8 +72,6 @@ export class Pane {
     this.#show(program)
     if (program.raw) part(this.#workspace)
     if (this.#placed) this.#place()
-    // Blockly measures words on a canvas at the end of the body; it shows nothing.
-    document.querySelector('.blocklyComputeCanvas')?.setAttribute('aria-hidden', 'true')
     nameParts(this.#workspace, wordsIn(this.#locale))
     letPaste(this.#workspace, () => this.toolbox.learn())
     letAsk(this.#workspace, (type) => void explain(this.#workspace, type))
@@ -103,22 +96,24 @@ export class Pane {
     this.#place()
   }
 
-  /** Another child has done something: whoever looks on or types elsewhere is not disturbed. */
+  /** Another child has done something: a child that looks on, or types elsewhere, is not disturbed. */
   #follow(program: Program): void {
-    const { scrollX, scrollY } = this.#workspace
     const focused = this.#host.contains(document.activeElement)
-    this.#refill(() => this.#show(program), focused)
-    this.#workspace.clearUndo()
-    this.#workspace.scroll(scrollX, scrollY)
+    on.stays(this.#workspace, () => this.#refill(() => this.#show(program), focused))
   }
 
   /** What was done to the blocks is told now; false while a hand holds one, or a field is open. */
   settle(): boolean {
-    if (this.#workspace.isDragging() || Blockly.WidgetDiv.isVisible() || Blockly.DropDownDiv.isVisible())
-      return false
+    if (on.isInHand(this.#workspace)) return false
     const now = JSON.stringify(toProgram(this.#workspace, this.#program).stacks)
     if (now !== JSON.stringify(this.#program.stacks)) this.#emit()
     return true
+  }
+
+  /** With all its blocks: a large program is built in slices. */
+  get #whole(): Blockly.WorkspaceSvg {
+    this.#fill?.finish()
+    return this.#workspace
   }
 
   /** The workspace with the blocks, for what comes late. */
@@ -126,12 +121,17 @@ export class Pane {
     return this.#workspace
   }
 
-  /** Builds every block again, as it looks now. */
   #redraw() {
-    this.#fill?.finish()
-    const states = statesOn(this.#workspace)
-    speak(this.#locale)
-    this.toolbox.fill()
+    this.#rebuild(() => {
+      speak(this.#locale)
+      this.toolbox.fill()
+    })
+  }
+
+  /** Builds every block again, as it looks after a change of looks or words. */
+  #rebuild(change: () => void) {
+    const states = statesOn(this.#whole)
+    change()
     this.#refill(() => restore(states, this.#workspace))
   }
 
@@ -146,24 +146,21 @@ export class Pane {
     const { letters, large } = this.#looks
     this.#looks = looks
     if (looks.large !== large) {
-      this.#workspace.setScale(scaleOf(looks))
-      // Its toolbox is wider then.
-      this.#workspace.getToolbox()?.position()
+      rescale(this.#workspace, looks)
       this.resize()
     }
     if (looks.letters === letters) return
     await fontReady(looks.letters)
     if (this.#looks !== looks) return
-    this.#fill?.finish()
-    spaceLetters(looks.letters)
-    const states = statesOn(this.#workspace)
-    this.#workspace.setTheme(themeFor(looks.letters))
-    this.#refill(() => restore(states, this.#workspace))
+    this.#rebuild(() => {
+      spaceLetters(looks.letters)
+      this.#workspace.setTheme(themeFor(looks.letters))
+    })
   }
 
   /** The type of the block that an element of the pane belongs to, on the workspace or on the open toolbox. */
   typeAt(element: Element): string | null {
-    return typeAt(this.#workspace, element)
+    return on.typeAt(this.#workspace, element)
   }
 
   typeOf(id: string): string | null {
@@ -172,13 +169,11 @@ export class Pane {
 
   /** Takes back one step of the blocks; false where there is none, or a hand holds a block. */
   undo(): boolean {
-    this.#fill?.finish()
-    return step(this.#workspace, false)
+    return on.step(this.#whole, false)
   }
 
   redo(): boolean {
-    this.#fill?.finish()
-    return step(this.#workspace, true)
+    return on.step(this.#whole, true)
   }
 
   zoomBy(direction: 1 | -1): void {
@@ -195,8 +190,7 @@ export class Pane {
    * its block, null where the layer is full or there is no such network.
    */
   addNeuron(networkId: string, layer: 'input' | 'output', template?: Template): string | null {
-    this.#fill?.finish()
-    return addNeuron(this.#workspace, networkId, layer, template)
+    return addNeuron(this.#whole, networkId, layer, template)
   }
 
   addLayer(network: string, neurons: number): void {
@@ -211,59 +205,48 @@ export class Pane {
 
   /** Puts a block among those that run: a network into the loop. */
   putIn(id: string): void {
-    this.#fill?.finish()
-    putIn(this.#workspace, this.#program, id)
+    putIn(this.#whole, this.#program, id)
     this.#seen(id)
   }
 
   /** A network of the toolbox, put into the loop. */
   putNetworkIn(): void {
-    this.#fill?.finish()
-    this.#seen(putNetworkIn(this.#workspace, this.#program))
+    this.#seen(putNetworkIn(this.#whole, this.#program))
   }
 
   switchOn(id: string): void {
-    this.#fill?.finish()
-    switchOn(this.#workspace, id)
+    switchOn(this.#whole, id)
   }
 
   /** Networks that are dropped there go into the loop. Returns how to measure the place again. */
   takeNetworks(drop: NetworkDrop): () => void {
-    return takeNetworks(this.#workspace, drop, (id) => {
-      const network = this.#workspace
-        .getBlockById(id)
-        ?.getDescendants(false)
-        .find(({ type }) => type === networkType)
-      if (network) this.putIn(network.id)
-    })
+    return takeNetworks(this.#workspace, drop, (network) => this.putIn(network))
   }
 
   #seen(id: string): void {
-    void Blockly.renderManagement.finishQueuedRenders().then(() => reveal(this.#workspace, id))
+    void Blockly.renderManagement.finishQueuedRenders().then(() => on.reveal(this.#workspace, id))
   }
 
   /** Makes these the closed roads of a map block. */
   setClosed(map: string, roads: readonly (readonly [number, number])[]): void {
-    this.#fill?.finish()
-    setClosed(this.#workspace, map, roads)
+    setClosed(this.#whole, map, roads)
   }
 
   deleteSelected(): void {
     this.#fill?.finish()
-    deleteSelected()
+    on.deleteSelected()
   }
 
   /** Brings a block into sight; with `focus` the keyboard goes there as well. */
   reveal(id: string, focus = false): void {
     this.#fill?.finish()
     this.resize()
-    reveal(this.#workspace, id, focus)
+    on.reveal(this.#workspace, id, focus)
   }
 
   /** Puts all stacks below each other, as one step, and the first of them into sight. */
   tidy(): void {
-    this.#fill?.finish()
-    tidy(this.#workspace)
+    tidy(this.#whole)
     this.#place()
   }
 
@@ -274,12 +257,11 @@ export class Pane {
 
   /** Several fields of a block, as one step. */
   setFields(blockId: string, fields: { readonly [name: string]: string }): void {
-    this.#fill?.finish()
-    setFields(this.#workspace, blockId, fields)
+    on.setFields(this.#whole, blockId, fields)
   }
 
   #place() {
-    place(this.#workspace)
+    on.place(this.#workspace)
     this.#placed = this.#host.clientWidth > 0
   }
 
@@ -296,7 +278,7 @@ export class Pane {
       this.#workspace.clear()
       fill()
     }
-    unseen(this.#workspace, build, () => this.#filled(), focus)
+    on.unseen(this.#workspace, build, () => this.#filled(), focus)
   }
 
   #show(program: Program) {

@@ -63,4 +63,6 @@ export function nameParts(workspace: Blockly.WorkspaceSvg, words: Words): void {
   frame.setAttribute('aria-label', words('editor.blocks'))
   frame.querySelector('.blocklyToolbox [role=tree]')?.setAttribute('aria-label', words('editor.toolbox'))
   workspace.setInitialAriaContext()
+  // Blockly measures words on a canvas at the end of the body; it shows nothing.
+  document.querySelector('.blocklyComputeCanvas')?.setAttribute('aria-hidden', 'true')
 }

@@ -1,8 +1,7 @@
-import { startAt, stepOne, stepPhase, type Distance, type KState } from '@botgarten/learning/k-means'
+import { startAt, stepOne, stepPhase, type Distance } from '@botgarten/learning/k-means'
 import { LONGEST_NAME } from './kept.ts'
 import { deviceStore, Steps, type Store } from './steps.svelte.ts'
 import {
-  isFresh,
   MOST_POINTS,
   placed,
   pointsIn,
@@ -170,10 +169,8 @@ export class Playground {
     this.#do(thrown(this.work, start))
   }
 
-  /** The step before, where only sorting lies between. */
   get before(): Work | null {
-    const { before } = this.#steps
-    return before?.table === this.work.table && !isFresh(this.work) ? before : null
+    return this.#steps.sortedFrom
   }
 
   /** `live`: the hand still holds it; a whole drag is one step. */
@@ -223,18 +220,15 @@ export class Playground {
     this.#do({ ...work, state: stepPhase(pointsIn(work.table), work.state) })
   }
 
-  /** Where the flags of this sorting began; null: it began before this page was opened. */
-  get first(): KState['centres'] | null {
-    const first = this.#steps.findLast(isFresh)
-    const isSame = first?.table === this.work.table && first.distance === this.work.distance
-    return isSame ? first.state!.centres : null
+  /** Where this sorting began, as far as the line of steps goes back. */
+  get fresh(): Work | undefined {
+    return this.#steps.fresh
   }
 
   /** To the beginning of this sorting: the flags where they were placed. */
   again(): void {
-    const { work } = this
-    const first = this.#steps.findLast(isFresh)
-    const centres = first?.state?.centres
+    const { work, fresh } = this
+    const centres = fresh?.state?.centres
     if (!work.state || centres?.length !== work.flags) return
     this.#do({ ...work, state: startAt(pointsIn(work.table), centres, work.distance) })
   }

@@ -3,7 +3,7 @@ import { placeOf } from '#content/cards.ts'
 import { ProjectAutosave } from '#lab/autosave.svelte.ts'
 import { readSetting, writeSetting } from '#storage/settings.ts'
 import { firstWork, othersIn, read, written, type Kept } from './kept.ts'
-import type { Source, Work } from './work.ts'
+import { isFresh, type Source, type Work } from './work.ts'
 
 /** So many steps lead back. */
 const LONGEST = 400
@@ -90,13 +90,15 @@ export class Steps {
     return this.#line.length - 1
   }
 
-  get before(): Work | undefined {
-    return this.#line[this.#at - 1]
+  /** The step before, where only sorting lies between. */
+  get sortedFrom(): Work | null {
+    const before = this.#line[this.#at - 1]
+    return before?.table === this.work.table && !isFresh(this.work) ? before : null
   }
 
-  /** The last step up to now that is so. */
-  findLast(isSo: (work: Work) => boolean): Work | undefined {
-    return this.#line.slice(0, this.#at + 1).findLast(isSo)
+  /** Where the flags had last been placed, before the step that is shown; none: that was before the page was opened. */
+  get fresh(): Work | undefined {
+    return this.#line.slice(0, this.#at + 1).findLast(isFresh)
   }
 
   add(work: Work): void {
