@@ -55,12 +55,24 @@ export class Builder {
   }
 
   /**
-   * Where the only thing of a world rests, in cm. Its name follows a run at most ten times a second: it is waited for.
+   * Where the only thing of a world rests, in cm: what was pushed slides on for a moment when the program has ended. Its
+   * name follows a run at most ten times a second: it is waited for.
    *
    * @param thing what a hand takes hold of
    */
   async restsAt(thing: Locator): Promise<Spot> {
-    const { x, y } = await this.child.page.evaluate(() => globalThis.botgarten!.view()!.obstacles[0]!.pose)
+    const { x, y } = await this.child.page.evaluate(async () => {
+      const pose = () => globalThis.botgarten!.view()!.obstacles[0]!.pose
+      const frame = () => new Promise(requestAnimationFrame)
+      let [still, before] = [0, pose()]
+      while (still < 20) {
+        await frame()
+        const now = pose()
+        still = now.x === before.x && now.y === before.y ? still + 1 : 0
+        before = now
+      }
+      return before
+    })
     const spot = { x: Math.round(x), y: Math.round(y) }
     await expect.poll(() => this.placeOf(thing)).toEqual(spot)
     return spot
