@@ -1,4 +1,12 @@
-import { payKinds, type Action, type PayKind, type Sensor, type Trial } from '@botgarten/learning/q-senses'
+import {
+  limits,
+  payKinds,
+  type Action,
+  type PayKind,
+  type Place,
+  type Sensor,
+  type Trial,
+} from '@botgarten/learning/q-senses'
 import type { Block } from '@botgarten/blocks'
 import type { Program } from './types.ts'
 
@@ -22,6 +30,8 @@ const chips: { readonly [chip: string]: Action } = {
 /** For these a coin is paid each 4 cm. */
 const wayKinds: readonly PayKind[] = ['ahead', 'way']
 const wayUnit = 4
+/** A world is at most so wide, cm. */
+const widest = 10_000
 
 /** Null where no block learns or drives by trying. Blocks that are switched off do not count. */
 export function tryingIn({ stacks }: Program): TryOutline | null {
@@ -38,7 +48,7 @@ export function tryingIn({ stacks }: Program): TryOutline | null {
     sensors: senses.map(sensorIn),
     edges: senses.map(edgesIn),
     bump: true,
-    actions: can ? actionsIn(can) : [],
+    actions: unlike([...(can ? actionsIn(can) : []), ...ofType('ai_try_chip').map(chipIn)]),
     hold: numberIn(can, 'HOLD', 15, 6, 60),
     pay: ofType('ai_try_pay').map(sentenceIn),
     bumpEnds: learn?.fields?.['ENDS'] === 'TRUE',
@@ -47,7 +57,9 @@ export function tryingIn({ stacks }: Program): TryOutline | null {
     rho: numberIn(learn, 'RHO', 0.2, 0, 1),
     seed: Math.round(numberIn(learn, 'SEED', 1, 0, 1_000_000)),
   }
-  return { id, trial, minutes: learn ? numberIn(learn, 'MINUTES', 8, 0, 60) : 0 }
+  const starts = startsIn(learn)
+  const tried = starts.length > 0 ? { ...trial, starts } : trial
+  return { id, trial: tried, minutes: learn ? numberIn(learn, 'MINUTES', 8, 0, 60) : 0 }
 }
 
 function inside(block: Block): readonly Block[] {
@@ -93,7 +105,36 @@ function edgesIn(block: Block): readonly number[] {
 
 function actionsIn(block: Block): readonly Action[] {
   const names = ['CHIP1', 'CHIP2', 'CHIP3', 'CHIP4'].map((name) => block.fields?.[name] ?? '')
-  return [...new Set(names)].flatMap((name) => (Object.hasOwn(chips, name) ? [chips[name]!] : []))
+  return names.flatMap((name) => (Object.hasOwn(chips, name) ? [chips[name]!] : []))
+}
+
+const lamps: { readonly [lamp: string]: NonNullable<Action['lamp']> } = {
+  ...{ GREEN: 'green', ORANGE: 'orange', RED: 'red', OFF: 'off' },
+}
+
+function chipIn(block: Block): Action {
+  const lamp = block.fields?.['LAMP'] ?? ''
+  return {
+    left: numberIn(block, 'LEFT', 0, -100, 100),
+    right: numberIn(block, 'RIGHT', 0, -100, 100),
+    ...(Object.hasOwn(lamps, lamp) && { lamp: lamps[lamp]! }),
+  }
+}
+
+/** The same chip twice is one. */
+const unlike = (actions: readonly Action[]): readonly Action[] => {
+  const signs = actions.map((action) => JSON.stringify(action))
+  return actions.filter((_, at) => signs.indexOf(signs[at]!) === at)
+}
+
+/** Places as a block holds them, in cm: `110 190, 300 70`. What is none is left out. */
+function startsIn(block: Block | undefined): readonly Place[] {
+  const places = (block?.fields?.['STARTS'] ?? '').split(',').flatMap((text): Place[] => {
+    const [x = NaN, y = NaN, ...more] = text.trim().split(/\s+/).map(Number)
+    const fits = [x, y].every((value) => value >= 0 && value <= widest)
+    return fits && more.length === 0 ? [{ x, y }] : []
+  })
+  return places.slice(0, limits.starts)
 }
 
 function sentenceIn(block: Block): Trial['pay'][number] {

@@ -122,6 +122,7 @@ export const packs = {
   ai_q_learning_states_and_actions_map: 'learning',
   ai_try_act: 'learning',
   ai_try_actions: 'learning',
+  ai_try_chip: 'learning',
   ai_try_learn: 'learning',
   ai_try_pay: 'learning',
   ai_try_senses: 'learning',

@@ -17,6 +17,7 @@ export const tryFor = (minutes: number): Template => ({
   type: 'ai_try_learn',
   fields: { MINUTES: String(minutes) },
 })
+export const chip: Template = { type: 'ai_try_chip', fields: { LEFT: '60', RIGHT: '30', LAMP: 'NONE' } }
 export const act: Template = { type: 'ai_try_act' }
 
 /** Two eyes, three actions, pay for the way and for bumps; then forever the best it knows. */
@@ -24,3 +25,7 @@ export const tryProgram = (minutes = 1): readonly Template[] => [
   ...[start, notice('2'), notice('3'), can, pay('AHEAD', 1), pay('BUMP', -5), tryFor(minutes)],
   forever(act),
 ]
+
+/** The same with a curve of one's own. */
+export const chipProgram = (): readonly Template[] =>
+  tryProgram().flatMap((block) => (block === can ? [block, chip] : [block]))

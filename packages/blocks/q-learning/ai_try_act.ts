@@ -1,6 +1,5 @@
 import { rows, words } from '../parts/looks.ts'
 import { done, fail, wait } from '../parts/next.ts'
-import { missing } from '../parts/python.ts'
 import { tryProgram } from '../parts/trying-examples.ts'
 import type { Definition } from '../types.ts'
 
@@ -22,6 +21,6 @@ export const ai_try_act: Definition = {
     }
     return ++frame.stage < (frame.counter ?? 0) ? wait : done
   },
-  python: missing('trying'),
+  python: (py) => py.table(),
   example: tryProgram(),
 }

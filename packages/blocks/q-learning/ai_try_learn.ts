@@ -8,7 +8,7 @@ const type = 'ai_try_learn'
 
 /**
  * The robot tries for so many simulated minutes and learns from the pay; a table that was learned for as long with the same
- * blocks is taken as it is. Hidden: α, γ, ρ, whether a bump ends a try, and the seed.
+ * blocks is taken as it is. Hidden: α, γ, ρ, whether a bump ends a try, the seed, and the places where tries begin (`110 190, 300 70`).
  */
 export const ai_try_learn: Definition = {
   type,
@@ -18,7 +18,7 @@ export const ai_try_learn: Definition = {
     shape: 'statement',
     fields: [
       { name: 'MINUTES', kind: 'number', preset: 8, min: 0, max: 60 },
-      ...[hidden('ALPHA'), hidden('GAMMA'), hidden('RHO'), hidden('ENDS'), hidden('SEED')],
+      ...[hidden('ALPHA'), hidden('GAMMA'), hidden('RHO'), hidden('ENDS'), hidden('SEED'), hidden('STARTS')],
     ],
     inputs: [],
     rows: rows(type, 1),

@@ -1,7 +1,8 @@
-import type { Facts, Sensor, Trial } from '@botgarten/learning/q-senses'
+import type { Action, Facts, Sensor, Trial } from '@botgarten/learning/q-senses'
 import { cos, sin } from '@botgarten/numbers'
 import {
   COLOURS,
+  setLed,
   setMotor,
   type Cm,
   type Percent,
@@ -29,14 +30,12 @@ export const readingsOf = (simulation: Simulation, robot: number, { sensors }: T
 export const touchesIn = (simulation: Simulation, robot: number): boolean =>
   simulation.state.robots[robot]!.touching.length > 0
 
-export function drive(
-  simulation: Simulation,
-  robot: number,
-  wheels: { left: Percent; right: Percent },
-): void {
+/** Does an action from now on. */
+export function drive(simulation: Simulation, robot: number, action: Action): void {
   const { left, right } = simulation.world.robots[robot]!.config.drive
-  setMotor(simulation, robot, left, wheels.left)
-  setMotor(simulation, robot, right, wheels.right)
+  setMotor(simulation, robot, left, action.left)
+  setMotor(simulation, robot, right, action.right)
+  if (action.lamp) setLed(simulation, robot, action.lamp === 'off' ? null : action.lamp)
 }
 
 /** What of a robot pay may ask for, at one moment. */

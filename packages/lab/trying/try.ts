@@ -92,11 +92,14 @@ export function tryTick(state: TryState, simulation: Simulation, robot: number):
   decide(state, simulation, robot)
 }
 
-/** Puts the robot to its start, facing anywhere. */
+/** Puts the robot to its start, or to one of several, facing anywhere. */
 function beginAttempt(state: TryState, simulation: Simulation, robot: number): void {
   const { id, pose } = simulation.world.robots[robot]!
-  state.stream = stream(state.trial.seed, `learn/try/${id}/${state.attempts++}`)
-  simulation.place(id, { ...pose, heading: Math.floor(draw(state.stream) * 360) })
+  const { seed, starts = [pose] } = state.trial
+  state.stream = stream(seed, `learn/try/${id}/${state.attempts++}`)
+  const at = starts.length > 1 ? Math.floor(draw(state.stream) * starts.length) : 0
+  const { x, y } = starts[at] ?? pose
+  simulation.place(id, { x, y, heading: Math.floor(draw(state.stream) * 360) })
   state.ticks = 0
   state.before = sightOf(simulation, robot)
   state.tiles = [tileAt(state.before)]

@@ -61,6 +61,14 @@ describe('learning by trying', () => {
     expect(overnight(1, 3600, { ...trialOf(), seed: 2 })).not.toEqual({ ...table, seed: 2 })
   })
 
+  it('is learned again from the seed and the moves of a table that was saved, to the same bits', () => {
+    const saved = JSON.parse(JSON.stringify(overnight(1, 60))) as ReturnType<typeof overnight>
+    const { kind: _kind, q: _q, tries: _tries, moves, ...trial } = saved
+    const night = beginNight(world, floor, trial)
+    while (night.state.table.moves < moves) night.advance(1)
+    expect(tableOf(night.state)).toEqual(saved)
+  })
+
   it('is the same after going back in time, whatever was looked at in between', () => {
     const [lab, other] = [started(), started()]
     lab.advance(2000)
@@ -118,6 +126,51 @@ describe('learning by trying', () => {
     const bumps = night.state.curve[0]!.bumps
     expect(night.state.attempts).toBeGreaterThan(1)
     expect(night.state.attempts - 2).toBeLessThanOrEqual(bumps)
+  })
+
+  it('begins its tries at one of several starts by chance, each about equally often', () => {
+    const more = { STARTS: '60 60, 200 100, 300 150, x 1, 5, 1 2 3', ENDS: 'TRUE' }
+    const several = trialOf(blocks(1, more, [pay('AHEAD', 1)]))
+    expect(several.starts).toEqual([
+      { x: 60, y: 60 },
+      { x: 200, y: 100 },
+      { x: 300, y: 150 },
+    ])
+    const night = beginNight(world, floor, { ...several, hold: 60 })
+    const begun: string[] = []
+    while (night.state.attempts < 60) {
+      const { attempts } = night.state
+      night.advance(1)
+      const { x, y } = night.state.before!
+      if (night.state.attempts > attempts) begun.push(`${x} ${y}`)
+    }
+    for (const place of ['60 60', '200 100', '300 150'])
+      expect(begun.filter((one) => one === place).length).toBeGreaterThan(8)
+    expect(new Set(begun).size).toBe(3)
+  })
+
+  it('may do what a chip of its own says, with the lamp that belongs to it', () => {
+    const chip = (id: string, LEFT: string, RIGHT: string, LAMP: string) =>
+      block(id, 'ai_try_chip', { fields: { LEFT, RIGHT, LAMP } })
+    const own = [
+      chip('a', '60', '30', 'GREEN'),
+      chip('b', '-200', 'much', 'OFF'),
+      chip('c', '60', '30', 'GREEN'),
+    ]
+    const main = program(notice('2'), can, ...own, pay('AHEAD', 1), tryFor(1), forever(act))
+    expect(trialOf(main).actions.slice(3)).toEqual([
+      { left: 60, right: 30, lamp: 'green' },
+      { left: -100, right: 0, lamp: 'off' },
+    ])
+    const lab = started(main)
+    const seen = new Set<string>()
+    for (let tick = 0; tick < 1200; tick++) {
+      lab.advance(1)
+      const { led, motors } = lab.view().robots[0]!
+      seen.add(`${motors['C']} ${motors['B']} ${led}`)
+    }
+    expect(seen).toContain('60 30 green')
+    expect([...seen].filter((one) => one.startsWith('-100 0'))).toEqual(['-100 0 null'])
   })
 
   it.each([

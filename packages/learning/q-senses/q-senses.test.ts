@@ -8,6 +8,7 @@ import {
   bucketsOf,
   chooseAction,
   emptyTable,
+  isOf,
   learn,
   learner,
   payFor,
@@ -78,6 +79,19 @@ describe('buckets', () => {
   })
 })
 
+test('a table is of a trial where everything that decides what is learned is the same', () => {
+  const table = { ...eyes, kind: 'table' as const, ...emptyTable(10, 3) }
+  expect(isOf(eyes, table)).toBe(true)
+  const others: Partial<Trial>[] = [
+    { seed: 2 },
+    { starts: [{ x: 1, y: 2 }] },
+    { actions: eyes.actions.map((action) => ({ ...action, lamp: 'red' as const })) },
+    { pay: [{ for: 'bump', coins: -6 }] },
+    { bumpEnds: true },
+  ]
+  for (const other of others) expect(isOf({ ...eyes, ...other }, table)).toBe(false)
+})
+
 describe('pay', () => {
   const none = Object.fromEntries(payKinds.map((kind) => [kind, 0])) as Facts
 
@@ -103,6 +117,7 @@ describe('pay', () => {
       },
     ],
     ['tryNoActions', { actions: [{ left: 0, right: 0 }] }],
+    ['tryManyActions', { actions: Array.from({ length: 13 }, (_, left) => ({ left, right: 0 })) }],
     ['tryNoPay', { pay: [{ for: 'bump', coins: 0 }] }],
     ['tryNoPay', { pay: [] }],
     ['tryManySentences', { pay: Array.from({ length: 7 }, () => ({ for: 'bump' as const, coins: 1 })) }],

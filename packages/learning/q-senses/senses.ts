@@ -6,6 +6,7 @@ export const limits = {
   sentences: 6,
   coins: 20,
   actions: 12,
+  starts: 8,
   hold: [6, 60],
 } as const
 
@@ -53,7 +54,13 @@ export const payFor = (pay: readonly Sentence[], facts: Facts): number =>
 
 /** Why nothing can be learned: its name in the words. */
 export type Problem =
-  'tryNoSenses' | 'tryManySenses' | 'tryManyStates' | 'tryNoActions' | 'tryManySentences' | 'tryNoPay'
+  | 'tryNoSenses'
+  | 'tryManySenses'
+  | 'tryManyStates'
+  | 'tryNoActions'
+  | 'tryManyActions'
+  | 'tryManySentences'
+  | 'tryNoPay'
 
 export function problemOf(trial: Trial): Problem | null {
   const { sensors, actions, pay } = trial
@@ -61,6 +68,7 @@ export function problemOf(trial: Trial): Problem | null {
   if (sensors.length > limits.sensors) return 'tryManySenses'
   if (statesOf(trial) > limits.states) return 'tryManyStates'
   if (actions.length < 2) return 'tryNoActions'
+  if (actions.length > limits.actions) return 'tryManyActions'
   if (pay.length > limits.sentences) return 'tryManySentences'
   return pay.every(({ coins }) => coins === 0) ? 'tryNoPay' : null
 }
@@ -69,11 +77,12 @@ export function problemOf(trial: Trial): Problem | null {
 export const isOf = (trial: Trial, table: Trial): boolean => signOf(trial) === signOf(table)
 
 const signOf = ({ sensors, edges, bump, actions, hold, pay, bumpEnds, ...rest }: Trial): string => {
-  const { alpha, gamma, rho, seed } = rest
+  const { alpha, gamma, rho, seed, starts = [] } = rest
   const plain = [
     sensors.map(({ port, mode }) => [port, mode]),
-    actions.map(({ left, right }) => [left, right]),
+    actions.map(({ left, right, lamp }) => [left, right, lamp]),
     pay.map(({ for: what, coins }) => [what, coins]),
+    starts.map(({ x, y }) => [x, y]),
   ]
   return JSON.stringify([...plain, edges, bump, hold, bumpEnds, alpha, gamma, rho, seed])
 }

@@ -27,10 +27,17 @@ export interface Sensor {
   readonly mode: 'distance' | 'light' | 'colour' | 'touch'
 }
 
-/** Both wheels in percent, −100..100. */
+/** Both wheels in percent, −100..100, and what the lamp does meanwhile; without it the lamp is left as it is. */
 export interface Action {
   readonly left: number
   readonly right: number
+  readonly lamp?: 'green' | 'orange' | 'red' | 'off'
+}
+
+/** A place where a try may begin, cm. */
+export interface Place {
+  readonly x: number
+  readonly y: number
 }
 
 /** What is paid for; see `facts.ts` and model.md. */
@@ -64,6 +71,8 @@ export interface Trial {
   readonly gamma: number
   readonly rho: number
   readonly seed: number
+  /** Each try begins at one of these by chance, at most 8; not there: where the robot stands at the start. */
+  readonly starts?: readonly Place[]
 }
 
 /** A learned table as a project holds it: from its seed it is learned again, the same every time. */

@@ -7,6 +7,8 @@ const share = v.pipe(finite, v.minValue(0), v.maxValue(1))
 const whole = v.pipe(v.number(), v.integer(), v.minValue(0), v.maxValue(1_000_000_000))
 /** No value that 20 coins in each of a thousand units could come to is as large. */
 const value = v.pipe(finite, v.minValue(-1e9), v.maxValue(1e9))
+const lamps = ['green', 'orange', 'red', 'off'] as const
+const place = v.pipe(finite, v.minValue(0), v.maxValue(10_000))
 const most = limits.states * limits.actions
 
 const rising = (edges: number[]) => edges.every((edge, k) => k === 0 || edge > edges[k - 1]!)
@@ -32,7 +34,7 @@ export const tableSchema: v.GenericSchema<unknown, TableBrain> = v.pipe(
     edges: v.pipe(v.array(edges), v.maxLength(limits.sensors)),
     ...{ bump: v.boolean(), bumpEnds: v.boolean() },
     actions: v.pipe(
-      v.array(v.object({ left: percent, right: percent })),
+      v.array(v.object({ left: percent, right: percent, lamp: v.exactOptional(v.picklist(lamps)) })),
       v.minLength(2),
       v.maxLength(limits.actions),
     ),
@@ -47,6 +49,7 @@ export const tableSchema: v.GenericSchema<unknown, TableBrain> = v.pipe(
       v.maxLength(limits.sentences),
     ),
     ...{ alpha: share, gamma: share, rho: share, seed: whole, moves: whole },
+    starts: v.exactOptional(v.pipe(v.array(v.object({ x: place, y: place })), v.maxLength(limits.starts))),
     q: v.pipe(v.array(value), v.maxLength(most)),
     tries: v.pipe(v.array(whole), v.maxLength(most)),
   }),

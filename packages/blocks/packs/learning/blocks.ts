@@ -13,6 +13,7 @@ import { ai_q_learner_config } from '../../q-learning/ai_q_learner_config.ts'
 import { ai_q_learning_states_and_actions_map } from '../../q-learning/ai_q_learning_states_and_actions_map.ts'
 import { ai_try_act } from '../../q-learning/ai_try_act.ts'
 import { ai_try_actions } from '../../q-learning/ai_try_actions.ts'
+import { ai_try_chip } from '../../q-learning/ai_try_chip.ts'
 import { ai_try_learn } from '../../q-learning/ai_try_learn.ts'
 import { ai_try_pay } from '../../q-learning/ai_try_pay.ts'
 import { ai_try_senses } from '../../q-learning/ai_try_senses.ts'
@@ -39,6 +40,7 @@ export const blocks: { readonly [T in TypeIn<'learning'>]: Definition } = {
   ai_q_learning_states_and_actions_map,
   ai_try_act,
   ai_try_actions,
+  ai_try_chip,
   ai_try_learn,
   ai_try_pay,
   ai_try_senses,

@@ -7,7 +7,7 @@ import {
   learner,
   learningMap,
 } from '../../parts/learning-examples.ts'
-import { act, can, notice, pay, tryFor } from '../../parts/trying-examples.ts'
+import { act, can, chip, notice, pay, tryFor } from '../../parts/trying-examples.ts'
 import { error, forget, practise, remember } from '../../parts/teaching-examples.ts'
 import { colourReading, find, groupAs } from '../../parts/sorting-examples.ts'
 import { withRest, type ToolboxCategory } from '../../toolbox.ts'
@@ -16,7 +16,15 @@ import { blocks } from './blocks.ts'
 
 const trying: readonly Template[] = [learningMap(), learner, gainExperience, drawWay, follower, barrier(2, 3)]
 
-const bySenses: readonly Template[] = [notice('2'), can, pay('AHEAD', 1), pay('BUMP', -5), tryFor(8), act]
+const bySenses: readonly Template[] = [
+  notice('2'),
+  can,
+  chip,
+  pay('AHEAD', 1),
+  pay('BUMP', -5),
+  tryFor(8),
+  act,
+]
 
 const sorting: readonly Template[] = [
   colourReading,
