@@ -23,6 +23,7 @@ export function pythonOf(
       program,
       config: robot.config,
       brains: project.brains,
+      ...(project.tables && { tables: project.tables }),
       set: robot.brain,
     },
     ...how,

@@ -80,6 +80,8 @@ export interface PythonAt {
   readonly learner: boolean
   /** Reads, runs and obeys the network of this block. */
   network(): void
+  /** One decision by the table that was learned with the robot's sensors. */
+  table(): void
   /** One run of the network that is known by its neurons' names. */
   step(): void
   /** Where a number of that network is kept. */

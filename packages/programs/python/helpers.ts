@@ -4,6 +4,7 @@ import { general } from './helpers/general.ts'
 import { learner } from './helpers/learner.ts'
 import { network } from './helpers/network.ts'
 import { sorting } from './helpers/sorting.ts'
+import { trying } from './helpers/trying.ts'
 import { ev3dev2 } from './robots/ev3dev2-helpers.ts'
 import { pybricks } from './robots/pybricks-helpers.ts'
 import { spike } from './robots/spike-helpers.ts'
@@ -22,7 +23,7 @@ export interface HelperAt {
 type Helper = (h: HelperAt) => readonly string[]
 export type Helpers = { readonly [name: string]: Helper }
 
-const shared: Helpers = { ...general, ...learner, ...network, ...sorting }
+const shared: Helpers = { ...general, ...learner, ...network, ...sorting, ...trying }
 const own: { readonly [dialect in Dialect]: Helpers } = {
   ...{ pybricks, ev3dev2 },
   spike: { ...pybricks, ...spike },
@@ -51,7 +52,7 @@ const ofOneBlock = ['learn', 'drive_best_way']
 /** Helpers whose names do not say what they are for: words in the section `python.helper`. */
 const explained = [
   ...['speed', 'straight', 'curve', 'distance', 'show', 'number_text', 'rgb', 'highest', 'find_groups'],
-  ...['best_of', 'put_down', 'drive_to', 'learn'],
+  ...['best_of', 'put_down', 'drive_to', 'learn', 'bucket', 'best_action'],
 ]
 
 /** The same where the hub of SPIKE Prime is another. */

@@ -1,6 +1,7 @@
 import type { Facts } from '@botgarten/blocks'
 import type { Brain } from '@botgarten/learning/neural-network/brain'
 import type { Settings } from '@botgarten/learning/q-learning'
+import type { TableBrain } from '@botgarten/learning/q-senses'
 import type { RobotConfig } from '@botgarten/simulation'
 import type { Program } from '../types.ts'
 
@@ -17,6 +18,8 @@ export interface PythonInput {
   readonly config: RobotConfig
   /** By the id of the network block. */
   readonly brains: { readonly [networkId: string]: Brain }
+  /** By the id of the block that learned it by trying with the robot's sensors. */
+  readonly tables?: { readonly [blockId: string]: TableBrain }
   /** Name of the weight set it drives with; '' or not given: the weights on the knobs. */
   readonly set?: string
   readonly dialect: Dialect

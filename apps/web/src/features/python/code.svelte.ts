@@ -65,11 +65,11 @@ export class Code {
 
   readonly file: PythonFile = $derived.by(() => {
     const { brain, config } = this.#session.robot
-    const { brains } = this.#session.lab.document
+    const { brains, tables } = this.#session.lab.document
     return pythonFrom(
       {
         ...{ name: this.#title(), program: this.#program, config, brains, set: brain },
-        ...{ dialect: this.dialect, gaps: this.gaps },
+        ...{ dialect: this.dialect, gaps: this.gaps, ...(tables && { tables }) },
         learner: this.learner,
         learned: { ...this.#learned, centres: centresIn(this.#session.project.sorting) },
       },
