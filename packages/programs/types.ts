@@ -196,14 +196,14 @@ export interface Progress {
 
 /** What a child keeps: one file, at most 5 MB. */
 export interface Project {
-  readonly botgarten: 1 | 2 | 3
+  readonly botgarten: 1 | 2 | 3 | 4
   readonly name: string
   readonly card?: string
   readonly programs: { readonly [id: string]: Program }
   readonly world: World
   /** By the id of the network block. */
   readonly brains: { readonly [networkId: string]: Brain }
-  /** By the id of the block that learned it by trying with the robot's sensors. */
+  /** By the id of the block that learned it by trying with the robot's sensors. A file has them among its `brains`. */
   readonly tables?: { readonly [blockId: string]: TableBrain }
   /** Maps of its own. Blocks call one `own:<id>`. */
   readonly maps?: { readonly [id: string]: MapDocument }

@@ -49,7 +49,7 @@ describe('what is refused, and why', () => {
     ['[]', 'notAProject'],
     ['{}', 'notAProject'],
     ['"hello"', 'notAProject'],
-    ['{"botgarten":4}', 'newerVersion'],
+    ['{"botgarten":5}', 'newerVersion'],
     ['{"botgarten":1e999}', 'newerVersion'],
     ['{"botgarten":0}', 'notAProject'],
     ['{"botgarten":"1"}', 'notAProject'],
@@ -59,7 +59,7 @@ describe('what is refused, and why', () => {
 
   it('a newer version is named', () => {
     expect(() => parseProject('{"botgarten":7}')).toThrow(
-      new ProjectError('newerVersion', 'The project has version 7; this Botgarten reads up to 3.', {
+      new ProjectError('newerVersion', 'The project has version 7; this Botgarten reads up to 4.', {
         version: 7,
       }),
     )

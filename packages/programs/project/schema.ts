@@ -4,9 +4,10 @@ import type { Learned, Project } from '../types.ts'
 import { finite, idSchema, programSchema, recordOf, textSchema } from './schema-program.ts'
 import { assetsSchema } from './schema-assets.ts'
 import { mapsSchema } from './schema-maps.ts'
-import { brainSchema } from './schema-brain.ts'
+import { anyBrain, apart } from './any-brain.ts'
 import { cardSchema } from './schema-card.ts'
 import { tableSchema } from './schema-tables.ts'
+import { withVersion } from './versions.ts'
 import { worldSchema } from './schema-world.ts'
 
 const whole = v.pipe(v.number(), v.integer(), v.minValue(0), v.maxValue(1_000_000))
@@ -47,15 +48,15 @@ const programsExist = ({ programs, world }: Project) =>
 const rowsIn = ({ brains }: Project) =>
   Object.values(brains).reduce((sum, { examples }) => sum + (examples?.rows.length ?? 0), 0)
 
-/** What is not named here is left out. */
+/** What is not named here is left out. Tables lie among the brains, or, in older files, in a part of their own. */
 export const projectSchema: v.GenericSchema<unknown, Project> = v.pipe(
   v.object({
-    botgarten: v.picklist([1, 2, 3]),
+    botgarten: v.picklist([1, 2, 3, 4]),
     name: textSchema,
     card: v.exactOptional(idSchema),
     programs: recordOf(programSchema),
     world: worldSchema,
-    brains: recordOf(brainSchema),
+    brains: recordOf(anyBrain),
     tables: v.exactOptional(recordOf(tableSchema)),
     maps: v.exactOptional(mapsSchema),
     ownCard: v.exactOptional(cardSchema),
@@ -66,6 +67,7 @@ export const projectSchema: v.GenericSchema<unknown, Project> = v.pipe(
     shelf: v.exactOptional(v.picklist(['plain', 'all'])),
     madeFrom: v.exactOptional(madeFrom),
   }),
+  v.transform((project): Project => withVersion(apart(project))),
   v.check((project) => programsExist(project), 'A robot has a program that is not there.'),
   v.check((project) => rowsIn(project) <= mostOf.projectRows, 'There are too many examples.'),
 )

@@ -2,13 +2,23 @@ import type { Project } from '../types.ts'
 
 /**
  * Versions of the project's file. A file says the oldest version whose readers know everything in it, so that what holds
- * no maps is still read everywhere. 1: the first. 2: with `maps`. 3: with `ownCard`. Nothing else is different: a file of
- * version 1 is one of version 3 that holds neither.
+ * no maps is still read everywhere. 1: the first. 2: with `maps`. 3: with `ownCard`. 4: with a table among its brains.
+ * Nothing else is different: a file of version 1 is one of version 4 that holds none of them.
  */
-export const newest = 3
+export const newest = 4
+
+type Parts = Pick<Project, 'maps' | 'ownCard' | 'tables'>
 
 /** What a project is written as. */
-export function versionOf({ maps = {}, ownCard }: Pick<Project, 'maps' | 'ownCard'>): Project['botgarten'] {
+export function versionOf({ maps = {}, ownCard, tables = {} }: Parts): Project['botgarten'] {
+  if (Object.keys(tables).length > 0) return 4
   if (ownCard) return 3
   return Object.keys(maps).length > 0 ? 2 : 1
+}
+
+/** It learns tables, or loses them, while it is worked on; no file says less than it holds. */
+export function withVersion(project: Project): Project {
+  const { botgarten, tables } = project
+  if ((botgarten === 4) === (tables !== undefined)) return project
+  return { ...project, botgarten: versionOf(project) }
 }

@@ -1,5 +1,6 @@
 import type { Document } from '@botgarten/lab'
 import { emptyBrain, type Brain } from '@botgarten/learning/neural-network/brain'
+import type { TableBrain } from '@botgarten/learning/q-senses'
 import {
   sceneOf,
   type Learned,
@@ -38,6 +39,8 @@ export type Change =
   | { readonly kind: 'examples'; readonly network: string; readonly after: Brain['examples'] | undefined }
   /** How a network practised last and practises next. Its weights stay. */
   | { readonly kind: 'practice'; readonly network: string; readonly after: Brain['practice'] | undefined }
+  /** What a robot has learned by trying with its sensors, by the id of its block. Null: nothing. */
+  | { readonly kind: 'table'; readonly id: string; readonly after: TableBrain | null }
   /** What a robot is built of. */
   | { readonly kind: 'config'; readonly id: string; readonly after: RobotConfig }
   /** Floor, size and things. `pictures`: new ones that lie in it; `stood`: where everything is put. */
@@ -109,6 +112,8 @@ export function backFrom(
       return { ...change, after: document.brains[change.network]?.examples }
     case 'practice':
       return { ...change, after: document.brains[change.network]?.practice }
+    case 'table':
+      return { ...change, after: document.tables?.[change.id] ?? null }
     case 'config': {
       const robot = document.world.robots.find(({ id }) => id === change.id)
       return robot ? { ...change, after: robot.config } : null

@@ -67,6 +67,13 @@ const executors: Executors = {
     return change
   },
 
+  table(change, { lab }) {
+    const { [change.id]: _, ...others } = lab.document.tables ?? {}
+    const tables = change.after ? { ...others, [change.id]: change.after } : others
+    lab.rebuild({ ...lab.document, tables })
+    return change
+  },
+
   config(change, { lab }) {
     const { document } = lab
     const robot = document.world.robots.find(({ id }) => id === change.id)

@@ -88,6 +88,15 @@ describe('a robot more', () => {
     expect(bo!.motors['B']).not.toBe(0)
   })
 
+  it('with a program of its own takes along what that has learned by trying, and takes it away again', () => {
+    const tried = content.program('try-dodge', 'solution')!
+    const one: Document = { ...tried, world }
+    const { id, document: two } = withRobot(one, 'bo', 'own')
+    expect(two.tables).toEqual({ try: tried.tables!['try'], [`${id}-try`]: tried.tables!['try'] })
+    expect(withoutRobot(two, id)).toEqual(one)
+    expect(withoutRobot(two, 'bo').tables).toEqual({ [`${id}-try`]: tried.tables!['try'] })
+  })
+
   it('is gone without a trace when it is taken away', () => {
     for (const kind of ['shared', 'own'] as const) {
       const { id, document: two } = withRobot(document, 'bo', kind)

@@ -8,7 +8,7 @@ import {
   type Brain,
   type Weights,
 } from '@botgarten/learning/neural-network'
-import { networks, type Program } from '@botgarten/programs'
+import { networks, tryingIn, type Program, type Project } from '@botgarten/programs'
 import type { Pose, RobotPlacement } from '@botgarten/simulation'
 
 /** `shared`: the same program, weights of its own · `own`: a program of its own, with weights of its own. */
@@ -50,7 +50,7 @@ export function withGuest(document: Document, guest: Document): { id: string; do
   const [first, robot] = [document.world.robots[0], guest.world.robots[0]]
   if (!first || !robot) return null
   const id = freshName(document)
-  const { programs, brains } = withOwnProgram(guest, robot, id)
+  const { programs, brains, tables } = withOwnProgram(guest, robot, id)
   const program = programs[id]!
   const own = networks(program).map((net) => [net.id, brains[net.id]!] as const)
   const pose = beside(first.pose, document.world.size.width)
@@ -60,6 +60,7 @@ export function withGuest(document: Document, guest: Document): { id: string; do
     document: {
       programs: { ...document.programs, [id]: program },
       brains: { ...document.brains, ...Object.fromEntries(own) },
+      ...someTables({ ...document.tables, ...tableFor(program, tables) }),
       world: { ...document.world, robots },
     },
   }
@@ -88,7 +89,24 @@ function withOwnProgram(document: Document, { program, brain }: RobotPlacement, 
       sets: {},
     }
   }
-  return { ...document, programs: { ...document.programs, [name]: renamed(original, idOf) }, brains }
+  const own = Object.entries(tableFor(original, document.tables)).map(([id, table]) => [idOf(id), table])
+  return {
+    ...{ ...document, brains },
+    ...someTables({ ...document.tables, ...(Object.fromEntries(own) as Tables) }),
+    programs: { ...document.programs, [name]: renamed(original, idOf) },
+  }
+}
+
+type Tables = NonNullable<Project['tables']>
+
+/** A project without tables has no part for them. */
+const someTables = (tables: Tables): Pick<Project, 'tables'> =>
+  Object.keys(tables).length > 0 ? { tables } : {}
+
+/** What a program has learned by trying, by the id of its block. */
+function tableFor(program: Program, tables: Tables = {}): Tables {
+  const id = tryingIn(program)?.id
+  return id !== undefined && Object.hasOwn(tables, id) ? { [id]: tables[id]! } : {}
 }
 
 /** Ids of a file may be as long as ids can be. */
@@ -124,6 +142,8 @@ export function withoutRobot(document: Document, id: string): Document {
   const usesSet = gone.brain === '' || robots.some(({ brain }) => brain === gone.brain)
   const nets = usesProgram ? [] : networks(document.programs[gone.program] ?? noProgram).map((net) => net.id)
   const kept = Object.entries(document.brains).filter(([net]) => !nets.includes(net))
+  const tried = usesProgram ? {} : tableFor(document.programs[gone.program] ?? noProgram, document.tables)
+  const tables = Object.entries(document.tables ?? {}).filter(([id]) => !Object.hasOwn(tried, id))
   return {
     programs: usesProgram ? document.programs : without(document.programs, gone.program),
     brains: Object.fromEntries(
@@ -132,6 +152,7 @@ export function withoutRobot(document: Document, id: string): Document {
         usesSet ? brain : { ...brain, sets: without(brain.sets, gone.brain) },
       ]),
     ),
+    ...someTables(Object.fromEntries(tables)),
     world: { ...document.world, robots },
   }
 }

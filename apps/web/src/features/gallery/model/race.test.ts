@@ -1,10 +1,14 @@
+import { addBlocks } from '@botgarten/blocks'
+import { learning } from '@botgarten/blocks/packs/learning'
 import { content } from '@botgarten/content/files'
 import { cardProject } from '@botgarten/content/document'
 import { createLab } from '@botgarten/lab'
-import { parseProject, type Project } from '@botgarten/programs'
+import { parseProject, tryingIn, type Project } from '@botgarten/programs'
 import { paintFloor } from '@botgarten/simulation'
-import { describe, expect, it } from 'vitest'
+import { beforeAll, describe, expect, it } from 'vitest'
 import { besideMine } from './race.ts'
+
+beforeAll(() => addBlocks(learning))
 
 function projectOf(id: string, program: 'start' | 'solution'): Project {
   const { card, world } = content.card(id)!
@@ -44,6 +48,21 @@ describe('a race beside mine', () => {
       expect(problem).toBeNull()
       expect(pose).not.toEqual(before[at])
     })
+  })
+
+  it('a robot that has learned by trying brings its table along, and drives by it', () => {
+    const theirs = projectOf('try-dodge', 'solution')
+    const both = parsed(besideMine(projectOf('chameleon', 'solution'), theirs, 'x'))
+    const [[id, table] = []] = Object.entries(both.tables ?? {})
+    expect(table).toEqual(theirs.tables!['try'])
+    const guest = both.programs[robotsOf(both)[1]!.program]!
+    expect(tryingIn(guest)!.id).toBe(id)
+    const lab = createLab()
+    lab.load(both, paintFloor({ ...both.world, floor: { colour: '#FFFFFF' } }), { seed: 1, checks: [] })
+    lab.start()
+    lab.advance(60)
+    expect(lab.state().trials[1]!.learning).toBeNull()
+    expect(lab.view().robots[1]!.problem).toBeNull()
   })
 
   it('a title that no weight set may have is not its name', () => {
