@@ -15,6 +15,8 @@ export interface Card {
   readonly work: string
   /** At which port of this machine the lab answers. */
   readonly port: number
+  /** What the clock says when the machine is switched on, ms since 1970; not given: this machine's. */
+  readonly clock?: number
 }
 
 const bootAt = (place(partitions)[0]!.start * sector) / mib
@@ -62,7 +64,7 @@ export interface Guest {
   output(): string
 }
 
-function machine({ file, work, port }: Card, append: string, memory: string | null): string[] {
+function machine({ file, work, port, clock }: Card, append: string, memory: string | null): string[] {
   // A root shell on the serial line, by the kernel's command line alone: the image holds no way in.
   const forTest =
     'console=ttyAMA0 systemd.debug_shell systemd.default_debug_tty=ttyAMA0 systemd.default_device_timeout_sec=900'
@@ -96,6 +98,7 @@ function machine({ file, work, port }: Card, append: string, memory: string | nu
       '-device',
       'virtio-net-pci,netdev=net,romfile=',
     ],
+    ...(clock === undefined ? [] : ['-rtc', `base=${new Date(clock).toISOString().slice(0, 19)},clock=vm`]),
     ...['-monitor', `unix:${join(work, 'monitor')},server=on,wait=off`],
     ...['-chardev', 'stdio,id=serial,signal=off', '-serial', 'chardev:serial'],
     ...(memory === null ? [] : ['-incoming', `exec:cat '${memory}'`]),

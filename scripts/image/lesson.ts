@@ -1,5 +1,5 @@
 import { execFileSync, spawnSync } from 'node:child_process'
-import { mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
+import { mkdirSync, readFileSync, rmSync, statSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'
 import { startNode } from '@botgarten/server/rehearsal'
 import { Trouble } from '../prepare/run.mjs'
@@ -34,10 +34,15 @@ export async function keepLesson({ card, guest, pupils }: Lesson, folder: string
   writeFileSync(children, JSON.stringify(kept))
 }
 
-/** The kept lesson, running again. @param name of the part that it is for */
+/**
+ * The kept lesson, running again at its own time: children are signed in for a lesson, and an emulated Pi takes hours.
+ *
+ * @param name of the part that it is for
+ */
 export async function lessonFor(name: string, port: number, folder: string): Promise<Lesson> {
   const { file, memory, children } = namesIn(folder)
-  const card = { file: join(folder, `${name}.img`), work: join(folder, name), port }
+  const clock = statSync(children).mtimeMs
+  const card = { file: join(folder, `${name}.img`), work: join(folder, name), port, clock }
   copyCard(file, card.file)
   const kept = JSON.parse(readFileSync(children, 'utf8')) as Parameters<typeof pupilOf>[1][]
   return { card, guest: await goOn(card, memory), pupils: kept.map((one) => pupilOf(siteOf(card), one)) }
@@ -59,9 +64,19 @@ function dataOf({ file, work }: Card): string {
   return join(folder, 'lab')
 }
 
+/** Options of Node that put the clock back. @param ms since 1970; now, for the process that is started */
+const atTime = (ms: number) => [
+  '--import',
+  `data:text/javascript,const { now } = Date, back = ${Math.round(Date.now() - ms)}; Date.now = () => now() - back`,
+]
+
 /** How many acknowledged saves are not on a card whose plug was pulled, read by the lab on this machine. */
 export async function lostOnCard({ card, pupils }: Lesson): Promise<number> {
-  const node = await startNode({ data: dataOf(card), port: card.port })
+  const node = await startNode({
+    data: dataOf(card),
+    port: card.port,
+    flags: card.clock === undefined ? [] : atTime(card.clock),
+  })
   try {
     const lost = await Promise.all(pupils.map(lostOf))
     return lost.reduce((sum, one) => sum + one, 0)
