@@ -13,6 +13,7 @@ import { questionnaireScreens } from './screens-questionnaires.ts'
 import { raceScreens } from './screens-races.ts'
 import { studyScreens } from './screens-study.ts'
 import { trainingScreens } from './screens-training.ts'
+import { tryingScreens } from './screens-trying.ts'
 
 /** One picture: how a child gets there. `phone`: one part of the lab at a time. */
 export interface Screen {
@@ -232,6 +233,7 @@ export const screens: readonly Screen[] = [
   },
   ...lookingIn,
   ...trainingScreens,
+  ...tryingScreens,
   ...mapScreens,
   ...questionnaireScreens,
   ...studyScreens,

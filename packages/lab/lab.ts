@@ -9,6 +9,7 @@ import { sensesOf } from './robots/senses.ts'
 import { Run } from './run.ts'
 import { reachStop, stepBlock, stepNetwork, type Stops, type Walk } from './stepping.ts'
 import { momentOf, type Course } from './timeline/moment.ts'
+import { tryViewOf } from './trying/shown.ts'
 import type { Check, Document, Lab, Phase, StepKind } from './types.ts'
 import { variablesOf } from './variables.ts'
 import { viewOf } from './view.ts'
@@ -221,6 +222,8 @@ class OneLab implements Lab {
     return run ? variablesOf(run) : []
   }
 
+  trying = (robot?: string) => tryViewOf(this.#run, this.#run.robotAt(robot), !this.#isOn)
+
   senses = (robot?: string) => sensesOf(this.#simulation, this.#run.robotAt(robot))
 
   #give(input: Input): void {
@@ -282,12 +285,7 @@ class OneLab implements Lab {
 
   state = () => momentOf(this.#run)
   view = (robot?: string) =>
-    viewOf(
-      this.#run,
-      this.#run.inPast ? 'paused' : this.#phase,
-      this.#run.robotAt(robot),
-      this.#other !== null,
-    )
+    viewOf(this.#run, this.now().phase, this.#run.robotAt(robot), this.#other !== null)
   now = () => ({
     tick: this.#run.tick,
     phase: this.#run.inPast ? ('paused' as const) : this.#phase,

@@ -4,6 +4,7 @@ import type { Project } from '@botgarten/programs'
 import type { Floor, LedColour, Pose, Ray, RobotKey, SensorPort } from '@botgarten/simulation'
 import type { DriveKey, Hand, Recording, Remembered, TrainingChange, Wheels } from './inputs/input.ts'
 import type { Senses } from './robots/senses.ts'
+import type { TryView } from './trying/shown.ts'
 import type { Variable } from './variables.ts'
 import type { Moment } from './timeline/moment.ts'
 
@@ -216,6 +217,8 @@ export interface Lab {
   variables(robot?: string): readonly Variable[]
   /** What a robot's sensors, motors, timers and keys say now; the first robot's where none is named. */
   senses(robot?: string): Senses
+  /** What a robot learns by trying at the moment that is shown; null: none of its blocks does. The first robot's where none is named. */
+  trying(robot?: string): TryView | null
   /**
    * Back or forth inside the run: nearest keyframe, then replay (running.md 8). The run is paused there. A tick beyond
    * the present is the present, one before the oldest moment that oldest one. What a hand changes there goes on from there.

@@ -17,6 +17,8 @@ export interface TryOutline {
   readonly trial: Trial
   /** Simulated minutes, 0..60; 0: nothing learns. */
   readonly minutes: number
+  /** Ids of the blocks of its sensors, in their order. */
+  readonly senses: readonly string[]
 }
 
 const chips: { readonly [chip: string]: Action } = {
@@ -59,7 +61,8 @@ export function tryingIn({ stacks }: Program): TryOutline | null {
   }
   const starts = startsIn(learn)
   const tried = starts.length > 0 ? { ...trial, starts } : trial
-  return { id, trial: tried, minutes: learn ? numberIn(learn, 'MINUTES', 8, 0, 60) : 0 }
+  const minutes = learn ? numberIn(learn, 'MINUTES', 8, 0, 60) : 0
+  return { id, trial: tried, minutes, senses: senses.map((block) => block.id) }
 }
 
 function inside(block: Block): readonly Block[] {

@@ -21,6 +21,8 @@ export interface RobotTry {
   learning: TryState | null
   /** Draws between actions that are worth the same. */
   readonly ties: StreamState
+  /** What the table made it do last; null: it has not driven by one. */
+  doing: { readonly state: number; readonly action: number } | null
 }
 
 /** Ticks of so many simulated minutes. */
@@ -49,7 +51,7 @@ export class Trials {
     const known = this.state[robot]
     if (known) return known
     const ties = stream(1, `act/${this.#simulation.world.robots[robot]!.id}`)
-    const fresh: RobotTry = { learning: null, ties }
+    const fresh: RobotTry = { learning: null, ties, doing: null }
     this.state = { ...this.state, [robot]: fresh }
     return fresh
   }
@@ -83,7 +85,9 @@ export class Trials {
     if (!table) return 'tryNotLearned'
     const simulation = this.#simulation
     const state = stateOf(table, readingsOf(simulation, robot, table), touchesIn(simulation, robot))
-    const action = bestAction(table.q, state, table.actions.length, this.#of(robot).ties)
+    const own = this.#of(robot)
+    const action = bestAction(table.q, state, table.actions.length, own.ties)
+    own.doing = { state, action }
     drive(simulation, robot, table.actions[action]!)
     return table.hold
   }

@@ -205,3 +205,56 @@ describe('learning by trying', () => {
     expect(lab.view().checks[0]!.passed).toBe(true)
   })
 })
+
+describe('what is shown of it', () => {
+  const shown = (lab: ReturnType<typeof createLab>) => lab.trying()!
+
+  it('is nothing where no block tries, and an empty table of 10 states before a start', () => {
+    const lab = createLab()
+    lab.load({ programs: { main: program() }, world, brains: {} }, floor, { seed: 1, checks: [] })
+    expect(lab.trying()).toBeNull()
+    lab.edit({ main: blocks(1) })
+    expect(shown(lab)).toMatchObject({ stage: 'fresh', problem: null, action: null, last: null })
+    expect(shown(lab).table.q).toEqual(Array(30).fill(0))
+  })
+
+  it('is the row in which Bo stands, what it does and by which of the two, and is left alone by the run', () => {
+    const lab = started()
+    lab.advance(31)
+    const { stage, last, state, action, table } = shown(lab)
+    expect({ stage, t: last!.t, state }).toEqual({ stage: 'trying', t: 2, state: last!.to })
+    expect(['explore', 'exploit']).toContain(action!.decision)
+    const [q, moves] = [[...table.q], table.moves]
+    lab.advance(600)
+    expect(table).toMatchObject({ q, moves })
+    expect(shown(lab).table.moves).toBe(42)
+  })
+
+  it('is the table of then in a moment of the past', () => {
+    const lab = started()
+    lab.advance(1000)
+    const then = shown(lab)
+    lab.advance(1000)
+    lab.goTo(1000)
+    expect(shown(lab)).toEqual(then)
+  })
+
+  it('is learned when it drives by its table, and of other blocks when they have been changed since', () => {
+    const lab = started()
+    lab.advance(3700)
+    expect(shown(lab)).toMatchObject({ stage: 'learned', action: { decision: 'exploit' } })
+    lab.edit({ main: blocks(1, { ALPHA: '0.1' }) })
+    expect(shown(lab)).toMatchObject({ stage: 'other', table: { alpha: 0.2 } })
+  })
+
+  it.each([
+    ['tryNoSenses', program(can, pay('BUMP', -5), tryFor(1))],
+    ['tryManySenses', program(...['1', '2', '3', '4'].map(notice), can, pay('BUMP', -5), tryFor(1))],
+    ['tryNoActions', program(notice('2'), pay('BUMP', -5), tryFor(1))],
+    ['tryNoPay', program(notice('2'), can, pay('BUMP', 0), tryFor(1))],
+  ])('says why nothing can be learned: %s', (problem, main) => {
+    const lab = createLab()
+    lab.load({ programs: { main }, world, brains: {} }, floor, { seed: 1, checks: [] })
+    expect(shown(lab).problem).toBe(problem)
+  })
+})

@@ -165,6 +165,7 @@ export class RunningLab {
   missing = () => this.#lab.missing()
   variables = (robot: string) => this.#lab.variables(robot)
   senses = (robot: string) => this.#lab.senses(robot)
+  trying = (robot: string) => this.#lab.trying(robot)
   place = (...what: Parameters<Lab['place']>) => this.#then(() => this.#lab.place(...what))
   setWeight = (brain: string, from: string, to: string, weight: number, set = '') =>
     this.#then(() => this.#lab.setWeight(brain, from, to, weight, set))

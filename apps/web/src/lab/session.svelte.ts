@@ -1,7 +1,7 @@
 import type { Finding } from '@botgarten/blocks'
 import type { DriveKey } from '@botgarten/lab'
 import type { Brain } from '@botgarten/learning/neural-network/brain'
-import { networksByUse } from '@botgarten/programs'
+import { networksByUse, tryingIn } from '@botgarten/programs'
 import type { Learned, OwnCard, Project, Scene } from '@botgarten/programs'
 import { ownCardId } from '#content/cards.ts'
 import type { Floor } from '@botgarten/simulation'
@@ -52,6 +52,8 @@ export class LabSession {
   inside = $state.raw<Slots['inside'] | null>(null)
   /** How its networks learn from examples; there once a child has asked. */
   training = $state.raw<Slots['training'] | null>(null)
+  /** What the robot learns by trying with its own sensors; there once a program does so. */
+  senses = $state.raw<Slots['senses'] | null>(null)
   /** What lies under a floor that has no picture: the map from which the way was drawn. */
   below = $state.raw<MapBelow | null>(null)
   readonly #extras: Extras
@@ -142,6 +144,9 @@ export class LabSession {
 
   /** Does the program learn by trying? Its playground is shown then. */
   learns = $derived.by(() => JSON.stringify(this.program.stacks).includes(learningMap))
+
+  /** Does the robot try with its own sensors? */
+  tries = $derived.by(() => tryingIn(this.program) !== null)
 
   /** How far the chosen robot's learning by trying has come. */
   get learned(): Learned | undefined {

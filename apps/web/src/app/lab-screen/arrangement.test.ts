@@ -26,12 +26,12 @@ test('visual.md 3: at 1366 × 768 the panes are 452, 396 and the rest', () => {
 })
 
 test('code has more room than the world, and stands beside its blocks', () => {
-  const borders = bordersOf('columns', { width: 1346, height: 630 }, {}, true)
+  const borders = bordersOf('columns', { width: 1346, height: 630 }, {}, 'code')
   const [program, code] = borders.map(({ at }) => at)
   // The longest line of most files, 64 letters at 13.5 px, and a world whose bar has the word Start.
   expect(code).toBeGreaterThanOrEqual(550)
   expect(1346 - 2 * gap - program! - code!).toBeGreaterThanOrEqual(360)
-  expect(gridOf('columns', borders, true)).toMatch(/^"program first network second world"/)
+  expect(gridOf('columns', borders, 'code')).toMatch(/^"program first network second world"/)
 })
 
 test('visual.md 3: at 1024 × 768 the program is 458 wide and the world 274 high', () => {

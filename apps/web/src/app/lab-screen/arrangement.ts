@@ -59,23 +59,30 @@ function columnsDesigned(free: number): readonly [program: number, world: number
   return [program, Math.min(free - program - designed.network, designed.worldMost)]
 }
 
+/** What stands in the third pane. */
+export type Third = 'network' | 'code' | 'tried'
+
+/** What was learned by trying is few blocks, and much to see in the world. */
+const columnsTried = (free: number): readonly [program: number, world: number] => [0.265 * free, 0.375 * free]
+
 /** Code wants room for its longest lines, beside its blocks. The second border is the code's. */
 const columnsCode = (free: number): readonly [program: number, code: number] => [
   Math.min(0.305 * free, designed.programMost),
   Math.min(0.415 * free, 820),
 ]
 
-function columns(area: Area, sizes: PaneSizes['columns'], code: boolean): readonly [Border, Border] {
+function columns(area: Area, sizes: PaneSizes['columns'], third: Third): readonly [Border, Border] {
   const free = area.width - 2 * gap
-  const asDesigned = code ? columnsCode(free) : columnsDesigned(free)
+  const code = third === 'code'
+  const asDesigned = { network: columnsDesigned, code: columnsCode, tried: columnsTried }[third](free)
   const wanted = sizes ? [sizes[0] * area.width, sizes[1] * area.width] : asDesigned
   const [middle, right] = code ? [least.network, least.world] : [least.world, least.network]
   const program = border('x', wanted[0] ?? 0, least.program, free - middle - right)
   return [program, border('x', wanted[1] ?? 0, middle, free - program.at - right)]
 }
 
-function stacked(area: Area, sizes: PaneSizes['stacked'], code: boolean): readonly [Border, Border] {
-  const [program, world] = sizes ?? (code ? [0.442, 0.3] : [0.456, 0.435])
+function stacked(area: Area, sizes: PaneSizes['stacked'], third: Third): readonly [Border, Border] {
+  const [program, world] = sizes ?? (third === 'code' ? [0.442, 0.3] : [0.456, 0.435])
   return [
     border('x', program * area.width, least.program, area.width - gap - least.network),
     border('y', world * area.height, least.worldHeight, area.height - gap - least.networkHeight),
@@ -95,10 +102,10 @@ export function bordersOf(
   arrangement: Arrangement,
   area: Area,
   sizes: PaneSizes,
-  code = false,
+  third: Third = 'network',
 ): readonly Border[] {
-  if (arrangement === 'columns') return columns(area, sizes.columns, code)
-  if (arrangement === 'stacked') return stacked(area, sizes.stacked, code)
+  if (arrangement === 'columns') return columns(area, sizes.columns, third)
+  if (arrangement === 'stacked') return stacked(area, sizes.stacked, third)
   return arrangement === 'rows' ? rows(area, sizes.rows) : []
 }
 
@@ -136,12 +143,17 @@ export function gridOfTwo(arrangement: Arrangement, borders: readonly Border[]):
 }
 
 /** `grid-template` of an arrangement. */
-export function gridOf(arrangement: Arrangement, borders: readonly Border[], code = false): string {
+export function gridOf(
+  arrangement: Arrangement,
+  borders: readonly Border[],
+  third: Third = 'network',
+): string {
   const [a, b] = borders.map((border) => `${border.at}px`)
   switch (arrangement) {
     case 'columns':
       // Code stands beside its blocks.
-      if (code) return `"program first network second world" ${rest} / ${a} ${gap}px ${b} ${gap}px ${rest}`
+      if (third === 'code')
+        return `"program first network second world" ${rest} / ${a} ${gap}px ${b} ${gap}px ${rest}`
       return `"program first world second network" ${rest} / ${a} ${gap}px ${b} ${gap}px ${rest}`
     case 'stacked':
       return `"program first world" ${b} "program first second" ${gap}px "program first network" ${rest} / ${a} ${gap}px ${rest}`

@@ -120,13 +120,19 @@ export class LabScreenState {
   readonly loose = $derived.by(() => this.net !== null && this.net.idle !== null && this.held === null)
   /** The pane of the network was opened by hand, while there is no network. */
   emptyOpen = $state(false)
+  /** Is the network looked at, in a program that tries as well? */
+  netOpen = $state(false)
+  /** Does the program learn by trying, on a map or with sensors? The third pane shows it. */
+  readonly thirdIsLearned = $derived.by(() => this.session.learns || this.session.tries)
   /** In a project of one's own the pane is folded away until there is a network, or a hand opens it. */
   readonly folds = $derived.by(
-    () => this.card === null && this.net === null && !this.session.learns && !this.layout.pages,
+    () => this.card === null && this.net === null && !this.thirdIsLearned && !this.layout.pages,
   )
+  /** Is the pane the one of what the robot learns with its own sensors? A network beside it is looked at by hand. */
+  readonly showsTried = $derived.by(() => this.session.tries && !(this.net !== null && this.netOpen))
   /** A card without a network has no pane for one. */
   readonly hasNetworkPane = $derived.by(() => {
-    if (this.codeOpen || this.net !== null || this.session.learns) return true
+    if (this.codeOpen || this.net !== null || this.thirdIsLearned) return true
     if (this.folds) return this.emptyOpen
     return !['drive', 'sorting'].includes(this.card?.card.playground ?? '')
   })

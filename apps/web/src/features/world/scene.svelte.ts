@@ -4,6 +4,7 @@ import { badgeSides, drawBadge, drawLead, type Badge } from '#drawing/badges.ts'
 import { drawBeyond } from '#drawing/beyond.ts'
 import { partAt, partsOf } from '#drawing/bo.ts'
 import { onFloor } from '#drawing/camera.ts'
+import type { Command } from '#drawing/commands.ts'
 import type { Gap } from '#drawing/gap.ts'
 import { boRadius, grabbedAt, hitOf, roundHit, type Grabbed } from '#drawing/grab.ts'
 import { turned, type Point, type Size } from '#drawing/points.ts'
@@ -19,41 +20,13 @@ import { letters } from '#figures/letters.svelte.ts'
 import { bodies, robotName } from '#figures/robot-names.ts'
 import type { Viewport } from '#figures/world/viewport.svelte.ts'
 import type { Place } from '#lab/door.ts'
-import type { Slots } from '#lab/slots.ts'
 import { comfort } from '#storage/comfort.svelte.ts'
 import { fetchWords, m } from '#words/message.ts'
 import type { Hand } from './hand.svelte.ts'
 import { layBadges, withRays } from './lay-badges.ts'
+import type { Shown } from './shown.ts'
 import { standing, type Standing } from './steady.ts'
 import { thingName } from '#content/thing-name.ts'
-
-/** What the world's pane shows. */
-export interface Shown {
-  readonly world: World
-  /** A new object once a frame. */
-  readonly view: View
-  /** Id of the robot whose rays are shown. */
-  readonly robot: string
-  readonly showRays: boolean
-  /** Ports whose sensors are shown; null: all. */
-  readonly ports: readonly string[] | null
-  /** What is written beside the robot. */
-  readonly badges: readonly Badge[]
-  readonly showTrail: boolean
-  readonly gap: GapOnFloor | null
-  readonly inside: Slots['inside'] | null
-  /** What is seen of the floor, in px of its box. */
-  readonly place: Size & Point
-}
-
-/** From one place to another, in cm, with what is written at it. */
-export interface GapOnFloor {
-  readonly from: Point
-  readonly to: Point
-  readonly label: string
-  /** Where the run began, as the next one will; null: near where it ended, or nothing to say. */
-  readonly began: Pose | null
-}
 
 const configsOf = ({ robots }: World): ReadonlyMap<string, RobotConfig> =>
   new Map(robots.map(({ id, config }) => [id, config]))
@@ -223,8 +196,17 @@ export class WorldScene {
     return this.#parts(robot).find((one) => one.part === part) ?? this.#at(robot.pose)
   }
 
+  /** What was learned by trying, under the robot or over it. */
+  #tried(where: 'under' | 'over'): readonly Command[] {
+    const { senses, view, robot } = this.#shown()
+    const one = senses && view.robots.find(({ id }) => id === robot)
+    return one ? senses[where](this.#at(one.pose), one.pose.heading, this.#viewport.scale) : []
+  }
+
   readonly shapes = $derived.by(() => [
+    ...this.#tried('under'),
     ...drawWorld(this.now),
+    ...this.#tried('over'),
     ...drawBeyond(this.now),
     ...this.#badges.map(({ badge, box, to }) => drawLead(badge, box, to)),
     ...this.#badges.flatMap(({ badge, box, label }) => drawBadge(badge, box, label)),

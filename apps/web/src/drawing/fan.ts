@@ -1,0 +1,91 @@
+import { actionFill, actionSign, type Wheels } from './action-signs.ts'
+import type { Command } from './commands.ts'
+import type { Point } from './points.ts'
+
+// What a robot would do in each case, as fields before it: no map, but how near to each eye something is.
+
+/** Fields by bucket of the left sensor, then of the right one: which action is best; null: not known yet. */
+export interface Fan {
+  readonly fields: readonly (readonly (number | null)[])[]
+  /** Where it stands: bucket left, bucket right; null: nowhere in the fan. */
+  readonly now: readonly [left: number, right: number] | null
+  readonly actions: readonly Wheels[]
+}
+
+const line = '#4A3428'
+const active = '#1F67B3'
+/** Of the fields of a fan of 3 × 3, in cm. More fields are smaller, down to what can be read. */
+const fieldCm = 19
+const leastPx = 22
+/** From the middle of the robot to the first field, in cm. */
+const before = 12
+
+/** Px. */
+export const fieldSide = ({ fields }: Fan, scale: number): number => {
+  const most = Math.max(fields.length, ...fields.map(({ length }) => length))
+  return Math.max(leastPx, (fieldCm * scale * 3) / Math.max(3, most))
+}
+
+/** Commands in px about the middle of the robot, which looks up. */
+export function drawFan(fan: Fan, scale: number): readonly Command[] {
+  const side = fieldSide(fan, scale)
+  const twoEyes = (fan.fields[0]?.length ?? 0) > 1
+  const middle = twoEyes ? onDiagonals : straight
+  const all = fan.fields.flatMap((row, left) =>
+    row.map((action, right) => ({ action, left, right, at: middle(left, right, side, before * scale) })),
+  )
+  const isNow = ({ left, right }: { left: number; right: number }) =>
+    fan.now?.[0] === left && fan.now[1] === right
+  return [
+    ...all.map((one) => field(one.at, side, one.action, fan.actions, twoEyes)),
+    ...all.filter(isNow).map(({ at }) => square(at, side, twoEyes, { stroke: active, lineWidth: 5 })),
+  ]
+}
+
+/** The left eye's buckets go to the left and ahead, the right eye's to the right and ahead. */
+const onDiagonals = (left: number, right: number, side: number, off: number): Point => ({
+  x: ((right - left) * side) / Math.SQRT2,
+  y: -off - ((left + right + 1) * side) / Math.SQRT2,
+})
+const straight = (left: number, _right: number, side: number, off: number): Point => ({
+  x: 0,
+  y: -off - (left + 0.5) * side,
+})
+
+function field(
+  at: Point,
+  side: number,
+  action: number | null,
+  actions: readonly Wheels[],
+  turns: boolean,
+): Command {
+  const wheels = action === null ? undefined : actions[action]
+  const fill = action === null ? '#FFFDF8' : actionFill(action)
+  return {
+    kind: 'group',
+    shapes: [
+      square(at, side, turns, { fill, stroke: line, lineWidth: 1.5, opacity: 0.92 }),
+      {
+        ...{ kind: 'group', ...at, scale: side / 34 },
+        shapes: wheels ? [{ kind: 'path', d: actionSign(wheels), stroke: line, lineWidth: 2.4 }] : question,
+      },
+    ],
+  }
+}
+
+const question: readonly Command[] = [
+  {
+    kind: 'path',
+    d: 'M-4-4a4 4 0 1 1 6.300 3.200c-1.600 1-2.300 1.700-2.300 3.300M0 7v.1',
+    stroke: '#6B5545',
+    lineWidth: 2.4,
+  },
+]
+
+type Look = Partial<Extract<Command, { kind: 'rect' }>>
+
+function square({ x, y }: Point, side: number, turns: boolean, look: Look): Command {
+  const half = side / 2
+  const shape: Command = { kind: 'rect', x: -half, y: -half, width: side, height: side, ...look }
+  return { kind: 'group', x, y, turn: turns ? 45 : 0, shapes: [shape] }
+}

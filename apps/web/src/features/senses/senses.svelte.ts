@@ -1,0 +1,173 @@
+import { untrack } from 'svelte'
+import { prefersReducedMotion } from 'svelte/motion'
+import type { TryView } from '@botgarten/lab/trying'
+import { drawCoin } from '#drawing/coin.ts'
+import type { Command } from '#drawing/commands.ts'
+import { drawFan, type Fan } from '#drawing/fan.ts'
+import type { Point } from '#drawing/points.ts'
+import type { LabSession } from '#lab/session.svelte.ts'
+import { edgeAt, type EdgeField, type Edges } from './model/edges.ts'
+import { cellAt, fanOf, rowsOf } from './model/table.ts'
+import Choice from './view/Choice.svelte'
+import { fixed } from './view/messages.ts'
+import Over from './view/Over.svelte'
+import Pane from './view/Pane.svelte'
+
+declare module '#lab/slots.ts' {
+  interface Slots {
+    /** What a robot learns by trying with its own sensors. */
+    senses: Senses
+  }
+}
+
+/** Changes fields of a block, as one step to undo. */
+export type SetFields = (block: string, fields: { readonly [name: string]: string }) => void
+
+/** Milliseconds between two looks at what is learned. A table of more cells than `many` is looked at less often. */
+const often = 100
+const seldom = 500
+const many = 300
+
+/** An edge while a hand pulls it: of which sensor, and where it is. */
+interface Pulled {
+  readonly sensor: number
+  readonly field: EdgeField
+  readonly value: number
+}
+
+/** What is shown of learning by trying: the table of now or of then, and what of it is drawn on the floor. */
+export class Senses {
+  readonly Pane = Pane
+  readonly Choice = Choice
+  readonly Over = Over
+  readonly session: LabSession
+  readonly #setFields: SetFields
+  #now = $state.raw<TryView | null>(null)
+  #pulled = $state.raw<Pulled | null>(null)
+  /** The cell that was tapped; null: that of the last move is looked at. */
+  chosen = $state.raw<{ readonly state: number; readonly action: number } | null>(null)
+  /** Are the edges on the rays to be pulled? */
+  edgesOpen = $state(false)
+
+  constructor(session: LabSession, setFields: SetFields) {
+    this.session = session
+    this.#setFields = setFields
+    this.#look()
+  }
+
+  /** Null where no block tries any more. */
+  get now() {
+    return this.#now
+  }
+
+  /** Follows the lab. Not with every frame: while it runs, ten times a second. Returns how to end it. */
+  open(): () => void {
+    const { session } = this
+    return $effect.root(() => {
+      $effect(() => {
+        if (session.lab.facts.phase === 'running') {
+          const timer = setInterval(this.#look, this.#pause)
+          return () => clearInterval(timer)
+        }
+        void [session.lab.view, session.lab.document, session.robotId]
+        untrack(this.#look)
+        return undefined
+      })
+    })
+  }
+
+  get #pause() {
+    const cells = untrack(() => this.#now?.table.q.length ?? 0)
+    return prefersReducedMotion.current || cells > many ? seldom : often
+  }
+
+  #look = (): void => {
+    this.#now = this.session.lab.trying(this.session.robotId)
+  }
+
+  readonly rows = $derived.by(() => (this.#now ? rowsOf(this.#now.table) : []))
+
+  /** The cell whose number is looked at. */
+  readonly cell = $derived.by(() => {
+    const { chosen, rows } = this
+    if (chosen && rows[chosen.state]?.cells[chosen.action]) return chosen
+    const last = this.#now?.last
+    return last ? { state: last.from, action: last.action } : null
+  })
+
+  /** How the number of that cell has just come about; null where it was not the last one to change. */
+  readonly trace = $derived.by(() => {
+    const [last, cell] = [this.#now?.last, this.cell]
+    return last && cell && last.from === cell.state && last.action === cell.action ? last : null
+  })
+
+  // ---- on the floor ----
+
+  readonly #fan: Fan | null = $derived.by(() => {
+    const now = this.#now
+    if (!now || this.rows.length === 0 || this.edgesOpen || now.stage === 'fresh') return null
+    const { sensors } = this.session.config
+    const [one, two] = now.table.sensors.map(({ port }) => sensors[port]?.y ?? 0)
+    return fanOf(now.table, this.rows, now.state, two !== undefined && one! < two)
+  })
+  #drawn: { readonly fan: Fan; readonly scale: number; readonly shapes: readonly Command[] } | null = null
+
+  /** Under the robot. The same commands as long as nothing else is known: they are only moved. @param at px */
+  under(at: Point, heading: number, scale: number): readonly Command[] {
+    const fan = this.#fan
+    if (!fan) return []
+    if (this.#drawn?.fan !== fan || this.#drawn.scale !== scale)
+      this.#drawn = { fan, scale, shapes: drawFan(fan, scale) }
+    return [{ kind: 'group', ...at, turn: 90 - heading, shapes: this.#drawn.shapes }]
+  }
+
+  readonly #coin = $derived.by(() => {
+    const last = this.#now?.stage === 'trying' ? this.#now.last : null
+    if (!last || Math.abs(last.reward) < 0.05) return null
+    const sign = last.reward > 0 ? '+' : ''
+    return { text: `${sign}${fixed(last.reward, 1)}`, gains: last.reward > 0 }
+  })
+
+  /** Over the robot: what has just been paid. @param at px */
+  over(at: Point, heading: number, scale: number): readonly Command[] {
+    return this.#coin ? drawCoin(this.#coin, at, heading, 12 * scale) : []
+  }
+
+  // ---- edges ----
+
+  /** Edges of a sensor as they are pulled, or as its block says; null for colours, touch, and where both are the same. */
+  edgesOf(sensor: number): Edges | null {
+    const trial = this.#now?.outline.trial
+    const mode = trial?.sensors[sensor]?.mode
+    const [low, high] = trial?.edges[sensor] ?? []
+    if ((mode !== 'distance' && mode !== 'light') || low === undefined || high === undefined) return null
+    const pulled = this.#pulled?.sensor === sensor ? this.#pulled : null
+    return pulled?.field === 'LOW' ? [pulled.value, high] : pulled ? [low, pulled.value] : [low, high]
+  }
+
+  /** A hand pulls an edge; the block learns of it when it lets go. */
+  pull(sensor: number, field: EdgeField, wanted: number): void {
+    const edges = this.edgesOf(sensor)
+    if (edges) this.#pulled = { sensor, field, value: edgeAt(field, edges, wanted) }
+  }
+
+  letGo(): void {
+    const pulled = this.#pulled
+    this.#pulled = null
+    if (pulled) this.setEdge(pulled.sensor, pulled.field, pulled.value)
+  }
+
+  /** Writes an edge into its block: one step to undo. */
+  setEdge(sensor: number, field: EdgeField, value: number): void {
+    const edges = this.edgesOf(sensor)
+    const block = this.#now?.outline.senses[sensor]
+    if (!edges || block === undefined || edges[field === 'LOW' ? 0 : 1] === value) return
+    this.#setFields(block, { [field]: String(value) })
+  }
+
+  /** Index of the looked-at cell in the table; −1: there is none. */
+  get at(): number {
+    const { cell } = this
+    return this.#now && cell ? cellAt(this.#now.table, cell.state, cell.action) : -1
+  }
+}
