@@ -2,7 +2,7 @@
 export type EdgeField = 'LOW' | 'HIGH'
 
 /** Edges of distances and light: cm, or percent. */
-export const bounds = { least: 1, most: 99 } as const
+const bounds = { least: 1, most: 99 } as const
 
 /** Both edges of a sensor; null where there is only one, because both are the same. */
 export type Edges = readonly [low: number, high: number]

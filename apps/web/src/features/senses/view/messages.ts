@@ -21,7 +21,7 @@ export function fixed(value: number, places: number): string {
 }
 
 /** With as many places as it needs, three at most. */
-export const exact = (value: number): string =>
+const exact = (value: number): string =>
   new Intl.NumberFormat(language.locale, { maximumFractionDigits: 3, signDisplay: 'negative' })
     .format(value)
     .replace('-', '−')
