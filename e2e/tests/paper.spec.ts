@@ -33,7 +33,7 @@ const oneOfEach = [
   ['observation', 'observation-card'],
   ['observer', 'observer-sheet'],
   ['sheet', 'q-map'],
-  ['solution', 'solutions-drive-and-sort'],
+  ['solution', 'solutions-first-drive'],
   ['worksheet', 'three-ways'],
 ] as const
 

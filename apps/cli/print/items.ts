@@ -1,4 +1,4 @@
-import { basename } from 'node:path'
+import { basename, dirname } from 'node:path'
 import { content } from '@botgarten/content/files'
 import type { Item } from '@botgarten/content/items'
 import type { LoadedForm } from '@botgarten/content/questionnaires'
@@ -17,28 +17,49 @@ export interface Printable {
   readonly isCard: boolean
 }
 
-const printableItem = ({ id, kind, paper }: Item): Printable => ({
-  ...{ id, file: `${kind}-${basename(content.itemFolder(id))}` },
-  ...{ address: `/materials/${kind}/${id}?`, isCard: paper === 'a5' },
+/** `worksheet-17-one-wire`; of another reading level `worksheet-17-one-wire-a`. */
+function fileOf({ id, kind }: Item): string {
+  const folder = content.itemFolder(id)
+  const name = basename(folder)
+  return `${kind}-${name.length === 1 ? `${basename(dirname(folder))}-${name}` : name}`
+}
+
+const printableItem = (item: Item): Printable => ({
+  ...{ id: item.id, file: fileOf(item) },
+  ...{ address: `/materials/${item.kind}/${item.id}?`, isCard: item.paper === 'a5' },
 })
 
-/** Packs by what they are called in a call: `lesson-3`, `lesson-e7`, `no-network`. */
+/** Packs by what they are called in a call: `lesson-3`, `lesson-e7`, `double-a`, `no-network`. */
 const packs = (): ReadonlyMap<string, string> =>
   new Map([
     ...content.items.flatMap(({ id, plan }) =>
       plan ? [[`lesson-${plan.lesson.toLowerCase().replace(' ', '')}`, id] as const] : [],
     ),
+    ...content.items.flatMap(({ plan }) => {
+      const double = plan?.double && `double-${plan.double.name.toLowerCase()}`
+      return double ? [[double, double] as const] : []
+    }),
     ...content.packs.map(({ id }) => [id, id] as const),
   ])
 
+/** A class that something is printed for; without a grade sheets are those of the middle reading level. */
+export interface Class {
+  readonly pupils: number
+  readonly grade: number | null
+}
+
 /** A pack for so many pupils is two files: what is copied, and answers apart, where it has some. */
-function printablePack(name: string, id: string, pupils: number): readonly Printable[] {
+function printablePack(name: string, id: string, { pupils, grade }: Class): readonly Printable[] {
   const plan = content.items.find((item) => item.id === id)?.plan
-  const copies = plan?.copies ?? content.packs.find((pack) => pack.id === id)!.copies
-  const hasAnswers = copies.some(
-    ({ of }) => content.items.find((item) => `item:${item.id}` === of)?.kind === 'solution',
-  )
-  const file = (answers: string) => `/materials/pack/${id}?children=${pupils}&answers=${answers}&`
+  const copied = new Set(plan?.copies.map(({ of }) => of))
+  const hasAnswers =
+    id.startsWith('double-') ||
+    content.items.some(
+      (item) =>
+        item.kind === 'solution' && (item.code === `A ${plan?.lesson}` || copied.has(`item:${item.id}`)),
+    )
+  const forGrade = grade === null ? '' : `&grade=${grade}`
+  const file = (answers: string) => `/materials/pack/${id}?children=${pupils}&answers=${answers}${forGrade}&`
   const pack = { id: name, file: `pack-${name}`, address: file('apart'), isCard: true }
   return hasAnswers
     ? [pack, { ...pack, id: `${name}-answers`, file: `pack-${name}-answers`, address: file('only') }]
@@ -46,11 +67,11 @@ function printablePack(name: string, id: string, pupils: number): readonly Print
 }
 
 /** What `print pack …` names. @throws CallError with the nearest names for what is not there */
-export function packsNamed(names: readonly string[], pupils: number): readonly Printable[] {
+export function packsNamed(names: readonly string[], asked: Class): readonly Printable[] {
   const all = packs()
   return names.flatMap((name) => {
     const id = all.get(name)
-    if (id) return printablePack(name, id, pupils)
+    if (id) return printablePack(name, id, asked)
     throw new CallError('call.noPack', { name, near: nearest(name, [...all.keys()]).join(', ') })
   })
 }

@@ -10,6 +10,7 @@ export const known = {
   out: { type: 'string' },
   address: { type: 'string' },
   pupils: { type: 'string' },
+  grade: { type: 'string' },
   grey: { type: 'boolean' },
   json: { type: 'boolean' },
 } as const
@@ -36,7 +37,10 @@ export function orderOf(args: string[], language?: Language): Order {
   return {
     items:
       positionals[0] === 'pack'
-        ? packsNamed(packsAsked(positionals.slice(1)), pupilsOf(values.pupils))
+        ? packsNamed(packsAsked(positionals.slice(1)), {
+            pupils: pupilsOf(values.pupils),
+            grade: gradeOf(values.grade),
+          })
         : printablesNamed(positionals),
     languages: language ? [language] : languages,
     paper: oneOf('paper', values.paper, ['a4', 'a5'] as const),
@@ -60,6 +64,13 @@ function pupilsOf(text: string | undefined): number {
   const pupils = text === undefined ? usualPupils : Number(text)
   if (Number.isInteger(pupils) && pupils >= 1 && pupils <= mostPupils) return pupils
   throw new CallError('call.pupils', { text: text!, most: mostPupils })
+}
+
+function gradeOf(text: string | undefined): number | null {
+  if (text === undefined) return null
+  const grade = Number(text)
+  if (Number.isInteger(grade) && grade >= 1 && grade <= 13) return grade
+  throw new CallError('call.grade', { text })
 }
 
 function addressOf(text: string): string {

@@ -1,6 +1,6 @@
 import { basename, dirname } from 'node:path'
 import { learningIn } from '@botgarten/programs'
-import { describe, expect, it } from 'vitest'
+import { describe, expect, it, test } from 'vitest'
 import { content } from '../files.ts'
 import { cardWords } from '../items/cardWords.ts'
 import { gradeOf } from '../items/readability.ts'
@@ -8,6 +8,7 @@ import { missingIn } from '../items/resolve.ts'
 import { embedsOf, nodesOf, shapeOf, wordsOf } from '../items/walk.ts'
 import { readAlignment } from '../schema/alignment.ts'
 import { readItemText } from '../schema/itemText.ts'
+import type { Item, ItemNode } from '../schema/itemTypes.ts'
 import { plainOf } from '../schema/markdown.ts'
 import { readReferences } from '../schema/references.ts'
 import { textOf, there as thereIn } from './there.ts'
@@ -72,13 +73,16 @@ describe.each(content.items)('the item $kind/$id', (item) => {
   })
 
   it('uses all the pictures beside it', () => {
-    const used = [...nodesOf(texts[0]!)].flatMap((node) => (node.type === 'image' ? [node.file] : []))
+    // A picture of a screen is one for each language.
+    const nodes = texts.flatMap((text) => [...nodesOf(text)])
+    const used = nodes.flatMap((node) => (node.type === 'image' ? [node.file] : []))
     expect([...pictures].filter((file) => !used.includes(file))).toEqual([])
   })
 
-  it('names competences of both frameworks', () => {
+  it('names competences of the frameworks, a plan those of the KMK too', () => {
     const named = item.competences.map((id) => competences.get(id)?.framework)
-    expect(new Set(named)).toEqual(new Set(['ai4k12', 'unesco']))
+    const frameworks = ['ai4k12', 'unesco', ...(item.plan ? ['kmk'] : [])]
+    expect(new Set(named)).toEqual(new Set(frameworks))
   })
 
   it('speaks German in German', () => {
@@ -96,6 +100,24 @@ describe.each(content.items)('the item $kind/$id', (item) => {
     const { upTo } = item.harder?.[language] ?? { upTo: item.grades[0] + 1 }
     if (grade !== null) expect(grade).toBeLessThanOrEqual(upTo)
   })
+})
+
+/** Everybody's, and what nobody may know who wrote. */
+const nameless = ['evaluation-poster', 'my-code']
+
+test('what pupils write on has a line for name, class and date', () => {
+  const written = content.items.filter(({ id, audience, kind }) => {
+    if (audience !== 'pupils' || !['worksheet', 'sheet', 'kit', 'observation'].includes(kind)) return false
+    const nodes = [...nodesOf(itemText(id, 'en'))]
+    const isRoom = (node: ItemNode) =>
+      node.type === 'embed' && ['lines', 'field', 'trials'].includes(node.embed.kind)
+    const isEmpty = (node: ItemNode) =>
+      node.type === 'table' && node.rows.some((row) => row.filter(({ length }) => length === 0).length > 0)
+    return nodes.some((node) => isRoom(node) || isEmpty(node))
+  })
+  const named = ({ id }: Item) => embedsOf(itemText(id, 'en')).some(({ kind }) => kind === 'name')
+  expect(written.length).toBeGreaterThan(40)
+  expect(written.filter((item) => !named(item)).map(({ id }) => id)).toEqual(nameless)
 })
 
 describe.each(content.cards)('the card $id', ({ id }) => {
@@ -141,6 +163,13 @@ describe('slides', () => {
   })
 })
 
+/** How each framework numbers what it names. */
+const numbering = {
+  ai4k12: /^[1-5](-[A-D](-(i|ii|iii|iv|v|vi))?)?$/,
+  unesco: /^4\.[1-3]\.[1-4]$/,
+  kmk: /^[1-6]\.[1-6]$/,
+} as const
+
 describe('the alignment', () => {
   it('names every module and every card, and nothing that is not there', () => {
     expect(Object.keys(alignment.modules)).toEqual(['1', '2', '3', '4'])
@@ -149,19 +178,25 @@ describe('the alignment', () => {
     expect(named.filter((id) => !competences.has(id))).toEqual([])
   })
 
+  it('says of every lesson what it shows, in every language', () => {
+    const plans = content.items.flatMap(({ id, plan }) => (plan ? [id] : []))
+    expect(Object.keys(alignment.lessons).toSorted()).toEqual(plans.toSorted())
+    for (const shows of Object.values(alignment.lessons))
+      expect(Object.keys(shows).toSorted()).toEqual([...languages].toSorted())
+  })
+
   it('has every competence once, by name in every language, numbered as its framework does, with a source', () => {
     expect(competences.size).toBe(alignment.competences.length)
     for (const { framework, ref, name } of alignment.competences) {
-      expect(ref).toMatch(
-        framework === 'unesco' ? /^4\.[1-3]\.[1-4]$/ : /^[1-5](-[A-D](-(i|ii|iii|iv|v|vi))?)?$/,
-      )
+      expect(ref).toMatch(numbering[framework])
       expect(Object.keys(name).sort()).toEqual([...languages].sort())
       expect(alignment.sources[framework]?.address).toMatch(/^https:/)
     }
   })
 
-  it('was looked up, number by number, where the framework is published or quoted by those who wrote it', () => {
-    const places = /^https:\/\/(ai4k12\.org|github\.com\/touretzkyds\/ai4k12|doi\.org|unesdoc\.unesco\.org)\//
+  it('was looked up, number by number, where the framework is published or quoted in full', () => {
+    const places =
+      /^https:\/\/(ai4k12\.org|github\.com\/touretzkyds\/ai4k12|doi\.org|unesdoc\.unesco\.org|rlp\.schule|igs-lengede\.de|brockhaus\.de)\//
     const at = alignment.competences.map(({ checked }) => (checked === 'not checked' ? checked : checked.at))
     expect(at.filter((one) => !places.test(one))).toEqual([])
   })

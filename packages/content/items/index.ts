@@ -14,4 +14,14 @@ export { beginningsOf, planParts, timesOf } from './plan.ts'
 export type { FixedPack } from '../schema/packs.ts'
 export { partOf, type Part } from './part.ts'
 export { passagesOf, scoreOf, search, type Hit, type Passage, type Synonyms } from './search.ts'
-export { linesFor, printingOf, sidesIn, timesIn, whoGets, type PackLine, type Printing } from './pack.ts'
+export {
+  atGrade,
+  codeOfAll,
+  linesFor,
+  printingOf,
+  sidesIn,
+  timesIn,
+  whoGets,
+  type PackLine,
+  type Printing,
+} from './pack.ts'

@@ -1,6 +1,6 @@
 import { describe, expect, test } from 'vitest'
 import { content } from '../files.ts'
-import { linesFor, printingOf, sidesIn, timesIn, whoGets } from './pack.ts'
+import { atGrade, codeOfAll, linesFor, printingOf, sidesIn, timesIn, whoGets } from './pack.ts'
 import { readItemText } from '../schema/itemText.ts'
 
 describe('how something is printed', () => {
@@ -50,6 +50,31 @@ describe('how something is printed', () => {
   test('an item has a side more than it has turns, or as many as it says', () => {
     const text = readItemText('# A\n\nOne.\n\n::page\n\nTwo.')
     expect([sidesIn({}, text), sidesIn({ sides: 9 }, text)]).toEqual([2, 9])
+  })
+})
+
+describe('a sheet with reading levels', () => {
+  const leveled = content.items.filter(({ levels }) => levels)
+  const there = new Map(content.items.map((item) => [item.id, item]))
+
+  test('is one of its own for each level, with its letter and the grades of that level', () => {
+    expect(leveled.map(codeOfAll)).toEqual(['3.1', '3.2', '2.1', '2.2', '4.4', '5.3'])
+    for (const { id, code, levels } of leveled) {
+      expect(code).toMatch(/b$/)
+      for (const [level, grades] of Object.entries(levels!))
+        expect(there.get(`${id}-${level}`)).toMatchObject({ grades, code: code!.replace(/b$/, level) })
+    }
+  })
+
+  test('is the one for the grade of a class, wherever there is one', () => {
+    for (const item of leveled)
+      for (let grade = 3; grade <= 12; grade++) {
+        const [from, to] = there.get(atGrade(item, grade))!.grades
+        expect([from <= grade, grade <= to]).toEqual([true, true])
+      }
+    expect(atGrade({ id: 'a', levels: { c: [10, 12] } }, 3)).toBe('a')
+    expect(atGrade({ id: 'a' }, 3)).toBe('a')
+    expect(atGrade({ id: 'a', levels: { a: [3, 4] } }, null)).toBe('a')
   })
 })
 

@@ -1,4 +1,4 @@
-import type { Item, ItemText } from '../schema/itemTypes.ts'
+import type { Item, ItemText, Level } from '../schema/itemTypes.ts'
 import type { Copies, Plan } from '../schema/planTypes.ts'
 import { timesOf } from './plan.ts'
 
@@ -14,6 +14,19 @@ export const linesFor = ({ copies }: Plan, isAnswers: (of: string) => boolean): 
   ...copies.filter(({ of }) => !isAnswers(of)),
   ...copies.filter(({ of }) => isAnswers(of)),
 ]
+
+/** The grades that reading levels are written for: `a` to 4, the middle one, `c` from 10 on. */
+const levelFor = (grade: number): Level | null => (grade <= 4 ? 'a' : grade >= 10 ? 'c' : null)
+
+/** Of an item with reading levels the id of the one for a grade; the item's own id where it has no other for it. */
+export function atGrade({ id, levels }: Pick<Item, 'id' | 'levels'>, grade: number | null): string {
+  const level = grade === null ? null : levelFor(grade)
+  return level !== null && levels?.[level] ? `${id}-${level}` : id
+}
+
+/** How an item is called where all its reading levels are meant: `2.1`, not `2.1b`. */
+export const codeOfAll = ({ code, levels }: Pick<Item, 'code' | 'levels'>): string | undefined =>
+  levels ? code?.slice(0, -1) : code
 
 /** For whom an item is printed where no plan says it. */
 export function whoGets({

@@ -3,10 +3,10 @@ import { checked, https } from './checked.ts'
 
 const competence = v.strictObject({
   id: v.pipe(v.string(), v.regex(/^[a-z0-9-]+$/)),
-  framework: v.picklist(['ai4k12', 'unesco']),
+  framework: v.picklist(['ai4k12', 'unesco', 'kmk']),
   /** As the framework itself numbers it. */
   ref: v.string(),
-  /** In English to the letter as the framework has it, in other languages our translation. */
+  /** To the letter as the framework has it in its own language (German for KMK, else English), in others our translation. */
   name: v.record(v.string(), v.string()),
   /** Where number and name were looked up. */
   checked,
@@ -18,6 +18,8 @@ const alignment = v.strictObject({
   competences: v.array(competence),
   /** Ids of competences, by module (1 to 4) and by id of a card. */
   modules: v.record(v.string(), v.pipe(v.array(v.string()), v.minLength(1))),
+  /** What a lesson shows for its competences, by the id of its plan and by language. */
+  lessons: v.record(v.string(), v.record(v.string(), v.string())),
   cards: v.record(v.string(), v.pipe(v.array(v.string()), v.minLength(1))),
 })
 

@@ -62,6 +62,8 @@ const embed = v.variant('kind', [
   v.strictObject({ kind: v.literal('flow'), id: v.picklist(['q-learning']) }),
   /** The table of trials: empty, or filled from real ones. */
   v.strictObject({ kind: v.literal('trials'), card: id, rows: count }),
+  /** Who wrote on it, of which class and when; `pair`: with whom. */
+  v.strictObject({ kind: v.literal('name'), pair: v.optional(v.picklist(['yes', 'no']), 'no') }),
   /** Lines to write on. */
   v.strictObject({ kind: v.literal('lines'), count }),
   /** A field to draw in, cm high. */
@@ -70,8 +72,11 @@ const embed = v.variant('kind', [
   v.strictObject({ kind: v.literal('page') }),
   /** A clock that says when to swap. On paper: its minutes. */
   v.strictObject({ kind: v.literal('timer'), minutes: count }),
-  /** What will Bo do? Questions of a module: all of them, or those that `only` names. */
-  v.strictObject({ kind: v.literal('questions'), module: count, only: v.optional(ids) }),
+  /** What will Bo do? Questions of a module: all of them, or those that `only` names; `answers`: with what happens, and why. */
+  v.strictObject({
+    ...{ kind: v.literal('questions'), module: count, only: v.optional(ids) },
+    answers: v.exactOptional(v.literal('yes')),
+  }),
   /** What modules and cards cover of the frameworks. */
   v.strictObject({ kind: v.literal('alignment') }),
   /** All cages of the zoo as a table: to be filled in, or with what value iteration says of each. */

@@ -31,7 +31,7 @@ export const settings = {
           times: v.optional(v.pipe(v.number(), v.integer(), v.minValue(1), v.maxValue(999))),
         }),
       ),
-      v.maxLength(100),
+      v.maxLength(200),
     ),
     paper: v.picklist(['a4', 'a5']),
     grey: v.boolean(),

@@ -14,8 +14,8 @@ test('what belongs to a module leads to its questions, what belongs to all or no
 test.each([
   ['network-cards', 'solutions-network'],
   ['q-city', 'solutions-q-learning'],
-  ['sorting-cards-lab', 'solutions-drive-and-sort'],
-  ['first-drive-cards', 'solutions-drive-and-sort'],
+  ['sorting-cards-lab', 'solutions-sorting'],
+  ['first-drive-cards', 'solutions-first-drive'],
 ])('the cards of %s lead to %s', (cards, solutions) => {
   expect(solutionsOf(itemNamed(cards)!)?.id).toBe(solutions)
 })

@@ -4,7 +4,7 @@ import { resolve } from '$app/paths'
 import { allCards } from '#content/cards.ts'
 import { m, message } from '#words/message.ts'
 import { itemNamed, textOf, allItems } from './library.ts'
-import type { Item } from '@botgarten/content/items'
+import { codeOfAll, type Item } from '@botgarten/content/items'
 
 /** Where a link of an item leads: `card:<id>` to the lab, `item:<id>` to the item, everything else elsewhere. */
 export function addressOf(href: string): string {
@@ -32,7 +32,7 @@ export function numberedName(target: string, words = ''): string {
   const name = nameOfTarget(target)
   if (item && new RegExp(`\\b${item.number}$`).test(words)) return name
   const number = item
-    ? (item.code ??
+    ? (codeOfAll(item) ??
       m['materials.kindAndNumber']({ kind: message(`materials.kind.${item.kind}`), number: item.number }))
     : allCards.find((card) => card.id === id)?.code
   if (number === undefined) return name

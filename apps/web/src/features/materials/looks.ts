@@ -31,3 +31,7 @@ export function thumbOf(item: Item): { readonly bo: true } | { readonly picture:
   const card = embeds.flatMap(cardOf)[0] ?? wayLooks[item.way].picture
   return { picture: pictureOf(card) }
 }
+
+/** How high the lines are that are written on: the younger, the higher. */
+export const handOf = ({ grades: [from] }: Item): string =>
+  from <= 4 ? 'from-3' : from <= 6 ? 'from-5' : 'from-7'

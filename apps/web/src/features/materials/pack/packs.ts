@@ -1,5 +1,6 @@
 import materials from 'content:items'
 import {
+  atGrade,
   linesFor,
   nodesOf,
   printingOf,
@@ -26,19 +27,50 @@ export interface Pack {
 const isAnswers = (of: string) => targetItem(of)?.kind === 'solution'
 
 /** Packs that belong to no lesson. */
-export const fixedPacks = materials.packs
+const fixedPacks = materials.packs
+
+/** Plans of the double lessons, by the id of their pack: `double-a`. */
+const doubles = (): ReadonlyMap<string, readonly Item[]> =>
+  Map.groupBy(
+    allItems.filter(({ plan }) => plan?.double),
+    ({ plan }) => `double-${plan!.double!.name.toLowerCase()}`,
+  )
+
+/** Packs that are no single lesson's. */
+export const readyPacks = (): readonly string[] => [...doubles().keys(), ...fixedPacks.map(({ id }) => id)]
 
 /** Every pack but one's own set, by its id: that of a lesson has the id of its plan. */
 export const packIds = (): readonly string[] => [
   ...allItems.filter(({ plan }) => plan).map(({ id }) => id),
-  ...fixedPacks.map(({ id }) => id),
+  ...readyPacks(),
 ]
 
 /** Id of the pack that is the set of this device. */
 export const ownPack = 'my-set'
 
-/** A pack by its id; null where there is none. Decks that a plan leads to lie in it as small pictures. */
-export function packNamed(id: string): Pack | null {
+/** Of sheets with reading levels the one for this grade; without a grade the middle one. */
+const leveled = (lines: readonly PackLine[], grade: number | null): readonly PackLine[] =>
+  lines.map((line) => {
+    const item = targetItem(line.of)
+    return item?.levels ? { ...line, of: `item:${atGrade(item, grade)}` } : line
+  })
+
+/** Are there sheets in it that are written for several grades? */
+export const hasLevels = ({ id, lines }: Pack): boolean =>
+  id !== ownPack && lines.some(({ of }) => targetItem(of.replace(/-[ac]$/, ''))?.levels)
+
+/** The answers to the sheets of a lesson, where its plan does not copy them already. */
+function answersTo({ plan }: Item): readonly PackLine[] {
+  const answers = allItems.find(({ kind, code }) => kind === 'solution' && code === `A ${plan!.lesson}`)
+  const of = `item:${answers?.id}`
+  return !answers || plan!.copies.some((one) => one.of === of) ? [] : [{ of, for: 'teacher' }]
+}
+
+/**
+ * A pack by its id, for a grade; null where there is none. Decks that a plan leads to lie in it as small pictures, and the
+ * answers to its sheets lie last.
+ */
+export function packNamed(id: string, grade: number | null = null): Pack | null {
   if (id === ownPack)
     return { id, title: mySet.kept.name || m['materials.set.title'](), plan: null, lines: mySet.lines }
   const fixed = fixedPacks.find((one) => one.id === id)
@@ -46,16 +78,32 @@ export function packNamed(id: string): Pack | null {
     const title = fixed.title[language.locale] ?? fixed.title['en']!
     return { id, title, plan: null, lines: fixed.copies }
   }
+  const halves = doubles().get(id)
+  if (halves) return doublePack(id, halves, grade)
   const item = itemNamed(id)
   if (!item?.plan) return null
+  return { id, title: textOf(item).title, plan: item, lines: leveled(linesOfLesson(item), grade) }
+}
+
+/** All that a lesson needs, answers last. */
+function linesOfLesson(item: Item): readonly PackLine[] {
   const decks = ledTo(item).filter((one) => one.kind === 'slides')
-  const lines = linesFor(item.plan, isAnswers)
+  const lines = linesFor(item.plan!, isAnswers)
   const slides = decks.map((deck): PackLine => ({ of: `item:${deck.id}`, for: 'teacher' }))
   const at = lines.findIndex(({ of }) => isAnswers(of))
   const place = at < 0 ? lines.length : at
+  return [...lines.slice(0, place), ...slides, ...lines.slice(place), ...answersTo(item)]
+}
+
+/** Both halves of a double lesson; what they share is printed once. */
+function doublePack(id: string, halves: readonly Item[], grade: number | null): Pack {
+  const { name, lessons } = halves[0]!.plan!.double!
+  const [first, second] = lessons
+  const all = new Map(halves.flatMap(linesOfLesson).map((line) => [line.of, line]))
+  const lines = [...all.values()].toSorted((a, b) => Number(isAnswers(a.of)) - Number(isAnswers(b.of)))
   return {
-    ...{ id, title: textOf(item).title, plan: item },
-    lines: [...lines.slice(0, place), ...slides, ...lines.slice(place)],
+    ...{ id, title: m['materials.plan.double']({ name, first, second }), plan: null },
+    lines: leveled(lines, grade),
   }
 }
 

@@ -1,4 +1,5 @@
 import {
+  codeOfAll,
   printingOf,
   sidesIn,
   timesIn,
@@ -43,7 +44,7 @@ export function copiedOf(copies: PackLine, of = children): Copied {
   const times = timesIn(copies, of)
   return {
     ...{ target: copies.of, times, for: copies.for, name: nameOfTarget(copies.of) },
-    code: item.code ?? '',
+    code: codeOfAll(item) ?? '',
     sheets: printingOf(item.paper, pagesOf(item), times).sheets,
   }
 }

@@ -1,5 +1,5 @@
 import { m } from '#words/message.ts'
-import { agoOf, minutesSince, type Need, type SeenTile } from '../../model/live.ts'
+import { agoOf, minutesSince, type Live, type Need, type SeenTile } from '../../model/live.ts'
 
 const needLabel = (need: Need, now: number): string => {
   if (need.kind === 'sameCheck') return m['teacher.stuck.sameCheck']({ times: need.times })
@@ -24,3 +24,7 @@ export function stateLabel({ tile, need, here, done }: SeenTile, now: number, lo
   const ago = agoLabel(live.changedAt, now)
   return done ? m['teacher.allDone']({ ago }) : ago
 }
+
+/** Where no card of the house is open: somebody works on a card or a project of their own, or on nothing yet. */
+export const noCard = (live: Live | null): string =>
+  live?.project ? m['teacher.ownWork']() : m['teacher.noWork']()
