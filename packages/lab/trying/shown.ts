@@ -25,12 +25,12 @@ export interface TryView {
   readonly curve: readonly Minute[]
   readonly minute: Minute
   readonly total: number
-  /** Tries in which it could not get away from where it began. */
-  readonly stuck: number
+  /** Index of the start from which it could not get away; −1: none. */
+  readonly stuckAt: number
 }
 
 const nothingYet = {
-  ...{ action: null, last: null, curve: [], minute: { pay: 0, bumps: 0 }, total: 0, stuck: 0 },
+  ...{ action: null, last: null, curve: [], minute: { pay: 0, bumps: 0 }, total: 0, stuckAt: -1 },
 } as const
 
 /**
@@ -58,9 +58,9 @@ export function tryViewOf(
 }
 
 function whileTrying(learning: TryState): Omit<TryView, 'outline' | 'problem'> {
-  const { state, action, explores, last, curve, minute, total, stuck } = learning
+  const { state, action, explores, last, curve, minute, total, stuckAt } = learning
   return {
-    ...{ stage: 'trying', table: tableOf(learning), last, minute, total, stuck },
+    ...{ stage: 'trying', table: tableOf(learning), last, minute, total, stuckAt },
     curve: [...curve],
     state: state < 0 ? null : state,
     action: state < 0 ? null : { index: action, decision: explores ? 'explore' : 'exploit' },

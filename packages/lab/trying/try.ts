@@ -54,6 +54,9 @@ export interface TryState {
   minute: Minute
   /** Tries in which it could not get away from where it began. */
   stuck: number
+  /** Which of its starts this try has begun at, and at which it was stuck last; −1: none. */
+  start: number
+  stuckAt: number
   last: TryTrace | null
 }
 
@@ -64,7 +67,7 @@ export function beginTry(trial: Trial): TryState {
     stream: stream(trial.seed, 'learn/try'),
     ...{ attempts: 0, ticks: 0, total: 0, state: -1, action: 0, explores: false, held: 0 },
     ...{ before: null, bumped: false, tiles: [], curve: [], minute: { pay: 0, bumps: 0 } },
-    ...{ stuck: 0, last: null },
+    ...{ stuck: 0, start: 0, stuckAt: -1, last: null },
   }
 }
 
@@ -100,6 +103,7 @@ function beginAttempt(state: TryState, simulation: Simulation, robot: number): v
   const at = starts.length > 1 ? Math.floor(draw(state.stream) * starts.length) : 0
   const { x, y } = starts[at] ?? pose
   simulation.place(id, { x, y, heading: Math.floor(draw(state.stream) * 360) })
+  state.start = at
   state.ticks = 0
   state.before = sightOf(simulation, robot)
   state.tiles = [tileAt(state.before)]
@@ -131,7 +135,10 @@ function conclude(state: TryState, simulation: Simulation, robot: number): void 
   state.last = { t: table.moves, from, action, decision, to, reward, ...update, ends }
   const { pay, bumps } = state.minute
   state.minute = { pay: pay + reward, bumps: bumps + Number(bumped && !before!.touches) }
-  if (state.ticks >= longestTry && bumped && state.tiles.length === 1) state.stuck++
+  if (state.ticks >= longestTry && bumped && state.tiles.length === 1) {
+    state.stuck++
+    state.stuckAt = state.start
+  }
   Object.assign(state, { held: 0, before: now, state: ends || state.ticks >= longestTry ? -1 : to })
 }
 

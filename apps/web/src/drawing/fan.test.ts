@@ -54,6 +54,14 @@ test('eight colours still make fields that can be read, and one sensor a straigh
   expect(places.every(({ x }) => x === 0)).toBe(true)
 })
 
+test('in a low pane its fields are smaller, so that all of it is seen', () => {
+  const room = 150
+  const side = fieldSide(fan, 2, room)
+  expect(side).toBeLessThan(fieldSide(fan, 2))
+  expect(24 + 3 * Math.SQRT2 * side).toBeCloseTo(room)
+  expect(fieldSide(fan, 2, 40)).toBe(22)
+})
+
 test.each([
   [{ left: 50, right: 50 }, 'M0 8V-8'],
   [{ left: -40, right: -40 }, 'M0-8V8'],

@@ -15,20 +15,21 @@ export interface Fan {
 const line = '#4A3428'
 const active = '#1F67B3'
 /** Of the fields of a fan of 3 × 3, in cm. More fields are smaller, down to what can be read. */
-const fieldCm = 19
+const fieldCm = 17
 const leastPx = 22
 /** From the middle of the robot to the first field, in cm. */
 const before = 12
 
-/** Px. */
-export const fieldSide = ({ fields }: Fan, scale: number): number => {
-  const most = Math.max(fields.length, ...fields.map(({ length }) => length))
-  return Math.max(leastPx, (fieldCm * scale * 3) / Math.max(3, most))
+/** Px. @param room from the robot to where nothing is seen any more, in px */
+export function fieldSide({ fields }: Fan, scale: number, room = Infinity): number {
+  const most = Math.max(3, fields.length, ...fields.map(({ length }) => length))
+  const inSight = (room - before * scale) / (most * Math.SQRT2)
+  return Math.max(leastPx, Math.min(inSight, (fieldCm * scale * 3) / most))
 }
 
 /** Commands in px about the middle of the robot, which looks up. */
-export function drawFan(fan: Fan, scale: number): readonly Command[] {
-  const side = fieldSide(fan, scale)
+export function drawFan(fan: Fan, scale: number, room = Infinity): readonly Command[] {
+  const side = fieldSide(fan, scale, room)
   const twoEyes = (fan.fields[0]?.length ?? 0) > 1
   const middle = twoEyes ? onDiagonals : straight
   const all = fan.fields.flatMap((row, left) =>

@@ -110,14 +110,17 @@ export class Senses {
     const [one, two] = now.table.sensors.map(({ port }) => sensors[port]?.y ?? 0)
     return fanOf(now.table, this.rows, now.state, two !== undefined && one! < two)
   })
-  #drawn: { readonly fan: Fan; readonly scale: number; readonly shapes: readonly Command[] } | null = null
+  /** Is what the robot senses shown as fields before it? */
+  readonly fans = $derived.by(() => this.#fan !== null)
+  #drawn: { readonly fan: Fan; readonly size: string; readonly shapes: readonly Command[] } | null = null
 
-  /** Under the robot. The same commands as long as nothing else is known: they are only moved. @param at px */
-  under(at: Point, heading: number, scale: number): readonly Command[] {
+  /** Under the robot. The same commands as long as nothing else is known: they are only moved. Px; `room`: to the edge of what is seen */
+  under(at: Point, heading: number, scale: number, room: number): readonly Command[] {
     const fan = this.#fan
     if (!fan) return []
-    if (this.#drawn?.fan !== fan || this.#drawn.scale !== scale)
-      this.#drawn = { fan, scale, shapes: drawFan(fan, scale) }
+    const size = `${scale} ${room}`
+    if (this.#drawn?.fan !== fan || this.#drawn.size !== size)
+      this.#drawn = { fan, size, shapes: drawFan(fan, scale, room) }
     return [{ kind: 'group', ...at, turn: 90 - heading, shapes: this.#drawn.shapes }]
   }
 

@@ -27,6 +27,7 @@ export class BuildMode {
       () => session.robotId,
       () => session.learns,
       () => goals,
+      () => session.tries,
     )
     this.hand = new Hand((id, pose, phase) => this.place(id, pose, phase))
   }

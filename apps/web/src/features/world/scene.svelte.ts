@@ -200,7 +200,11 @@ export class WorldScene {
   #tried(where: 'under' | 'over'): readonly Command[] {
     const { senses, view, robot } = this.#shown()
     const one = senses && view.robots.find(({ id }) => id === robot)
-    return one ? senses[where](this.#at(one.pose), one.pose.heading, this.#viewport.scale) : []
+    if (!one) return []
+    const { scale, pane } = this.#viewport
+    const { heading } = one.pose
+    if (where === 'over') return senses.over(this.#at(one.pose), heading, scale)
+    return senses.under(this.#at(one.pose), heading, scale, Math.min(pane.width, pane.height) / 2)
   }
 
   readonly shapes = $derived.by(() => [

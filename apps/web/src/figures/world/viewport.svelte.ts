@@ -24,6 +24,9 @@ const edge = 22
 // Of a robot, in cm.
 const bodyRadius = 13
 
+// Across, in cm: what is drawn round a robot that is looked at alone.
+const around = 220
+
 // Px that an arrow key pushes the floor.
 const step = 60
 const arrows: { readonly [key: string]: readonly [right: number, down: number] } = {
@@ -45,6 +48,7 @@ export class Viewport {
   #chosen: () => string
   #whole: () => boolean
   #goals: () => readonly Sight[]
+  #alone: () => boolean
   /** How close the camera was sent to show something. */
   #sent: number | null = null
   #radii = $derived.by(() => radiiOf(this.#world()))
@@ -55,17 +59,20 @@ export class Viewport {
    * @param followed id of the robot that the camera follows; the first where there is none of this name
    * @param whole is the whole floor the thing, as a map is?
    * @param goals places on the floor that matter as things do
+   * @param alone is it the robot and what is drawn round it that is looked at, and no thing?
    */
   constructor(
     world: () => World,
     followed: () => string = () => '',
     whole: () => boolean = () => false,
     goals: () => readonly Sight[] = () => [],
+    alone: () => boolean = () => false,
   ) {
     this.#world = world
     this.#chosen = followed
     this.#whole = whole
     this.#goals = goals
+    this.#alone = alone
   }
 
   get scale(): number {
@@ -95,6 +102,7 @@ export class Viewport {
     if (this.#whole() || !robot) return scaleFor(this.pane, size, 'whole')
     // Of several robots none should be out of sight.
     if (robots.length > 1) return scaleFor(this.pane, size, needOfAll(robots.map(({ pose }) => pose)))
+    if (this.#alone()) return scaleFor(this.pane, size, { width: around, height: around })
     return scaleFor(this.pane, size, needOf(robot.pose, [...things, ...this.#goals()]))
   }
 
@@ -116,7 +124,8 @@ export class Viewport {
       radius: this.#radii.get(id) ?? (several ? bodyRadius : 0),
     }))
     const goals = several ? [] : this.#goals()
-    return aim(robot.pose, [...things, ...goals], this.scale, this.pane, this.#world().size)
+    const near = this.#alone() && !several ? [] : [...things, ...goals]
+    return aim(robot.pose, near, this.scale, this.pane, this.#world().size)
   }
 
   goTo(target: ReturnType<Viewport['target']>, jump: boolean): void {

@@ -73,9 +73,13 @@ const known: readonly (readonly [left: number, right: number, words: string])[] 
   [0, 0, 'tryStop'],
 ]
 
-export function actionName({ left, right }: Action): string {
+const lampWords = { green: 'tryGreen', orange: 'tryOrange', red: 'tryRed', off: 'tryDark' } as const
+
+export function actionName({ left, right, lamp }: Action): string {
   const chip = known.find(([a, b]) => a === left && b === right)
-  return chip ? message(`choice.${chip[2]}`) : m['senses.wheels']({ left: exact(left), right: exact(right) })
+  const wheels = { left: exact(left), right: exact(right) }
+  const name = chip ? message(`choice.${chip[2]}`) : m['senses.wheels'](wheels)
+  return lamp ? m['senses.lamp']({ name, lamp: message(`choice.${lampWords[lamp]}`) }) : name
 }
 
 /** The update with its numbers, as far as it is no more than its last number. */
