@@ -1,0 +1,78 @@
+import { addBlocks } from '@botgarten/blocks'
+import { learning } from '@botgarten/blocks/packs/learning'
+import { cardProject } from '@botgarten/content'
+import { content } from '@botgarten/content/files'
+import { parseProject } from '@botgarten/programs'
+import { afterEach, beforeAll, expect, test, vi } from 'vitest'
+import { closeSessions, screen, sessionOf } from '#lab/testing/session.ts'
+import { Senses } from './senses.svelte.ts'
+
+beforeAll(() => addBlocks(learning))
+afterEach(() => {
+  closeSessions()
+  vi.unstubAllGlobals()
+})
+
+/** The card's solution with nothing learned yet, and what is written into its blocks. */
+function opened() {
+  const { card } = content.card('try-dodge')!
+  const { programs, brains } = content.program('try-dodge', 'solution')!
+  const text = JSON.stringify(cardProject(content.world(card.world)!, card, { programs, brains }, 'Mine'))
+  const { session } = sessionOf(parseProject(text), { isCard: false })
+  const written: unknown[] = []
+  const senses = new Senses(session, (...one) => written.push(one))
+  return { session, senses, written }
+}
+
+/** Tries for so many ticks. */
+function tries({ lab }: ReturnType<typeof opened>['session'], ticks: number) {
+  const draw = screen()
+  lab.start()
+  lab.speed = 16
+  const stop = lab.run()
+  while (lab.view.tick < ticks) draw()
+  stop()
+  lab.pause()
+}
+
+test('an edge that is pulled is written once, when the hand lets go, and never passes the other one', () => {
+  const { senses, written } = opened()
+  senses.pull(0, 'LOW', 22.4)
+  expect(senses.edgesOf(0)).toEqual([22, 40])
+  senses.pull(0, 'LOW', 90)
+  expect(senses.edgesOf(0)).toEqual([39, 40])
+  expect(senses.edgesOf(1)).toEqual([15, 40])
+  senses.letGo()
+  senses.letGo()
+  expect(written).toEqual([['eyeLeft', { LOW: '39' }]])
+  senses.pull(1, 'HIGH', 40)
+  senses.letGo()
+  expect(written).toHaveLength(1)
+})
+
+test('no fan before anything is learned; then one that is only moved and turned with Bo', () => {
+  const { session, senses } = opened()
+  expect(senses.under({ x: 0, y: 0 }, 90, 2, 200)).toEqual([])
+  tries(session, 900)
+  const after = new Senses(session, () => {})
+  const [one] = after.under({ x: 10, y: 10 }, 90, 2, 200)
+  const [other] = after.under({ x: 20, y: 10 }, 45, 2, 200)
+  expect(one).toMatchObject({ kind: 'group', x: 10, turn: 0 })
+  expect(other).toMatchObject({ kind: 'group', x: 20, turn: 45 })
+  expect((one as { shapes: unknown }).shapes).toEqual((other as { shapes: unknown }).shapes)
+})
+
+test('the cell of the last move is looked at, with its update, until another one is tapped', () => {
+  const { session } = opened()
+  tries(session, 900)
+  const senses = new Senses(session, () => {})
+  const last = senses.now!.last!
+  expect(senses.cell).toEqual({ state: last.from, action: last.action })
+  expect(senses.trace).toBe(last)
+  const action = (last.action + 1) % 3
+  senses.chosen = { state: last.from, action }
+  expect(senses.trace).toBeNull()
+  expect(senses.at).toBe(last.from * 3 + action)
+  senses.chosen = { state: 99, action: 0 }
+  expect(senses.trace).toBe(last)
+})
