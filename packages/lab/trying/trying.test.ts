@@ -207,6 +207,8 @@ describe('learning by trying', () => {
 })
 
 describe('what is shown of it', () => {
+  const sees = (port: string) =>
+    block(`colour${port}`, 'ai_try_senses', { fields: { SENSE: 'COLOUR', SENSORPORT: port } })
   const shown = (lab: ReturnType<typeof createLab>) => lab.trying()!
 
   it('is nothing where no block tries, and an empty table of 10 states before a start', () => {
@@ -250,6 +252,7 @@ describe('what is shown of it', () => {
   it.each([
     ['tryNoSenses', program(can, pay('BUMP', -5), tryFor(1))],
     ['tryManySenses', program(...['1', '2', '3', '4'].map(notice), can, pay('BUMP', -5), tryFor(1))],
+    ['tryManyStates', program(...['1', '2', '3'].map(sees), can, pay('BUMP', -5), tryFor(1))],
     ['tryNoActions', program(notice('2'), pay('BUMP', -5), tryFor(1))],
     ['tryNoPay', program(notice('2'), can, pay('BUMP', 0), tryFor(1))],
   ])('says why nothing can be learned: %s', (problem, main) => {
