@@ -1,7 +1,7 @@
 import { expect, test } from 'vitest'
 import { actionFill, actionSign } from './action-signs.ts'
-import type { Command } from './commands.ts'
-import { drawFan, fieldSide, type Fan } from './fan.ts'
+import type { Command, Group } from './commands.ts'
+import { drawFan, drawFanNow, fieldSide, type Fan } from './fan.ts'
 
 const actions = [
   { left: 50, right: 50 },
@@ -20,10 +20,13 @@ const fan: Fan = {
 
 const groups = (command: Command): readonly Command[] =>
   command.kind === 'group' ? [command, ...command.shapes.flatMap(groups)] : [command]
+/** Middles of the fields. */
+const placesOf = (fan: Fan, scale = 2) =>
+  drawFan(fan, scale).shapes.map((one) => (one as Group).shapes[0] as { x: number; y: number })
 const all = (shapes: readonly Command[]) => shapes.flatMap(groups)
 
 test('there is a field for each pair of buckets, coloured by its best action, with its arrow', () => {
-  const shapes = all(drawFan(fan, 2))
+  const shapes = all([drawFan(fan, 2)])
   const filled = shapes.flatMap((one) => (one.kind === 'rect' && one.fill ? [one.fill] : []))
   expect(filled).toHaveLength(9)
   expect(filled.filter((fill) => fill === actionFill(1))).toHaveLength(4)
@@ -33,16 +36,13 @@ test('there is a field for each pair of buckets, coloured by its best action, wi
 
 test('what both eyes see near is next to the robot, far and far is ahead of it, and lit', () => {
   const side = fieldSide(fan, 2)
-  const places = drawFan(fan, 2).flatMap((one) =>
-    one.kind === 'group' ? [all(one.shapes).find((inner) => inner.kind === 'group') ?? one] : [],
-  ) as { x: number; y: number }[]
-  const [nearest, farthest, lit] = [places[0]!, places[8]!, places[9]!]
+  const places = placesOf(fan)
+  const [nearest, farthest] = [places[0]!, places[8]!]
   expect(nearest.x).toBeCloseTo(0)
   expect(farthest.x).toBeCloseTo(0)
   expect(nearest.y - farthest.y).toBeCloseTo(4 * (side / Math.SQRT2))
-  const { x, y } = drawFan(fan, 2).at(-1) as unknown as { x: number; y: number }
-  expect({ x, y }).toEqual({ x: farthest.x, y: farthest.y })
-  expect(lit).toBeDefined()
+  expect(drawFanNow(fan, 2)).toMatchObject([{ x: farthest.x, y: farthest.y }])
+  expect(drawFanNow({ ...fan, now: null }, 2)).toEqual([])
   // What the left eye sees far lies to the left: x below 0.
   expect(places[6]!.x).toBeLessThan(0)
 })
@@ -50,7 +50,7 @@ test('what both eyes see near is next to the robot, far and far is ahead of it, 
 test('eight colours still make fields that can be read, and one sensor a straight row', () => {
   const row = { fields: Array.from({ length: 8 }, () => [0]), now: null, actions }
   expect(fieldSide(row, 1)).toBe(22)
-  const places = drawFan(row, 1).map((one) => (one.kind === 'group' ? one.shapes[0] : one)) as { x: number }[]
+  const places = placesOf(row, 1)
   expect(places.every(({ x }) => x === 0)).toBe(true)
 })
 
@@ -60,6 +60,17 @@ test('in a low pane its fields are smaller, so that all of it is seen', () => {
   expect(side).toBeLessThan(fieldSide(fan, 2))
   expect(24 + 3 * Math.SQRT2 * side).toBeCloseTo(room)
   expect(fieldSide(fan, 2, 40)).toBe(22)
+})
+
+test('the picture of all fields leaves none of them out', () => {
+  const { x, y, width } = drawFan(fan, 2).still!
+  const half = fieldSide(fan, 2) / Math.SQRT2
+  for (const place of placesOf(fan)) {
+    expect(place.x - half).toBeGreaterThan(x)
+    expect(place.x + half).toBeLessThan(x + width)
+    expect(place.y - half).toBeGreaterThan(y)
+    expect(place.y + half).toBeLessThan(0)
+  }
 })
 
 test.each([

@@ -1,6 +1,6 @@
 import { actionFill, actionSign, type Wheels } from './action-signs.ts'
-import type { Command } from './commands.ts'
-import type { Point } from './points.ts'
+import type { Command, Group } from './commands.ts'
+import type { Point, Size } from './points.ts'
 
 // What a robot would do in each case, as fields before it: no map, but how near to each eye something is.
 
@@ -27,20 +27,34 @@ export function fieldSide({ fields }: Fan, scale: number, room = Infinity): numb
   return Math.max(leastPx, Math.min(inSight, (fieldCm * scale * 3) / most))
 }
 
-/** Commands in px about the middle of the robot, which looks up. */
-export function drawFan(fan: Fan, scale: number, room = Infinity): readonly Command[] {
+const hasTwo = ({ fields }: Fan) => (fields[0]?.length ?? 0) > 1
+const middleOf = (fan: Fan) => (hasTwo(fan) ? onDiagonals : straight)
+
+/** Its fields as one picture, in px about the middle of the robot, which looks up. */
+export function drawFan(fan: Fan, scale: number, room = Infinity): Group {
   const side = fieldSide(fan, scale, room)
-  const twoEyes = (fan.fields[0]?.length ?? 0) > 1
-  const middle = twoEyes ? onDiagonals : straight
-  const all = fan.fields.flatMap((row, left) =>
-    row.map((action, right) => ({ action, left, right, at: middle(left, right, side, before * scale) })),
+  const middle = middleOf(fan)
+  const shapes = fan.fields.flatMap((row, left) =>
+    row.map((action, right) =>
+      field(middle(left, right, side, before * scale), side, action, fan.actions, hasTwo(fan)),
+    ),
   )
-  const isNow = ({ left, right }: { left: number; right: number }) =>
-    fan.now?.[0] === left && fan.now[1] === right
-  return [
-    ...all.map((one) => field(one.at, side, one.action, fan.actions, twoEyes)),
-    ...all.filter(isNow).map(({ at }) => square(at, side, twoEyes, { stroke: active, lineWidth: 5 })),
-  ]
+  return { kind: 'group', still: boxOf(fan, side, before * scale), turns: true, shapes }
+}
+
+/** The frame of the field in which the robot stands. */
+export function drawFanNow(fan: Fan, scale: number, room = Infinity): readonly Command[] {
+  if (!fan.now) return []
+  const side = fieldSide(fan, scale, room)
+  const at = middleOf(fan)(...fan.now, side, before * scale)
+  return [square(at, side, hasTwo(fan), { stroke: active, lineWidth: 5 })]
+}
+
+/** What the fields cover, with their lines. */
+function boxOf({ fields }: Fan, side: number, off: number): Size & Point {
+  const most = fields.length + Math.max(0, ...fields.map(({ length }) => length))
+  const [half, high] = [(most * side) / Math.SQRT2 + 2, off + (most * side) / Math.SQRT2 + 2]
+  return { x: -half, y: -high, width: 2 * half, height: high }
 }
 
 /** The left eye's buckets go to the left and ahead, the right eye's to the right and ahead. */

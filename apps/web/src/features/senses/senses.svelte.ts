@@ -2,8 +2,8 @@ import { untrack } from 'svelte'
 import { prefersReducedMotion } from 'svelte/motion'
 import type { TryView } from '@botgarten/lab/trying'
 import { drawCoin } from '#drawing/coin.ts'
-import type { Command } from '#drawing/commands.ts'
-import { drawFan, type Fan } from '#drawing/fan.ts'
+import type { Command, Group } from '#drawing/commands.ts'
+import { drawFan, drawFanNow, type Fan } from '#drawing/fan.ts'
 import type { Point } from '#drawing/points.ts'
 import type { LabSession } from '#lab/session.svelte.ts'
 import { edgeAt, type EdgeField, type Edges } from './model/edges.ts'
@@ -112,16 +112,20 @@ export class Senses {
   })
   /** Is what the robot senses shown as fields before it? */
   readonly fans = $derived.by(() => this.#fan !== null)
-  #drawn: { readonly fan: Fan; readonly size: string; readonly shapes: readonly Command[] } | null = null
+  #drawn: { readonly key: string; readonly fields: Group } | null = null
 
-  /** Under the robot. The same commands as long as nothing else is known: they are only moved. Px; `room`: to the edge of what is seen */
+  /** Under the robot. The same picture as long as nothing else is known: it is only moved. Px; `room`: to the edge of what is seen */
   under(at: Point, heading: number, scale: number, room: number): readonly Command[] {
     const fan = this.#fan
     if (!fan) return []
-    const size = `${scale} ${room}`
-    if (this.#drawn?.fan !== fan || this.#drawn.size !== size)
-      this.#drawn = { fan, size, shapes: drawFan(fan, scale, room) }
-    return [{ kind: 'group', ...at, turn: 90 - heading, shapes: this.#drawn.shapes }]
+    const shapes = [this.#fields(fan, scale, room), ...drawFanNow(fan, scale, room)]
+    return [{ kind: 'group', ...at, turn: 90 - heading, shapes }]
+  }
+
+  #fields(fan: Fan, scale: number, room: number): Group {
+    const key = JSON.stringify([fan.fields, fan.actions, scale, room])
+    if (this.#drawn?.key !== key) this.#drawn = { key, fields: drawFan(fan, scale, room) }
+    return this.#drawn.fields
   }
 
   readonly #coin = $derived.by(() => {

@@ -7,12 +7,11 @@ import { message, m } from '#words/message.ts'
 
 const formats = new Map<string, Intl.NumberFormat>()
 
-/** A number with always so many places, so that nothing jumps. */
-export function fixed(value: number, places: number): string {
-  const key = `${language.locale} ${places}`
+/** A number with at least and at most so many places. */
+function written(value: number, least: number, most: number): string {
+  const key = `${language.locale} ${least} ${most}`
   const options = {
-    minimumFractionDigits: places,
-    maximumFractionDigits: places,
+    ...{ minimumFractionDigits: least, maximumFractionDigits: most },
     signDisplay: 'negative',
   } as const
   const format = formats.get(key) ?? new Intl.NumberFormat(language.locale, options)
@@ -20,11 +19,11 @@ export function fixed(value: number, places: number): string {
   return format.format(value).replace('-', '−')
 }
 
+/** With always so many places, so that nothing jumps. */
+export const fixed = (value: number, places: number): string => written(value, places, places)
+
 /** With as many places as it needs, three at most. */
-const exact = (value: number): string =>
-  new Intl.NumberFormat(language.locale, { maximumFractionDigits: 3, signDisplay: 'negative' })
-    .format(value)
-    .replace('-', '−')
+const exact = (value: number): string => written(value, 0, 3)
 
 /** Behind a sign of arithmetic. */
 const inSum = (text: string) => (text.startsWith('−') ? `(${text})` : text)
