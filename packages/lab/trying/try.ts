@@ -6,6 +6,7 @@ import {
   rhoAt,
   statesOf,
   stateOf,
+  type Place,
   type QTable,
   type Settings,
   type TableBrain,
@@ -20,6 +21,8 @@ import { drive, factsOf, readingsOf, sightOf, tileAt, touchesIn, type Sight } fr
 const longestTry = 60 * TICKS_PER_SECOND
 /** Over so many ticks ρ falls. */
 const fallTicks = 8 * 60 * TICKS_PER_SECOND
+/** Who has never been so far from its start, cm, and touches something at the end, could not get away. */
+const free = 20
 const minuteTicks = 60 * TICKS_PER_SECOND
 
 /** Pay and bumps of one simulated minute. A bump that lasts is one. */
@@ -49,6 +52,9 @@ export interface TryState {
   bumped: boolean
   /** Squares of the floor where this try has been. */
   tiles: number[]
+  /** Where it began, and how far from there it has been, cm. */
+  begun: Place
+  away: number
   /** Whole minutes, and the one under way. */
   curve: Minute[]
   minute: Minute
@@ -66,8 +72,8 @@ export function beginTry(trial: Trial): TryState {
     table: emptyTable(statesOf(trial), trial.actions.length),
     stream: stream(trial.seed, 'learn/try'),
     ...{ attempts: 0, ticks: 0, total: 0, state: -1, action: 0, explores: false, held: 0 },
-    ...{ before: null, bumped: false, tiles: [], curve: [], minute: { pay: 0, bumps: 0 } },
-    ...{ stuck: 0, start: 0, stuckAt: -1, last: null },
+    ...{ before: null, bumped: false, tiles: [], begun: { x: 0, y: 0 }, away: 0 },
+    ...{ curve: [], minute: { pay: 0, bumps: 0 }, stuck: 0, start: 0, stuckAt: -1, last: null },
   }
 }
 
@@ -107,6 +113,8 @@ function beginAttempt(state: TryState, simulation: Simulation, robot: number): v
   state.ticks = 0
   state.before = sightOf(simulation, robot)
   state.tiles = [tileAt(state.before)]
+  state.begun = { x: state.before.x, y: state.before.y }
+  state.away = 0
   state.state = stateNow(state, simulation, robot)
 }
 
@@ -127,6 +135,7 @@ function conclude(state: TryState, simulation: Simulation, robot: number): void 
   const now = sightOf(simulation, robot)
   const isNew = !state.tiles.includes(tileAt(now))
   if (isNew) state.tiles.push(tileAt(now))
+  state.away = Math.max(state.away, distance(state.begun, now))
   const reward = payFor(trial.pay, factsOf(before!, now, bumped, isNew))
   const to = stateNow(state, simulation, robot)
   const ends = trial.bumpEnds && bumped
@@ -135,12 +144,15 @@ function conclude(state: TryState, simulation: Simulation, robot: number): void 
   state.last = { t: table.moves, from, action, decision, to, reward, ...update, ends }
   const { pay, bumps } = state.minute
   state.minute = { pay: pay + reward, bumps: bumps + Number(bumped && !before!.touches) }
-  if (state.ticks >= longestTry && bumped && state.tiles.length === 1) {
+  if (state.ticks >= longestTry && bumped && state.away < free) {
     state.stuck++
     state.stuckAt = state.start
   }
   Object.assign(state, { held: 0, before: now, state: ends || state.ticks >= longestTry ? -1 : to })
 }
+
+const distance = (a: Place, b: Place): number =>
+  Math.sqrt((a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y))
 
 function turnMinute(state: TryState): void {
   state.curve.push(state.minute)

@@ -128,6 +128,36 @@ describe('learning by trying', () => {
     expect(night.state.attempts - 2).toBeLessThanOrEqual(bumps)
   })
 
+  it('ends a try after a minute where nothing stands in the way, and begins the next at the start', () => {
+    const free = { ...world, obstacles: [], size: { width: 4000, height: 4000 } }
+    const night = beginNight(free, paintFloor(free), { ...trialOf(), bumpEnds: true })
+    night.advance(2 * 3600 + 30)
+    expect(night.state).toMatchObject({ attempts: 3, stuck: 0 })
+    expect(night.state.curve.map(({ bumps }) => bumps)).toEqual([0, 0])
+  })
+
+  it('counts the tries in which it is wedged in and cannot get away', () => {
+    const wall = (id: string, x: number, y: number) => ({
+      ...{ id, fixed: true, colour: '#000000', pose: { x, y, heading: 0 } },
+      shape: { kind: 'rectangle' as const, width: 30, height: 30 },
+    })
+    const around = [
+      [174, 100],
+      [226, 100],
+      [200, 74],
+      [200, 126],
+      [174, 74],
+      [226, 74],
+      [174, 126],
+      [226, 126],
+    ] as const
+    const tight = { ...world, obstacles: around.map(([x, y], k) => wall(`w${k}`, x, y)) }
+    const night = beginNight(tight, paintFloor(tight), trialOf())
+    night.advance(3 * 3600)
+    expect(night.state).toMatchObject({ stuck: 2 })
+    expect(night.state.table.moves).toBeGreaterThan(700)
+  })
+
   it('begins its tries at one of several starts by chance, each about equally often', () => {
     const more = { STARTS: '60 60, 200 100, 300 150, x 1, 5, 1 2 3', ENDS: 'TRUE' }
     const several = trialOf(blocks(1, more, [pay('AHEAD', 1)]))
