@@ -82,6 +82,8 @@ export interface PythonAt {
   network(): void
   /** One decision by the table that was learned with the robot's sensors. */
   table(): void
+  /** A robot that is to learn by itself goes on trying. */
+  tryOn(): void
   /** One run of the network that is known by its neurons' names. */
   step(): void
   /** Where a number of that network is kept. */

@@ -1,4 +1,3 @@
-import { part } from '../parts/python.ts'
 import { hidden, rows, words } from '../parts/looks.ts'
 import { done, fail, wait } from '../parts/next.ts'
 import { tryProgram } from '../parts/trying-examples.ts'
@@ -30,6 +29,6 @@ export const ai_try_learn: Definition = {
     if (typeof came === 'string') return fail(came)
     return came ? done : wait
   },
-  python: part,
+  python: (py) => py.tryOn(),
   example: tryProgram(),
 }

@@ -22,6 +22,7 @@ import { callNetwork } from './network.ts'
 import { quote } from './quote.ts'
 import { neuronPlace, runStep } from './steps.ts'
 import { textIn } from './text.ts'
+import { tryOn } from './try-on.ts'
 import { callTable } from './trying.ts'
 import type { Usage } from './usage.ts'
 
@@ -247,6 +248,7 @@ export class Writer {
       learner: lessonIn(draft) !== undefined,
       network: () => callNetwork(this, at),
       table: () => callTable(this, at),
+      tryOn: () => tryOn(this, at),
       step: () => runStep(this, at),
       neuron: (what, ...names) => neuronPlace(this, at, what, names),
       sorting: (what) => draft.names.of(`sorting ${what}`, what),

@@ -1,4 +1,5 @@
 import type { Finding } from '@botgarten/blocks'
+import { tryingIn } from '@botgarten/programs'
 import {
   centresIn,
   fileName,
@@ -56,7 +57,8 @@ export class Code {
 
   /** Could it? */
   get canLearn(): boolean {
-    return this.#session.learns && this.#learned.lesson !== undefined
+    const tries = (tryingIn(this.#program)?.minutes ?? 0) > 0
+    return tries || (this.#session.learns && this.#learned.lesson !== undefined)
   }
 
   get #program() {
