@@ -36,9 +36,9 @@ function paidBySight(seed: number): Program {
 }
 
 function learned(seed: number) {
-  const { state, advance } = beginNight(given.world, floor, tryingIn(paidBySight(seed))!.trial)
-  advance(ticksOf(0.9))
-  return state
+  const night = beginNight(given.world, floor, tryingIn(paidBySight(seed))!.trial)
+  night.advance(ticksOf(0.9))
+  return night.state
 }
 /** The lab feels every bump of the body, this robot none: a try in which it never bumped. */
 const seed = Array.from({ length: 60 }, (_, k) => k + 1).find((one) => learned(one).minute.bumps === 0)!

@@ -21,7 +21,7 @@ export interface TryView {
   readonly action: { readonly index: number; readonly decision: TryTrace['decision'] } | null
   /** The last move that was learned from. */
   readonly last: TryTrace | null
-  /** While it tries: whole simulated minutes, the one under way, and ticks in all. */
+  /** While it tries, `curve` also after that in the same run: whole simulated minutes, the one under way, and ticks in all. */
   readonly curve: readonly Minute[]
   readonly minute: Minute
   readonly total: number
@@ -44,14 +44,14 @@ export function tryViewOf(
 ): TryView | null {
   const outline = robots[robot] ? tryingIn(robots[robot].program) : null
   if (!outline) return null
-  const { learning, doing } = trials.state[robot] ?? { learning: null, doing: null }
+  const { learning, doing, curve } = trials.state[robot] ?? { learning: null, doing: null, curve: [] }
   const problem = problemOf(outline.trial)
   if (learning) return { outline, problem, ...whileTrying(learning) }
   const known = trials.tables[outline.id]
   const table = known ?? emptyOf(outline, problem)
   const read = () => stateOf(table, readingsOf(simulation, robot, table), touchesIn(simulation, robot))
   return {
-    ...{ ...nothingYet, outline, problem, table, stage: stageOf(outline, known) },
+    ...{ ...nothingYet, curve, outline, problem, table, stage: stageOf(outline, known) },
     state: reads && table.q.length > 0 ? read() : (doing?.state ?? null),
     action: reads || !doing ? null : { index: doing.action, decision: 'exploit' },
   }

@@ -11,7 +11,7 @@ import { stream, type StreamState } from '@botgarten/numbers'
 import { tryingIn, type Program } from '@botgarten/programs'
 import { stopMotors, TICKS_PER_SECOND, type Simulation } from '@botgarten/simulation'
 import { drive, readingsOf, touchesIn } from './body.ts'
-import { beginTry, tableOf, tryTick, type TryState } from './try.ts'
+import { beginTry, tableOf, tryTick, type Minute, type TryState } from './try.ts'
 
 /** Learned tables by the block that learned them. */
 export type Tables = { readonly [id: string]: TableBrain }
@@ -21,6 +21,8 @@ export interface RobotTry {
   learning: TryState | null
   /** Draws between actions that are worth the same. */
   readonly ties: StreamState
+  /** Minutes of what it learned last, once that is over. */
+  curve: readonly Minute[]
   /** What the table made it do last; null: it has not driven by one. */
   doing: { readonly state: number; readonly action: number } | null
 }
@@ -51,7 +53,7 @@ export class Trials {
     const known = this.state[robot]
     if (known) return known
     const ties = stream(1, `act/${this.#simulation.world.robots[robot]!.id}`)
-    const fresh: RobotTry = { learning: null, ties, doing: null }
+    const fresh: RobotTry = { learning: null, ties, curve: [], doing: null }
     this.state = { ...this.state, [robot]: fresh }
     return fresh
   }
@@ -74,6 +76,7 @@ export class Trials {
     tryTick(own.learning, this.#simulation, robot)
     if (own.learning.total < ticksOf(minutes)) return false
     this.tables = { ...this.tables, [id]: tableOf(own.learning) }
+    own.curve = own.learning.curve
     own.learning = null
     const { id: name, pose } = this.#simulation.world.robots[robot]!
     stopMotors(this.#simulation, robot)

@@ -275,6 +275,7 @@ describe('what is shown of it', () => {
     const lab = started()
     lab.advance(3700)
     expect(shown(lab)).toMatchObject({ stage: 'learned', action: { decision: 'exploit' } })
+    expect(shown(lab).curve).toHaveLength(1)
     lab.edit({ main: blocks(1, { ALPHA: '0.1' }) })
     expect(shown(lab)).toMatchObject({ stage: 'other', table: { alpha: 0.2 } })
   })

@@ -1,9 +1,9 @@
 import type { Feature } from '#parts/feature.ts'
 
-/** Learning by trying with the robot's own sensors: the table, the fan before Bo, edges, coins. */
+/** Learning by trying with the robot's own sensors: the table, the fan before Bo, edges, coins, nights. */
 export const senses = {
   id: 'senses',
-  words: ['senses', 'blocks-q-learning', 'proof'],
+  words: ['senses', 'night', 'blocks-q-learning', 'proof'],
   load: () => import('./lazy.ts'),
-  budget: { part: 24_000 },
+  budget: { part: 30_000 },
 } satisfies Feature

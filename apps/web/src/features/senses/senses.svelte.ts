@@ -7,6 +7,7 @@ import { drawFan, drawFanNow, type Fan } from '#drawing/fan.ts'
 import type { Point } from '#drawing/points.ts'
 import type { LabSession } from '#lab/session.svelte.ts'
 import { edgeAt, type EdgeField, type Edges } from './model/edges.ts'
+import { Night, type SetFields } from './model/night.svelte.ts'
 import { cellAt, fanOf, rowsOf } from './model/table.ts'
 import Choice from './view/Choice.svelte'
 import { fixed } from './view/messages.ts'
@@ -19,9 +20,6 @@ declare module '#lab/slots.ts' {
     senses: Senses
   }
 }
-
-/** Changes fields of a block, as one step to undo. */
-export type SetFields = (block: string, fields: { readonly [name: string]: string }) => void
 
 /** Milliseconds between two looks at what is learned. A table of more cells than `many` is looked at less often. */
 const often = 100
@@ -41,6 +39,8 @@ export class Senses {
   readonly Choice = Choice
   readonly Over = Over
   readonly session: LabSession
+  /** Learns while nobody looks. */
+  readonly night: Night
   readonly #setFields: SetFields
   #now = $state.raw<TryView | null>(null)
   #pulled = $state.raw<Pulled | null>(null)
@@ -51,6 +51,7 @@ export class Senses {
 
   constructor(session: LabSession, setFields: SetFields) {
     this.session = session
+    this.night = new Night(session, setFields)
     this.#setFields = setFields
     this.#look()
   }
@@ -63,7 +64,7 @@ export class Senses {
   /** Follows the lab. Not with every frame: while it runs, ten times a second. Returns how to end it. */
   open(): () => void {
     const { session } = this
-    return $effect.root(() => {
+    const close = $effect.root(() => {
       $effect(() => {
         if (session.lab.facts.phase === 'running') {
           const timer = setInterval(this.#look, this.#pause)
@@ -74,6 +75,10 @@ export class Senses {
         return undefined
       })
     })
+    return () => {
+      close()
+      this.night.end()
+    }
   }
 
   get #pause() {
@@ -82,7 +87,9 @@ export class Senses {
   }
 
   #look = (): void => {
-    this.#now = this.session.lab.trying(this.session.robotId)
+    const now = this.session.lab.trying(this.session.robotId)
+    this.#now = now
+    if (now?.stage === 'trying' || now?.curve.length) this.night.note(now.curve)
   }
 
   readonly rows = $derived.by(() => (this.#now ? rowsOf(this.#now.table) : []))

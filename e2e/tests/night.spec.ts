@@ -1,0 +1,36 @@
+// Rooms: senses
+import { cardProject } from '@botgarten/content'
+import { content } from '@botgarten/content/files'
+import { parseProject } from '@botgarten/programs'
+import { axeFindings } from '../axe.ts'
+import { expect, test } from '../house.ts'
+
+test('Bo learns overnight what Node learns, bit for bit, keeps it, and drives by it', async ({
+  child,
+  page,
+}) => {
+  const { card, world } = content.card('try-dodge')!
+  const { tables, ...program } = content.program('try-dodge', 'solution')!
+  const project = cardProject(world, card, program, 'Night')
+  await child.opensLab('try-dodge')
+  await child.opensProject('Night', JSON.stringify(project))
+
+  await child.presses('night.begin')
+  await child.presses('night.stop')
+  await expect(page.getByText(child.word('night.stopped'))).toBeVisible()
+  await child.presses('night.begin')
+  await expect(page.getByRole('figure', { name: child.word('night.curves') }).getByRole('row')).toHaveCount(
+    9,
+    {
+      timeout: 60_000,
+    },
+  )
+  await expect(child.button('night.stop')).toBeHidden()
+  expect(await axeFindings(page)).toEqual([])
+
+  const saved = await child.savesFile()
+  expect(JSON.parse(saved)).toMatchObject({ botgarten: 4, brains: { try: { kind: 'table' } } })
+  expect(parseProject(saved).tables).toEqual(tables)
+  await child.pressesStart()
+  await child.seesDriving()
+})
