@@ -35,3 +35,7 @@ export function thumbOf(item: Item): { readonly bo: true } | { readonly picture:
 /** How high the lines are that are written on: the younger, the higher. */
 export const handOf = ({ grades: [from] }: Item): string =>
   from <= 4 ? 'from-3' : from <= 6 ? 'from-5' : 'from-7'
+
+/** Whose eyes decide how small its words may be on paper: the youngest alone, all pupils, or teachers. */
+export const readersOf = ({ audience, grades }: Item): string =>
+  audience === 'teachers' ? '' : grades[1] <= 4 ? 'pupils youngest' : 'pupils'

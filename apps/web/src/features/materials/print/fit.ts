@@ -7,6 +7,10 @@ const least = 0.5
 const step = 0.02
 /** A sheet that goes on for a few lines on one more page is drawn in by so much at most. */
 const leastOfSheet = 0.84
+/** What children read is 11 pt then, and what the youngest read stays at 12 pt. */
+const leastOfPupils = 0.92
+/** Room for a hand, and pictures, give way first: to so much of what they have. */
+const rooms = [1, 0.92, 0.84, 0.76, 0.68, 0.6]
 /** The room on a page of A4 in px of CSS: 297 mm without its margins. */
 const sheetHeight = ((297 - 16 - 20) / 25.4) * 96
 const spare = 30
@@ -19,7 +23,7 @@ const boxes = '.a-card > .body, .leaf > .box'
 /** A card that would have to be made smaller than this is laid out more tightly instead. */
 const leastOfCard = 0.98
 /** How wide its picture may be then beside blocks, in px of CSS. */
-const picturesOfTight = [300, 280, 260, 240, 220]
+const picturesOfTight = [300, 280, 260, 240, 220, 200, 180, 160, 140, 120]
 
 /** Makes something smaller until it fits. How small is written to `data-zoom`. */
 function shrink(element: HTMLElement, floor: number, tooTall: () => boolean): void {
@@ -28,6 +32,16 @@ function shrink(element: HTMLElement, floor: number, tooTall: () => boolean): vo
   while (zoom > floor && tooTall()) element.style.setProperty('zoom', (zoom -= step).toFixed(2))
   element.dataset['zoom'] = zoom.toFixed(2)
 }
+
+/** Where that is not enough, what is left out, one after the other (cards.css). */
+const fullness = ['full', 'fuller']
+
+/** Gives hands and pictures less room until it fits. @returns whether it does */
+const makesRoom = (element: HTMLElement, tooTall: () => boolean): boolean =>
+  rooms.some((room) => {
+    element.style.setProperty('--room', String(room))
+    return !tooTall()
+  })
 
 const tooMuch = (box: HTMLElement) =>
   box.scrollHeight > box.clientHeight + 1 || box.scrollWidth > box.clientWidth + 1
@@ -44,20 +58,36 @@ function fitSheet(flow: HTMLElement): void {
   const pages = Math.floor((heightOf(flow) + spare) / sheetHeight)
   if (pages === 0) return
   // What is left over must fit as well: else nothing is won.
-  shrink(flow, leastOfSheet, () => heightOf(flow) + spare > pages * sheetHeight)
-  if (heightOf(flow) + spare > pages * sheetHeight) shrink(flow, 1, () => false)
+  const tooTall = () => heightOf(flow) + spare > pages * sheetHeight
+  if (makesRoom(flow, tooTall)) return
+  shrink(flow, leastOf(flow), tooTall)
+  if (!tooTall()) return
+  shrink(flow, 1, () => false)
+  flow.style.setProperty('--room', '1')
 }
+
+const leastOf = (flow: HTMLElement) =>
+  flow.closest('.youngest') ? 1 : flow.closest('.pupils') ? leastOfPupils : leastOfSheet
 
 function fitBox(box: HTMLElement): void {
   const card = box.parentElement!
-  card.classList.remove('tight', 'broad')
-  shrink(box, least, () => tooMuch(box))
+  card.classList.remove('tight', 'broad', ...fullness)
+  box.style.setProperty('zoom', '1')
+  const tooTall = () => tooMuch(box)
+  const fits =
+    makesRoom(box, tooTall) ||
+    fullness.some((name) => {
+      card.classList.add(name)
+      return makesRoom(box, tooTall)
+    })
+  shrink(box, least, fits ? () => false : tooTall)
   const full = Number(box.dataset['zoom']) < leastOfCard
   if (full && box.querySelector(':scope > :is(img, .world) ~ .columns')) fitTight(card, box)
 }
 
 function fitTight(card: HTMLElement, box: HTMLElement): void {
   card.classList.add('tight')
+  box.style.setProperty('--room', '1')
   card.classList.toggle('broad', box.querySelector('.columns .blocks, :scope > .world') === null)
   box.style.setProperty('zoom', '1')
   const fits = (width: number) => {
