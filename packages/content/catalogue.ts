@@ -1,5 +1,6 @@
 import type { Block } from '@botgarten/blocks'
 import type { Answers } from './answers/index.ts'
+import type { CageRows, SenseCage } from '@botgarten/experiments/cages'
 import type { Cage } from '@botgarten/maps/zoo'
 import type { Project } from '@botgarten/programs'
 import type { Alignment } from './schema/alignment.ts'
@@ -10,6 +11,7 @@ import type { LoadedForm } from './schema/form.ts'
 import type { Item, ItemText } from './schema/itemTypes.ts'
 import type { Question, QuestionText } from './schema/questionTypes.ts'
 import type { Reference } from './schema/references.ts'
+import type { SenseCageText } from './schema/senseCageText.ts'
 import type { ThingSet } from './schema/thingTypes.ts'
 
 /** By language, as in `content/words`. */
@@ -86,6 +88,18 @@ export interface Zoo {
   readonly cages: readonly LoadedCage[]
 }
 
+/** A cage in which Bo tries with its own sensors, with what was measured of it and its words. */
+export interface LoadedSenseCage {
+  readonly cage: SenseCage
+  readonly rows: CageRows
+  readonly text: Translated<SenseCageText>
+}
+
+export interface SenseZoo {
+  /** Pays that Bo cheats with its sensors. */
+  readonly senseCages: readonly LoadedSenseCage[]
+}
+
 /** A question about what Bo will do, with what is asked and what can be chosen. */
 export interface AskedQuestion {
   readonly question: Question
@@ -123,7 +137,7 @@ export interface ItemTexts {
  * What there is in content/, every list in the order of its folders. Files are read at once, a page loads what it asks
  * for: `Lazy`.
  */
-export interface Catalogue extends Cards, Programs, Worlds, Maps, Sets, Zoo, Items, Questionnaires {
+export interface Catalogue extends Cards, Programs, Worlds, Maps, Sets, Zoo, SenseZoo, Items, Questionnaires {
   /** Folders of words. */
   readonly languages: readonly string[]
 }

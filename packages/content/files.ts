@@ -2,6 +2,7 @@
 import { globSync, readFileSync } from 'node:fs'
 import { join } from 'node:path'
 import type { LaneKind, Racer } from '@botgarten/experiments/brain-race'
+import type { SenseCage } from '@botgarten/experiments/cages'
 import { readMap, type MapFile } from '@botgarten/maps'
 import type { Project } from '@botgarten/programs'
 import { paintFloor, type Floor, type World } from '@botgarten/simulation'
@@ -13,6 +14,7 @@ import { coursesIn } from './files/courses.ts'
 import { folderAt, idOf, named, once } from './files/folder.ts'
 import { itemsIn } from './files/items.ts'
 import { questionnairesIn } from './files/questionnaires.ts'
+import { sensesIn } from './files/senses.ts'
 import { zooIn } from './files/zoo.ts'
 import type { CourseFile } from './schema/course.ts'
 import type { Topic } from './schema/formTypes.ts'
@@ -40,6 +42,12 @@ export interface ContentFiles extends Catalogue {
   readonly picturesOf: (item: string) => readonly string[]
   /** Path of the drawing of a cage's map. */
   readonly mapOfCage: (id: string) => string
+  /** Names of the cages of the zoo of sensors. */
+  readonly senseIds: readonly string[]
+  /** A cage of the zoo of sensors as its file says it; null: there is none. */
+  readonly senseCage: (id: string) => SenseCage | null
+  /** Path of the picture of its animal. */
+  readonly pictureOfSenseCage: (id: string) => string
   /** Path of the picture above what a questionnaire asks about a topic. */
   readonly pictureOfTopic: (topic: Topic) => string
   /** Path of the picture of a thing of a set. */
@@ -58,6 +66,7 @@ export function contentIn(root: string): ContentFiles {
   const cards = cardsIn(folder)
   const items = itemsIn(folder)
   const zoo = zooIn(folder)
+  const senses = sensesIn(folder)
   const courses = coursesIn(folder, cards.program)
   const questionnaires = questionnairesIn(folder)
   const maps = once(() => folder.foldersWith('maps/*/map.svg').map(idOf))
@@ -107,6 +116,12 @@ export function contentIn(root: string): ContentFiles {
     get cages() {
       return zoo.cages()
     },
+    get senseCages() {
+      return senses.cages()
+    },
+    get senseIds() {
+      return senses.ids()
+    },
     get courses() {
       return courses.courses()
     },
@@ -126,9 +141,10 @@ export function contentIn(root: string): ContentFiles {
     ...{ card: cards.card, program: cards.program, world: cards.world },
     racer: courses.racer,
     ...{ pictureOfCard: cards.pictureOfCard, mapOfCage: zoo.mapOf },
+    ...{ senseCage: senses.cage, pictureOfSenseCage: senses.pictureOf },
     pictureOfTopic: questionnaires.pictureOfTopic,
     filesBelow: () =>
-      globSync('{cards,courses,free-lab,maps,materials,questionnaires,things,worlds,zoo}/**/*.*', {
+      globSync('{cards,courses,free-lab,maps,materials,questionnaires,senses,things,worlds,zoo}/**/*.*', {
         cwd: root,
       }).map((file) => folder.path(file)),
     ...{

@@ -36,6 +36,15 @@ declare module 'content:zoo' {
   export default part
 }
 
+declare module 'content:senses' {
+  import type { SenseZoo } from '@botgarten/content/catalogue'
+  const part: SenseZoo & {
+    /** Address of the picture of a cage's animal. */
+    readonly pictureOf: (cage: string) => string
+  }
+  export default part
+}
+
 declare module 'content:sets' {
   import type { Lazy, Sets } from '@botgarten/content/catalogue'
   const part: Lazy<Sets> & {

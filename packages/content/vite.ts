@@ -105,6 +105,16 @@ const modules: Parts = {
       }`
   },
 
+  senses(content) {
+    const files = content.senseCages.map(
+      ({ cage }) => [cage.id, content.pictureOfSenseCage(cage.id)] as const,
+    )
+    const pictures = addresses('animal', files, '?url&no-inline')
+    return `${pictures.imports}
+      const pictures = ${pictures.table}
+      export default { senseCages: ${data(content.senseCages)}, pictureOf: (id) => pictures[id] }`
+  },
+
   sets(content) {
     const files = content.sets.flatMap(({ id, things }) =>
       things.map((thing) => [`${id}/${thing.id}`, content.pictureOf(id, thing.id)] as const),

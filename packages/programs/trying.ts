@@ -1,8 +1,8 @@
 import {
   limits,
   payKinds,
+  unitOf,
   type Action,
-  type PayKind,
   type Place,
   type Sensor,
   type Trial,
@@ -29,9 +29,6 @@ const chips: { readonly [chip: string]: Action } = {
   STOP: { left: 0, right: 0 },
 }
 
-/** For these a coin is paid each 4 cm. */
-const wayKinds: readonly PayKind[] = ['ahead', 'way']
-const wayUnit = 4
 /** A world is at most so wide, cm. */
 const widest = 10_000
 
@@ -144,5 +141,5 @@ function sentenceIn(block: Block): Trial['pay'][number] {
   const name = (block.fields?.['WHAT'] ?? '').toLowerCase()
   const what = payKinds.find((kind) => kind === name) ?? 'bump'
   const coins = numberIn(block, 'COINS', 0, -20, 20)
-  return { for: what, coins: wayKinds.includes(what) ? coins / wayUnit : coins }
+  return { for: what, coins: coins / unitOf(what) }
 }

@@ -44,6 +44,24 @@ describe('botgarten learn try', () => {
     expect(readFileSync(csv, 'utf8').trim().split('\n')).toHaveLength(3)
   })
 
+  it('says what robots do in a cage of the zoo, in a line that fits its schema', async () => {
+    const { status, json } = await botgarten('learn', 'try', '--zoo', 'spinner', '--seeds', '1', '--json')
+    expect(status).toBe(0)
+    fits(json())
+    expect(fits.errors).toBeNull()
+    const { rows } = content.senseCages.find(({ cage }) => cage.id === 'spinner')!
+    expect(json()).toMatchObject({ minutes: 8, honest: rows.honest, bos: [rows.bos[0]] })
+  })
+
+  it.each([['lion'], ['spinner', 'try-dodge']])(
+    'a cage that is not there, or a card beside one, is refused: %s',
+    async (...args) => {
+      const { status, stderr } = await botgarten('learn', 'try', '--zoo', ...args)
+      expect(status).toBe(2)
+      expect(stderr).toMatch(/Cage|cage|spinner/)
+    },
+  )
+
   it.each([
     [1, /nothing to learn for/, []],
     [1, /nothing to learn for/, ['--pay', 'bump=0']],

@@ -11,6 +11,7 @@ import { note } from '../notes.ts'
 import { projectOf, type Source } from '../net/source.ts'
 import { numberIn, options, wholeNumberIn } from '../options.ts'
 import { message } from '../words.ts'
+import { zooRows } from './zoo.ts'
 
 const known = {
   solution: { type: 'boolean' },
@@ -22,6 +23,7 @@ const known = {
   seed: { type: 'string' },
   seeds: { type: 'string' },
   csv: { type: 'string' },
+  zoo: { type: 'string' },
   json: { type: 'boolean' },
 } as const
 
@@ -38,6 +40,7 @@ export const learnTry: Command = {
   execute(args) {
     const { values, positionals } = options(args, known)
     const [what, ...more] = positionals
+    if (values.zoo !== undefined) return zooRows(values.zoo, positionals, values)
     if (!what || more.length > 0) throw new CallError('call.tryWhat')
     const { project, card } = projectOf(what, values.solution)
     const { outline, minutes, trial } = trialOf(outlineIn(project), values)

@@ -50,12 +50,12 @@ export function readCageText(markdown: string): CageText {
   }
 }
 
-function linesOf([list]: readonly ItemNode[], name: string): readonly string[] {
+export function linesOf([list]: readonly ItemNode[], name: string): readonly string[] {
   if (list?.type !== 'list') throw new SyntaxError(`The section "${name}" must be a list.`)
   return list.children.map((item) => plainOf(item))
 }
 
-function byId(lines: readonly string[]): { readonly [id: string]: string } {
+export function byId(lines: readonly string[]): { readonly [id: string]: string } {
   return Object.fromEntries(
     lines.map((line) => {
       const [, id, words] = /^([a-z0-9-]+): (.+)$/.exec(line) ?? []

@@ -10,6 +10,7 @@ export {
   problemOf,
   statesOf,
   stateOf,
+  unitOf,
   type Facts,
   type Problem,
 } from './senses.ts'

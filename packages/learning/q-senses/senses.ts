@@ -10,6 +10,12 @@ export const limits = {
   hold: [6, 60],
 } as const
 
+/** cm for which a child pays a coin. */
+const wayUnit = 4
+
+/** How much of a kind one coin of a child's sentence pays for: of ways 4 cm, of all else one unit. */
+export const unitOf = (kind: PayKind): number => (kind === 'ahead' || kind === 'way' ? wayUnit : 1)
+
 /** Which bucket a reading falls into: how many of the edges it has reached. */
 export function bucketOf(reading: number, edges: readonly number[]): number {
   let bucket = 0
