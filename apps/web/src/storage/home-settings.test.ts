@@ -39,6 +39,7 @@ const all: HomeSettings = {
   sound: false,
   tour: 'seen',
   zoo: { fountain: { guess: 'never', mended: true } },
+  'zoo-senses': { spinner: { guess: 'honest', watched: true, mended: false } },
 }
 
 test('every setting that any page writes goes home', () => {

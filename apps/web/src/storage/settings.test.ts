@@ -37,6 +37,7 @@ const good: { readonly [name in keyof typeof settings]: unknown } = {
   sound: false,
   tour: 'seen',
   zoo: { fountain: { guess: 'never', mended: true } },
+  'zoo-senses': { spinner: { guess: 'honest', watched: true, mended: false } },
 }
 const names = Object.keys(settings) as (keyof typeof settings)[]
 

@@ -54,6 +54,15 @@ export const settings = {
     v.pipe(v.string(), v.maxLength(60)),
     v.strictObject({ guess: v.picklist(['wish', 'other', 'never']), mended: v.boolean() }),
   ),
+  /** Cages in which Bo tries with its own sensors. */
+  'zoo-senses': v.record(
+    v.pipe(v.string(), v.maxLength(60)),
+    v.strictObject({
+      guess: v.picklist(['cheats', 'honest', 'other']),
+      watched: v.boolean(),
+      mended: v.boolean(),
+    }),
+  ),
 } satisfies { readonly [name: string]: v.GenericSchema }
 
 /** How the device is set up for whoever uses it; all else is a pupil's own where there is one. */

@@ -1,0 +1,28 @@
+import { content } from '@botgarten/content/files'
+import { isCage } from '@botgarten/experiments/cages'
+import { SenseVisitor } from '../child-sense-zoo.ts'
+import { test } from '../house.ts'
+import { languages } from '../words.ts'
+
+for (const language of languages)
+  test.describe(`the loophole zoo in ${language}`, () => {
+    test.use({ language })
+
+    test('is walked from cage to cage, each predicted, watched, mended and tried until a Bo drives', async ({
+      child,
+    }) => {
+      const zoo = new SenseVisitor(child)
+      await zoo.comes()
+      for (const cage of content.senseCages)
+        await test.step(cage.cage.id, async () => {
+          await zoo.enters(cage)
+          await zoo.guesses(cage)
+          await zoo.watches(cage)
+          if (isCage(cage.rows.bos)) {
+            await zoo.mends(cage)
+            await zoo.triesUntilMended()
+          }
+          await zoo.leaves()
+        })
+    })
+  })
