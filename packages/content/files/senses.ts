@@ -15,7 +15,7 @@ export function sensesIn(content: Folder) {
     cages: once(() => folders().map(cageIn)),
     ids: once(() => folders().map(idOf)),
     /** A cage without its rows: with it they are made. */
-    cage(id: string) {
+    cage: (id: string) => {
       const folder = folders().find((one) => idOf(one) === id)
       return folder === undefined ? null : named(folder, readSenseCage(content.json(folder, 'cage.json')))
     },
