@@ -1,6 +1,6 @@
 import { emptyBrain, withWeight, type Brain } from '@botgarten/learning/neural-network/brain'
 import { addToHash, startHash, type Hash } from '@botgarten/numbers'
-import { runThread } from '@botgarten/programs'
+import { runThread, type Raced } from '@botgarten/programs'
 import { pressKey, rollsOn, TICKS_PER_SECOND, type Pose, type Simulation } from '@botgarten/simulation'
 import { goOnFrom } from './carry.ts'
 import { observe, watch, type Watch } from './checks/checks.ts'
@@ -16,7 +16,7 @@ import { robotRun, type RobotRun } from './robots/run.ts'
 import { momentOf, poseIn, restore, type Course, type Moment } from './timeline/moment.ts'
 import { shared } from './timeline/shared.ts'
 import { Timeline } from './timeline/timeline.ts'
-import { newTrack, note, trackUntil, type Track } from './timeline/tracks.ts'
+import { newTrack, note, touchesIn, trackUntil, type Track } from './timeline/tracks.ts'
 import { Trials } from './trying/trials.ts'
 import type { Check, Document, TimeView } from './types.ts'
 
@@ -34,6 +34,8 @@ export class Run {
   keys: readonly DriveKey[] = []
   readonly school = new School(this)
   readonly trials: Trials
+  /** What came of its project's last race of brains. */
+  readonly raced: Raced | null
   watches: Watch[]
   hash: Hash = startHash()
   tick = 0
@@ -53,13 +55,14 @@ export class Run {
   /** `before`: a run that this one goes on from, where the document was changed under it. */
   constructor(
     simulation: Simulation,
-    { programs, brains, tables = {}, world }: Document,
+    { programs, brains, tables = {}, raced, world }: Document,
     checks: readonly Check[],
     before: Run | null = null,
   ) {
     this.simulation = simulation
     this.brains = brains
     this.trials = new Trials(simulation, tables)
+    this.raced = raced ?? null
     this.starts = Object.fromEntries(world.obstacles.map(({ id, pose }) => [id, pose]))
     this.checks = checks
     this.watches = watch(checks)
@@ -190,17 +193,18 @@ export class Run {
     this.#runThreads()
     this.#noteEnd()
     this.school.takeHands()
+    const touched = touchesIn(this.simulation.state)
     withHands(this.simulation, this.school.hands, () => this.simulation.step())
     this.tick++
     this.part = this.given = 0
     this.#addHash()
     observe(this.checks, this.watches, this.seconds, this.seen)
-    if (!this.#now) this.#keep()
+    if (!this.#now) this.#keep(touched)
     else if (this.tick >= this.#now.tick) this.toNow()
   }
 
-  #keep(): void {
-    note(this.tracks, this.tick, this.simulation.state)
+  #keep(touched: readonly boolean[]): void {
+    note(this.tracks, this.tick, this.simulation.state, touched)
     if (this.tick % KEYFRAME_EVERY === 0)
       this.#timeline.keep(shared(momentOf(this), this.#timeline.last ?? null))
   }

@@ -9,7 +9,7 @@ import type { Variable } from './variables.ts'
 import type { Moment } from './timeline/moment.ts'
 
 /** What a lab runs: the parts of a project that behave. */
-export type Document = Pick<Project, 'programs' | 'world' | 'brains' | 'tables'>
+export type Document = Pick<Project, 'programs' | 'world' | 'brains' | 'tables' | 'raced'>
 
 export interface Check {
   readonly id: string
@@ -85,6 +85,10 @@ export interface RobotView {
   /** What it is saying, for as long as that takes. */
   readonly speech: string | null
   readonly touching: readonly string[]
+  /** How often it has begun to touch something since Start. */
+  readonly bumps: number
+  /** Does it learn by trying in this tick? */
+  readonly trying: boolean
   /** Of the distance sensors, ultrasonic and infrared; empty for others. */
   readonly rays: { readonly [port in SensorPort]?: readonly Ray[] }
   readonly trail: readonly TrailPoint[]

@@ -60,6 +60,8 @@ function robotView(run: Run, robot: RobotRun, index: number, phase: Phase): Robo
     frequency: state.tone?.frequency ?? null,
     speech: spokenAt(run.simulation.state.tick, state),
     touching: state.touching,
+    bumps: run.tracks[index]!.bumps.filter((at) => at <= run.seconds).length,
+    trying: run.trials.isTrying(index),
     rays: Object.fromEntries(ports.map((port) => [port, run.simulation.rays(index, port)])),
     trail: run.tracks[index]!.trail,
     tones: run.tracks[index]!.tones,

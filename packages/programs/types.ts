@@ -14,6 +14,7 @@ import type { Settings } from '@botgarten/learning/q-learning'
 import type { TableBrain } from '@botgarten/learning/q-senses'
 import type { StreamState } from '@botgarten/numbers'
 import type { World } from '@botgarten/simulation'
+import type { LaneKind } from './lanes.ts'
 import type { MapDocument } from './map-document.ts'
 import type { OwnCard } from './own-card.ts'
 
@@ -194,6 +195,30 @@ export interface Progress {
   readonly hints: number
 }
 
+/** What came of a project's last race of brains. */
+export interface Raced {
+  readonly course: string
+  /** How many drove to the end. */
+  readonly brains: number
+  /** Which one its child would trust, and which one it could explain: every answer is right. */
+  readonly trust?: LaneKind
+  readonly explain?: LaneKind
+}
+
+/** What has gone into a project so far, counted by the lab, never typed. */
+export interface Effort {
+  /** Moves of knobs; a pull is one. */
+  readonly knobs: number
+  /** Runs that were begun. */
+  readonly starts: number
+  /** How often its first robot began to touch something, in runs and under a hand. */
+  readonly bumps: number
+  /** Seconds with a hand on it; pauses of over 30 s do not count. */
+  readonly hand: number
+  /** Seconds in which the computer practised or tried. */
+  readonly computer: number
+}
+
 /** What a child keeps: one file, at most 5 MB. */
 export interface Project {
   readonly botgarten: 1 | 2 | 3 | 4
@@ -215,6 +240,8 @@ export interface Project {
   readonly sorting?: { readonly [part: string]: unknown }
   readonly assets: { readonly [sha256: string]: { readonly type: 'image/png'; readonly base64: string } }
   readonly progress?: Progress
+  readonly effort?: Effort
+  readonly raced?: Raced
   /** The toolbox that its child has chosen. */
   readonly shelf?: 'plain' | 'all'
   /** What it was made from in the gallery of a class, the oldest first. No names: they stay in the class. */

@@ -3,7 +3,7 @@ import type { Brain } from '@botgarten/learning/neural-network'
 import { headOfRow, place, type Examples } from '@botgarten/learning/neural-network/examples'
 import { biasOf, weightOf, weightsOf } from '@botgarten/learning/neural-network/brain'
 import type { TableBrain } from '@botgarten/learning/q-senses'
-import type { Program } from '@botgarten/programs'
+import type { Effort, Program } from '@botgarten/programs'
 import { TICKS_PER_SECOND } from '@botgarten/simulation'
 import { childrenOf, sizeOf } from './blocks.ts'
 import type { LaneKind, Racer } from './types.ts'
@@ -17,10 +17,16 @@ export interface Bill {
   readonly practised: { readonly rounds: number; readonly examples: number } | null
   /** Decisions while it tried, and simulated minutes. */
   readonly tried: { readonly decisions: number; readonly minutes: number } | null
+  /** What the lab has counted while it came about; null: nobody made it in a lab. */
+  readonly effort: Effort | null
 }
 
 /** @throws TypeError for a racer without a program */
-export function billOf(kind: LaneKind, { programs, brains, tables }: Racer): Bill {
+export function billOf(kind: LaneKind, racer: Racer): Bill {
+  return { ...partsOf(kind, racer), effort: racer.effort ?? null }
+}
+
+function partsOf(kind: LaneKind, { programs, brains, tables }: Racer): Omit<Bill, 'effort'> {
   const program = Object.values(programs)[0]
   if (!program) throw new TypeError('A racer has a program.')
   const brain = Object.values(brains)[0]

@@ -163,7 +163,7 @@ describe('a race of brains', () => {
     expect(resultOf(ready).runs![0]!.decisions).toBe(16)
     expect(billOf('trying', ready)).toEqual({
       ...{ parts: table.tries.filter((count) => count > 0).length, examples: null, practised: null },
-      tried: { decisions: 240, minutes: 1 },
+      ...{ tried: { decisions: 240, minutes: 1 }, effort: null },
     })
   })
 
@@ -189,8 +189,13 @@ describe('the bill', () => {
 
   it('counts links and biases that are not 0', () => {
     expect(billOf('hand', { ...ahead, brains: net() })).toEqual({
-      ...{ parts: 3, examples: null, practised: null, tried: null },
+      ...{ parts: 3, examples: null, practised: null, tried: null, effort: null },
     })
+  })
+
+  it('says what the lab has counted while a brain came about', () => {
+    const effort = { knobs: 14, starts: 3, bumps: 5, hand: 360, computer: 0 }
+    expect(billOf('hand', { ...ahead, brains: net(), effort }).effort).toEqual(effort)
   })
 
   it('counts blocks in the loop, without those that are switched off', () => {

@@ -1,8 +1,9 @@
 import type { Document } from '@botgarten/lab'
 import type { Floor, Pose, Seconds } from '@botgarten/simulation'
-import type { LaneKind } from './kinds.ts'
+import type { Project } from '@botgarten/programs'
+import type { LaneKind } from '@botgarten/programs/lanes'
 
-export type { LaneKind } from './kinds.ts'
+export type { LaneKind } from '@botgarten/programs/lanes'
 
 /**
  * What counts. `way`: cm a minute, with the bumps beside it · `laps`: gates passed in their order, as a part of a lap ·
@@ -38,8 +39,8 @@ export interface Ground {
   readonly floor: Floor
 }
 
-/** A brain that races: a program with what it drives by, as a project holds them. */
-export type Racer = Pick<Document, 'programs' | 'brains' | 'tables'>
+/** A brain that races: a program with what it drives by and what went into it, as a project holds them. */
+export type Racer = Pick<Project, 'programs' | 'brains' | 'tables' | 'effort'>
 
 /** What came of one start. */
 export interface Run {

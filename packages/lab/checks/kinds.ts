@@ -2,6 +2,7 @@ import { arrives } from './arrives.ts'
 import { clean } from './clean.ts'
 import { cruises } from './cruises.ts'
 import { eyesDecide } from './eyesDecide.ts'
+import { judged } from './judged.ts'
 import { keptBack } from './keptBack.ts'
 import type { AnyKind } from './kind.ts'
 import { laps } from './laps.ts'
@@ -10,6 +11,7 @@ import { led } from './led.ts'
 import { near } from './near.ts'
 import { neverSees } from './neverSees.ts'
 import { neverTouches } from './neverTouches.ts'
+import { raced } from './raced.ts'
 import { rests } from './rests.ts'
 import { rowsBy } from './rowsBy.ts'
 import { says } from './says.ts'
@@ -29,6 +31,7 @@ export const kinds: { readonly [kind: string]: AnyKind } = {
   clean,
   cruises,
   eyesDecide,
+  judged,
   keptBack,
   laps,
   learned,
@@ -36,6 +39,7 @@ export const kinds: { readonly [kind: string]: AnyKind } = {
   near,
   neverSees,
   neverTouches,
+  raced,
   rests,
   rowsBy,
   says,

@@ -37,6 +37,7 @@ const numbers = {
   ...{
     rows: 4,
     rounds: 1,
+    brains: 4,
     bumps: 0,
     by: 'coach',
     drive: 'given',

@@ -1,5 +1,6 @@
 import type { Brain } from '@botgarten/learning/neural-network/brain'
 import { cos, sin } from '@botgarten/numbers'
+import type { Raced } from '@botgarten/programs'
 import {
   FRONT,
   type Cm,
@@ -32,6 +33,8 @@ export interface Moment {
   readonly taught: Brain | null
   /** Does the first robot learn by trying in this tick? What it does then is no result. */
   readonly trying: boolean
+  /** What came of the project's last race of brains; null: there was none. */
+  readonly raced: Raced | null
   /** Has another check of the card passed? */
   passed(checkId: string): boolean
 }

@@ -8,7 +8,7 @@ import type { Moment } from './moment.ts'
 
 /** What checks see of a run, as it stands whenever they look. */
 export type Seen = Pick<Simulation, 'world' | 'state' | 'read'> &
-  Pick<Moment, 'taught' | 'nextTurn' | 'trying'>
+  Pick<Moment, 'taught' | 'nextTurn' | 'trying' | 'raced'>
 
 interface Watched {
   readonly simulation: Simulation
@@ -16,6 +16,7 @@ interface Watched {
   readonly brains: Brains
   readonly seconds: number
   readonly trials: Trials
+  readonly raced: Moment['raced']
 }
 
 /** Made once for a run: every tick looks through the same one. */
@@ -24,7 +25,7 @@ export function seenIn(run: Watched): Seen {
   const turn: Moment['nextTurn'] = (mirrored) =>
     nextTurn(run.robots[0]!, world.robots[0]!.config, run.seconds, mirrored)
   return {
-    ...{ world, state, read, nextTurn: turn },
+    ...{ world, state, read, nextTurn: turn, raced: run.raced },
     get taught() {
       return taughtIn(run)
     },

@@ -9,15 +9,27 @@ const LONGEST = 6000
 export interface Track {
   readonly trail: TrailPoint[]
   readonly tones: Tone[]
+  /** Seconds at which it began to touch something. */
+  readonly bumps: number[]
 }
 
-export const newTrack = (): Track => ({ trail: [], tones: [] })
+export const newTrack = (): Track => ({ trail: [], tones: [], bumps: [] })
 
-/** Writes down a tick that is over. */
-export function note(tracks: readonly Track[], tick: number, { robots }: SimulationState): void {
+/** Which robots touch something. */
+export const touchesIn = ({ robots }: SimulationState): readonly boolean[] =>
+  robots.map(({ touching }) => touching.length > 0)
+
+/** Writes down a tick that is over. @param touched which robots touched something before it */
+export function note(
+  tracks: readonly Track[],
+  tick: number,
+  { robots }: SimulationState,
+  touched: readonly boolean[],
+): void {
   const t = tick / TICKS_PER_SECOND
-  robots.forEach(({ x, y, heading, tone }, index) => {
-    const { trail, tones } = tracks[index]!
+  robots.forEach(({ x, y, heading, tone, touching }, index) => {
+    const { trail, tones, bumps } = tracks[index]!
+    if (touching.length > 0 && !touched[index]) add(bumps, t)
     const frequency = tone?.frequency ?? 0
     if (frequency !== (tones.at(-1)?.frequency ?? 0)) add(tones, { t, frequency })
     if (tick % TRAIL_EVERY === 0) add(trail, { t, x, y, heading })
@@ -30,7 +42,8 @@ function add<Item>(list: Item[], item: Item): void {
 }
 
 /** The same track up to a second. */
-export const trackUntil = ({ trail, tones }: Track, seconds: number): Track => ({
+export const trackUntil = ({ trail, tones, bumps }: Track, seconds: number): Track => ({
+  bumps: bumps.filter((t) => t <= seconds),
   trail: trail.filter(({ t }) => t <= seconds),
   tones: tones.filter(({ t }) => t <= seconds),
 })

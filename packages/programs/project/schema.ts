@@ -1,5 +1,6 @@
 import * as v from 'valibot'
 import { mostOf } from '@botgarten/learning/neural-network/examples/types'
+import { laneKinds } from '../lanes.ts'
 import type { Learned, Project } from '../types.ts'
 import { finite, idSchema, programSchema, recordOf, textSchema } from './schema-program.ts'
 import { assetsSchema } from './schema-assets.ts'
@@ -39,6 +40,14 @@ const learned: v.GenericSchema<Learned> = v.object({
 })
 
 const progress = v.object({ starts: v.array(whole), hints: whole })
+const seconds = v.pipe(finite, v.minValue(0), v.maxValue(1e8))
+const effort = v.object({ knobs: whole, starts: whole, bumps: whole, hand: seconds, computer: seconds })
+const lane = v.exactOptional(v.picklist(laneKinds))
+const raced = v.object({
+  course: idSchema,
+  brains: v.pipe(whole, v.maxValue(laneKinds.length)),
+  ...{ trust: lane, explain: lane },
+})
 
 const madeFrom = v.pipe(v.array(v.object({ id: idSchema, title: textSchema })), v.maxLength(100))
 
@@ -64,6 +73,8 @@ export const projectSchema: v.GenericSchema<unknown, Project> = v.pipe(
     sorting: v.exactOptional(recordOf(v.unknown())),
     assets: assetsSchema,
     progress: v.exactOptional(progress),
+    effort: v.exactOptional(effort),
+    raced: v.exactOptional(raced),
     shelf: v.exactOptional(v.picklist(['plain', 'all'])),
     madeFrom: v.exactOptional(madeFrom),
   }),

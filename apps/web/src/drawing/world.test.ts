@@ -15,6 +15,8 @@ const bo: RobotView = {
   display: [],
   frequency: null,
   speech: null,
+  bumps: 0,
+  trying: false,
   touching: [],
   rays: {},
   trail: [],

@@ -39,11 +39,23 @@ export class Extras {
   }
 
   /** The project as it stands now: what is kept and what a file holds. */
-  projectOf({ programs, world, brains, tables }: Document, progress: Progress): Project {
+  projectOf(
+    { programs, world, brains, tables }: Document,
+    progress: Progress,
+    effort: Project['effort'],
+  ): Project {
     const assets = ownPictureIn(world.floor, this.pictures)
     const learned = Object.keys(this.#learned).length > 0 && { q: this.#learned }
     const shelf = this.#shelf && { shelf: this.#shelf }
-    const parts = { programs, world, brains, ...(tables && { tables }), progress, assets }
+    const parts = {
+      programs,
+      world,
+      brains,
+      ...(tables && { tables }),
+      ...(effort && { effort }),
+      progress,
+      assets,
+    }
     return { ...this.#opened, name: this.name, ...parts, ...learned, ...shelf }
   }
 }

@@ -12,6 +12,7 @@ import {
 } from '@botgarten/lab'
 import type { Brain } from '@botgarten/learning/neural-network/brain'
 import type { Floor, RobotKey } from '@botgarten/simulation'
+import type { EffortCount } from './effort.ts'
 import { factsOf, renewed, type Facts } from './facts.ts'
 
 /** Milliseconds of a frame that ticks may take: the rest is for drawing. */
@@ -38,7 +39,16 @@ export class RunningLab {
   /** Simulated seconds a real second; Infinity: as fast as it can. */
   speed = $state(1)
 
-  constructor(document: Document, floor: Floor, checks: readonly Check[]) {
+  readonly #effort: Pick<EffortCount, 'bumped' | 'computed'> | null
+
+  /** @param effort counts bumps, and the time in which the first robot learns by trying */
+  constructor(
+    document: Document,
+    floor: Floor,
+    checks: readonly Check[],
+    effort: Pick<EffortCount, 'bumped' | 'computed'> | null = null,
+  ) {
+    this.#effort = effort
     this.#lab.load(document, floor, { seed: 1, checks })
     this.#show()
   }
@@ -103,18 +113,21 @@ export class RunningLab {
 
   /** In slices: where ticks take longer than a frame has time for, there are fewer. Returns whether anything moved. */
   #advance(ticks: number): boolean {
-    const end = performance.now() + BUDGET
+    const begin = performance.now()
+    const end = begin + BUDGET
     let moved = false
     for (let left = ticks; left > 0; left -= SLICE) {
       if (!this.#lab.advance(Math.min(left, SLICE), EXAMPLES)) break
       moved = true
       if (performance.now() > end) break
     }
+    if (this.#view.robots[0]?.trying) this.#effort?.computed((performance.now() - begin) / 1000)
     return moved
   }
 
   #show(): void {
     this.#view = this.#lab.view(this.#chosen)
+    if (!this.#view.time.past) this.#effort?.bumped(this.#view.robots[0]?.bumps ?? 0)
     this.#facts = renewed(this.#facts, factsOf(this.#view, this.#chosen))
     this.#document = this.#lab.document()
   }

@@ -9,6 +9,7 @@ import { allowed } from './allowed.svelte.ts'
 import type { Slots } from './slots.ts'
 import { backFrom, type Change, type LabEvent, type Part } from './change.ts'
 import { execute } from './execute.ts'
+import { EffortCount } from './effort.ts'
 import { Extras } from './extras.svelte.ts'
 import { Findings, noProgram } from './findings.svelte.ts'
 import { ProjectAutosave, savesTo } from './autosave.svelte.ts'
@@ -37,6 +38,8 @@ export class LabSession {
   readonly autosave: ProjectAutosave
   readonly weights: HandOnWeights
   readonly examples: HandOnExamples
+  /** What goes into the project. */
+  readonly effort: EffortCount
   readonly opened: Opened
   /** Takes one of Blockly's own steps back or forth; the editor sets it. */
   moveBlocks: (direction: 'undo' | 'redo', program: string) => boolean = () => false
@@ -69,7 +72,8 @@ export class LabSession {
     const { project, card } = opened
     this.#extras = new Extras(project)
     this.#progress = new CardProgress(card?.card, project.progress)
-    this.lab = new RunningLab(project, opened.floor, card?.card.checks ?? [])
+    this.effort = new EffortCount(project.effort)
+    this.lab = new RunningLab(project, opened.floor, card?.card.checks ?? [], this.effort)
     this.weights = new HandOnWeights(this)
     this.examples = new HandOnExamples(this)
     this.#findings = new Findings(() => this.lab.document, project)
@@ -85,6 +89,7 @@ export class LabSession {
     if (!opened.keeps) this.autosave.changed(() => this.project)
     this.listen(this.#findings.hear)
     this.listen(this.undo.hear)
+    this.listen(this.effort.hear)
     this.listen(savesTo(this.autosave, () => this.project))
   }
 
@@ -110,7 +115,7 @@ export class LabSession {
   }
   /** The project as it stands now: what is kept and what a file holds. */
   get project(): Project {
-    return this.#extras.projectOf(this.lab.document, this.progress)
+    return this.#extras.projectOf(this.lab.document, this.progress, this.effort.sum)
   }
   get name() {
     return this.#extras.name
@@ -184,6 +189,7 @@ export class LabSession {
     const before = backFrom(change, this.lab)
     const done = execute(change, this, { extras: this.#extras, progress: this.#progress })
     if (!done) return false
+    this.effort.change(change, part)
     if (part === 'start') this.#pulled = before
     const back = { whole: before, joined: before, start: null, move: null, end: this.#pulled, silent: null }[
       part
@@ -241,6 +247,7 @@ export class LabSession {
 
   press(key: DriveKey, down: boolean): void {
     if (down) this.#progress.helped()
+    this.effort.touch()
     this.lab.press(key, down)
   }
 

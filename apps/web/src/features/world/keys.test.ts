@@ -56,6 +56,8 @@ describe('what is said aloud', () => {
     display: [],
     frequency: null,
     speech: null,
+    bumps: 0,
+    trying: false,
     touching: [],
     rays: {},
     tones: [],

@@ -35,6 +35,8 @@ export class Practice extends Assignment {
   /** The round up to which the engine has practised; −1: it has not begun with this. */
   #reached = -1
   #then: Then | null = null
+  /** Milliseconds at which it began to practise. */
+  #began = 0
   #answer: (answer: Answer) => void = () => {}
 
   constructor(session: LabSession) {
@@ -112,6 +114,7 @@ export class Practice extends Assignment {
     if (then.kind === 'show') return this.#show(then.round)
     this.outcome.goOn()
     this.#phase = 'going'
+    this.#began = performance.now()
     const until = Math.min(mostRounds, this.outcome.round + this.choice.settings.rounds)
     this.#send({ kind: 'go', until, pace: this.pace })
   }
@@ -162,6 +165,7 @@ export class Practice extends Assignment {
     this.#phase = 'rest'
     this.outcome.end(ended ?? (round > 0 ? { kind: 'rounds' } : null), sleeping)
     if (ended) this.#reached = -1
+    this.session.effort.computed((performance.now() - this.#began) / 1000)
     this.commit()
   }
 

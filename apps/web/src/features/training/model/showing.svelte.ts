@@ -127,6 +127,7 @@ export class Showing {
     if (this.#mode === 'remember' || this.#mode === 'copy' || !this.net) return
     if (!this.#begin()) return
     this.#isHeld = true
+    this.session.effort.touch()
     this.session.lab.drive(wheels, this.others)
   }
 
@@ -134,6 +135,7 @@ export class Showing {
   letGo(): void {
     if (!this.#isHeld) return
     this.#isHeld = false
+    this.session.effort.touch()
     this.session.lab.drive(null)
     if (this.#mode === 'drive') {
       this.#wheels = still
