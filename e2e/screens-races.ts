@@ -1,5 +1,6 @@
 import { expect } from '@playwright/test'
 import type { Child } from './child.ts'
+import { racesFour } from './child-racing.ts'
 import type { Screen } from './screens.ts'
 
 const cliff = async (child: Child) => {
@@ -32,10 +33,23 @@ async function finishes(child: Child) {
   await expect(child.button('race.playAgain')).toBeVisible()
 }
 
+const brains = async (child: Child) => {
+  await child.page.goto('/race?brains=garden')
+  await expect(child.button('race.brains.ready')).toBeVisible()
+}
+
+async function billed(child: Child) {
+  await brains(child)
+  await racesFour(child)
+  await child.presses('race.brains.startNumber', { number: 3 })
+}
+
 /** Races, and a child who walks against Bo. */
 export const raceScreens: readonly Screen[] = [
   { name: 'race-empty', show: cliff },
   { name: 'race', show: races },
+  { name: 'race-brains-empty', show: brains },
+  { name: 'race-brains', show: billed },
   { name: 'you-against-bo', show: (child) => walks(child, 3) },
   { name: 'you-against-bo-end', show: finishes },
 ]

@@ -45,6 +45,16 @@ declare module 'content:senses' {
   export default part
 }
 
+declare module 'content:courses' {
+  import type { Course, LaneKind, Racer } from '@botgarten/experiments/brain-race'
+  const all: readonly {
+    readonly course: Course
+    /** The brains that drive where nobody brings others. */
+    readonly racers: { readonly [kind in LaneKind]: Racer | null }
+  }[]
+  export default all
+}
+
 declare module 'content:sets' {
   import type { Lazy, Sets } from '@botgarten/content/catalogue'
   const part: Lazy<Sets> & {

@@ -1,6 +1,7 @@
 // The catalogue on a page: modules `content:…` that this plugin writes from the files. A page imports lists; what it opens
 // comes with an import of its own, so that one card is one request and no list of cards stands in the build.
 import { join } from 'node:path'
+import { laneKinds } from '@botgarten/experiments/brain-race/table'
 import type { Plugin, Rolldown, ViteDevServer } from 'vite'
 import { contentIn, type ContentFiles } from './files.ts'
 import { nodesOf } from './items/walk.ts'
@@ -113,6 +114,12 @@ const modules: Parts = {
     return `${pictures.imports}
       const pictures = ${pictures.table}
       export default { senseCages: ${data(content.senseCages)}, pictureOf: (id) => pictures[id] }`
+  },
+
+  courses(content) {
+    const racersOf = (id: string) =>
+      Object.fromEntries(laneKinds.map((kind) => [kind, content.racer(id, kind)]))
+    return `export default ${data(content.courses.map((course) => ({ course, racers: racersOf(course.id) })))}`
   },
 
   sets(content) {

@@ -5,6 +5,9 @@ const icons = {
   ask: { heavy: 'M8 9.5a4 4 0 1 1 6.3 3.2c-1.600 1-2.300 1.700-2.300 3M12 19.500v.1' },
   bars: { line: 'M12 3.5v17M4.5 7.5h10M7.5 12h12M9.5 16.5h8' },
   bin: { line: 'M4.5 7h15M9 7V4h6v3M6.5 7l1 13h9l1-13M10 11v5M14 11v5' },
+  branch: { line: 'M12 20v-6.500L6 7.500M12 13.500L18 7.500M6 12V7.500h4.500M13.500 7.500H18V12' },
+  dice: { line: 'M5 5h14v14H5z', heavy: 'M9 9v.1M15 15v.1M12 12v.1' },
+  table: { line: 'M4 5h16v14H4zM4 10h16M4 14.500h16M10.500 5v14' },
   // A sum.
   sum: { line: 'M17.5 7V4.5h-11l6 7.5-6 7.5h11V17' },
   card: {
