@@ -1,5 +1,6 @@
 import { Learner } from '../child-learning.ts'
 import { isPractised } from '../child-practising.ts'
+import { isRaced, racesBrains } from '../child-racing.ts'
 import { solves, tasks } from '../child-solving.ts'
 import { TimeHands } from '../child-time.ts'
 import type { Child } from '../child.ts'
@@ -36,6 +37,7 @@ for (const { task, language, fromHome } of walks) {
         child.button('lab.place', { number }).or(child.button('lab.placePassed', { number }))
       await opens(child, card.id, fromHome)
       await solves(child, task)
+      if (isRaced(task)) await racesBrains(child)
 
       for (let number = 1; number <= of; number += 1)
         await test.step(`from place ${number}`, async () => {
