@@ -22,6 +22,7 @@ export const cardDocument = (
   programs: program.programs,
   brains: program.brains,
   ...(program.tables && { tables: program.tables }),
+  ...(program.raced && { raced: program.raced }),
   world: worldAt(world, card, start),
 })
 

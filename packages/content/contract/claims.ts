@@ -1,6 +1,7 @@
 import { addBlocks } from '@botgarten/blocks'
 import { learning } from '@botgarten/blocks/packs/learning'
 import { outcomeOf } from '@botgarten/experiments'
+import { finish, laneKinds, race, summariesOf } from '@botgarten/experiments/brain-race'
 import { raceOf, winnersOf, type Bill, type Criterion, type Racer } from '@botgarten/experiments/race'
 import { createLab } from '@botgarten/lab'
 import { courseOf, isShortest } from '@botgarten/maps'
@@ -10,7 +11,7 @@ import { expect } from 'vitest'
 import { content } from '../files.ts'
 import { cardDocument, type CardProgram } from '../index.ts'
 import { blocksIn } from '../items/blocksIn.ts'
-import type { Claim, DriveClaim, LearnClaim, RaceClaim } from '../schema/planTypes.ts'
+import type { BrainsClaim, Claim, DriveClaim, LearnClaim, RaceClaim } from '../schema/planTypes.ts'
 import { givenFor } from './given.ts'
 
 addBlocks(learning)
@@ -22,6 +23,7 @@ function nameOf(claim: Claim): string {
   if ('card' in claim) return `Bo on ${claim.card} from place ${claim.place}: ${claim.passed}`
   if ('learns' in claim)
     return `${claim.found} of ${claim.of} Bos on ${claim.learns} after ${claim.tries} tries`
+  if ('course' in claim) return `brains race on ${claim.course}`
   if ('run' in claim) return `${Object.values(claim.run).join(' ')}: ${claim.answer}`
   return `${claim.race.racers.join(' against ')} on ${claim.race.map}: ${claim.wins.join(', ')}`
 }
@@ -31,6 +33,7 @@ export function expectTrue(claim: Claim): void {
   if ('card' in claim) expect(secondOf(claim)).toBe(claim.passed)
   else if ('learns' in claim) expect(shortestOf(claim)).toBe(claim.found)
   else if ('run' in claim) expect(outcomeOf(claim.run, givenFor(claim.run))).toBe(claim.answer)
+  else if ('course' in claim) expect(drivenBy(claim)).toEqual(claim.lanes)
   else expect(raced(claim)).toEqual({ wins: claim.wins, bills: claim.bills })
 }
 
@@ -87,6 +90,18 @@ function raced({ race: { map: id, racers, criterion, ...race }, bills }: RaceCla
     wins: winnersOf(found, criterion as Criterion).map((lane) => racers[lane]),
     bills: Object.fromEntries(Object.keys(bills).map((name) => [name, Object.fromEntries(columns(name))])),
   }
+}
+
+/** The race as a page begins it. */
+function drivenBy({ course: id, lanes }: BrainsClaim): BrainsClaim['lanes'] {
+  const course = content.courses.find((one) => one.id === id)!
+  const world = content.world(course.world)!
+  const racing = laneKinds.map((kind) => ({ kind, racer: content.racer(id, kind) }))
+  const results = finish(race({ course, world, floor: content.floorOf(world) }, racing, 1))
+  const driven = summariesOf(results, racing).flatMap((one) =>
+    one && one.kind in lanes ? [[one.kind, { cm: Math.round(one.cm), bumps: one.bumps }] as const] : [],
+  )
+  return Object.fromEntries(driven)
 }
 
 const definedOf = <T extends object>(all: T) =>

@@ -58,7 +58,7 @@ export type Need =
   | 'display'
 
 /** Programs and brains of a start, a solution or a typical wrong answer. */
-export type CardProgram = Pick<Project, 'programs' | 'brains' | 'tables'>
+export type CardProgram = Pick<Project, 'programs' | 'brains' | 'tables' | 'raced'>
 
 /** A world as content: what every robot of it starts from is said by the card. */
 export type WorldFile = World

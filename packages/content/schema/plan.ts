@@ -35,6 +35,10 @@ const claim: v.GenericSchema<unknown, Claim> = v.union([
     wins: v.array(v.string()),
     bills: v.record(v.string(), v.record(v.string(), v.nullable(v.number()))),
   }),
+  v.strictObject({
+    course: v.string(),
+    lanes: v.record(v.string(), v.strictObject({ cm: v.number(), bumps: v.number() })),
+  }),
 ])
 
 /** What is said of runs. */

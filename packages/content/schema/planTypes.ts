@@ -24,7 +24,7 @@ export interface PlanStep {
 }
 
 /** What the plan says of a run, which the tests make. */
-export type Claim = DriveClaim | LearnClaim | RunClaim | RaceClaim
+export type Claim = DriveClaim | LearnClaim | RunClaim | RaceClaim | BrainsClaim
 
 /** A card's solution with these weights on its network, or another program (`file` as in embeds), driven from a start pose. */
 export interface DriveClaim {
@@ -68,6 +68,12 @@ export interface RaceClaim {
   }
   readonly wins: readonly string[]
   readonly bills: { readonly [racer: string]: { readonly [column: string]: number | null } }
+}
+
+/** The ready-made brains of a course race: how far each goes in a minute, in whole cm, and its bumps from all starts. */
+export interface BrainsClaim {
+  readonly course: string
+  readonly lanes: { readonly [kind: string]: { readonly cm: number; readonly bumps: number } }
 }
 
 /** Text of a plan, in the parts of its two pages. */
