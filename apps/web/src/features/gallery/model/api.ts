@@ -57,7 +57,7 @@ export async function sendShared(
   project: Project,
   title: string,
 ): Promise<{ readonly waiting: boolean } | Problem> {
-  const { progress: _, ...snapshot } = project
+  const { progress: _, raced: _raced, ...snapshot } = project
   const reply = await ask('POST', `/gallery?share=${share}`, writeProject({ ...snapshot, name: title }))
   return read(sent, reply) ?? problemOf(reply)
 }
