@@ -153,6 +153,16 @@ onBothDatabases((fresh) => {
     })
   })
 
+  test('who looks at the list hears at once that a heart came, and that something was hidden', async () => {
+    const id = await shares(fox.browser, 'a')
+    const stream = await fox.browser.events('/me/stream')
+    await stream.next()
+    await owl.browser.put(`/gallery/${id}/heart`, { on: true })
+    expect(await stream.next()).toEqual({ event: 'gallery', data: {} })
+    await teacher.put(`/classes/${classId}/gallery/${id}`, { hidden: true })
+    expect(await stream.next()).toEqual({ event: 'gallery', data: {} })
+  })
+
   test('switched off there is no gallery; what is shared is there again with it', async () => {
     const id = await shares(fox.browser, 'a')
     expect((await fox.browser.get('/me')).body).toMatchObject({ class: { gallery: true, asking: false } })

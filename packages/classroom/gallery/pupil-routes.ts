@@ -2,6 +2,7 @@ import * as v from 'valibot'
 import { newToken } from '../hashes.ts'
 import { ClassFull } from '../projects/saves-store.ts'
 import { deviceId, wholeNumber } from '../projects/routes.ts'
+import type { Ports } from '../ports.ts'
 import { Refusal } from '../refusal.ts'
 import { route, type Answer, type Call, type Route } from '../route.ts'
 import { classById } from '../teaching/classes-store.ts'
@@ -32,6 +33,9 @@ async function viewerOf({ ports, who }: Call<unknown>): Promise<Viewer> {
   if (row?.gallery !== 1) throw new Refusal(403, 'galleryOff')
   return { class: classId, pupil }
 }
+
+/** Pages that show the gallery look again. */
+export const tellClass = ({ live }: Ports, classId: string): void => live.tell(classId, null, 'gallery', {})
 
 /** The page of the gallery that was asked for. */
 export async function pageOf({ ports, query }: Call<unknown>, viewer: Viewer, orders: readonly Order[]) {
@@ -74,6 +78,7 @@ async function share(call: Call<string>): Promise<Answer> {
     waiting: checked.assets.length > 0 ? (1 as const) : (0 as const),
   }
   const answer = await keep(call, viewer, row, checked.assets)
+  tellClass(ports, viewer.class)
   return { status: 201, body: answer }
 }
 
@@ -101,6 +106,7 @@ function keep(
 async function remove({ ports, who, at }: Call<undefined>): Promise<Answer> {
   const { id: pupil, class: classId } = who.pupil!
   if (!(await removeShared(ports.database.db, { class: classId, pupil }, at['shared']!))) throw noSuchShared()
+  tellClass(ports, classId)
   return {}
 }
 
@@ -112,6 +118,7 @@ async function heart(call: Call<{ readonly on: boolean }>): Promise<Answer> {
   if (!row) throw noSuchShared()
   if (row.pupil === viewer.pupil) throw new Refusal(409, 'ownShared')
   await setHeart(db, row.id, viewer.pupil!, body.on)
+  tellClass(ports, viewer.class)
   const now = await sharedOne(db, viewer, row.id)
   return { body: { hearts: now?.hearts ?? 0, mine: body.on } }
 }

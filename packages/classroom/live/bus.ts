@@ -18,11 +18,11 @@ export type Message =
       readonly by: string | null
       readonly until: number
     }
-  /** A short event for the pages of one pupil. */
+  /** A short event for the pages of one pupil; null: of all. */
   | {
       readonly kind: 'event'
       readonly class: string
-      readonly pupil: string
+      readonly pupil: string | null
       readonly event: string
       readonly data: unknown
     }

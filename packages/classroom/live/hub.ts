@@ -106,14 +106,15 @@ export class Hub {
     for (const stream of this.streams) stream.dirty = true
   }
 
-  /** Tells the pages of a pupil at once, unlike `changed`; what is lost is not sent again. */
-  tell(classId: string, pupil: string, event: string, data: unknown): void {
+  /** Tells the pages of a pupil (null: of all) at once, unlike `changed`; what is lost is not sent again. */
+  tell(classId: string, pupil: string | null, event: string, data: unknown): void {
     this.publish({ kind: 'event', class: classId, pupil, event, data })
   }
 
   private passOn({ class: classId, pupil, event, data }: Extract<Message, { kind: 'event' }>) {
     for (const stream of this.streams)
-      if (stream.class === classId && stream.pupil === pupil) stream.events.send(event, data)
+      if (stream.class === classId && stream.pupil !== null && stream.pupil === (pupil ?? stream.pupil))
+        stream.events.send(event, data)
   }
 
   /** The class is over for these: their streams end, and what was live of them is forgotten. */

@@ -14,6 +14,7 @@ interface Today {
 /** What may be opened today. Without a class or a study that is everything but what only a class has; they set it. */
 class Allowed {
   #today = $state.raw<Today>({ cards: null, level: null })
+  #galleryNews = $state(0)
 
   set(today: Today): void {
     // What is drawn from it is looked at again only where it has changed.
@@ -26,6 +27,13 @@ class Allowed {
   }
   get gallery() {
     return this.#today.gallery ?? false
+  }
+  /** Grows when something in the gallery of the class is another. */
+  get galleryNews() {
+    return this.#galleryNews
+  }
+  seeGallery(): void {
+    this.#galleryNews++
   }
   get asking() {
     return this.#today.asking ?? false

@@ -108,7 +108,7 @@ export class PupilLive {
     this.stop()
     const stream = this.#makeStream({
       state: (heard) => this.#take(heard),
-      event: (event) => this.whenEvent(event),
+      event: (event) => (event.event === 'gallery' ? allowed.seeGallery() : this.whenEvent(event)),
       end: () => this.#end(),
     })
     this.#stream = stream

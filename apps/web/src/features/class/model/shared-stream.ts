@@ -12,9 +12,11 @@ export interface Heard {
   readonly at: number
 }
 
+const events = ['pair', 'hand', 'gallery'] as const
+
 /** Something short that is not sent again. */
 export interface LiveEvent {
-  readonly event: 'pair' | 'hand'
+  readonly event: (typeof events)[number]
   readonly data: unknown
 }
 
@@ -88,7 +90,7 @@ export class SharedStream {
 
   #follow(source: Source): void {
     source.addEventListener('state', ({ data }) => this.#takeIn(data))
-    for (const event of ['pair', 'hand'] as const)
+    for (const event of events)
       source.addEventListener(event, ({ data }) => this.#passOn({ event, data: JSON.parse(data) as unknown }))
     source.addEventListener('end', ({ data }) => this.#ends(v.parse(ending, JSON.parse(data)).reason))
   }

@@ -2,6 +2,11 @@ import type { Item } from '#figures/gallery/item.ts'
 import type { Ask } from '#storage/ask.ts'
 import { fetchPage, fetchShared, giveHeart, takeOut, type Opened, type Order, type Problem } from './api.ts'
 
+/** In ms: what a class does within this is looked at once. */
+const pause = 1000
+/** So much of a long list is looked at again. */
+const mostAgain = 120
+
 /** The gallery as a page shows it: a list that grows, and one thing that is looked at. */
 export class Gallery {
   readonly #ask: Ask
@@ -12,6 +17,7 @@ export class Gallery {
   #opened = $state.raw<Opened | null>(null)
   #wanted: string | null = null
   #problem = $state<Problem | null>(null)
+  #isSoon = false
 
   constructor(ask: Ask) {
     this.#ask = ask
@@ -56,6 +62,41 @@ export class Gallery {
     this.#total = page.items.length === 0 ? this.#fetched : page.total
     const isNew = ({ id }: Item) => !before.some((one) => one.id === id)
     this.#items = [...before, ...page.items.filter(isNew)]
+  }
+
+  /** Somebody has done something: the list is looked at again soon. */
+  lookSoon = (): void => {
+    if (this.#isSoon) return
+    this.#isSoon = true
+    setTimeout(() => {
+      this.#isSoon = false
+      void this.#again()
+    }, pause)
+  }
+
+  async #again(): Promise<void> {
+    const order = this.#order
+    const until = Math.min(this.#fetched, mostAgain)
+    if (this.#items === null) return
+    const fresh: Item[] = []
+    let page: Awaited<ReturnType<typeof fetchPage>>
+    do {
+      page = await fetchPage(this.#ask, order, fresh.length)
+      if (order !== this.#order) return
+      if (typeof page === 'string') return this.#fail(page)
+      fresh.push(...page.items)
+    } while (page.items.length > 0 && fresh.length < until)
+    this.#takeFresh(fresh, page.total, until)
+  }
+
+  #takeFresh(fresh: readonly Item[], total: number, until: number): void {
+    const all = [...fresh, ...(this.#items ?? []).slice(until)]
+    // What comes twice because something was shared meanwhile stands there once.
+    this.#items = all.filter(({ id }, at) => all.findIndex((one) => one.id === id) === at)
+    this.#fetched = this.#items.length
+    this.#total = total
+    const now = fresh.find(({ id }) => id === this.#opened?.id)
+    if (this.#opened && now) this.#opened = { ...this.#opened, hearts: now.hearts, mine: now.mine }
   }
 
   #fail(problem: Problem): void {

@@ -1,4 +1,4 @@
-import { describe, expect, it } from 'vitest'
+import { describe, expect, it, vi } from 'vitest'
 import type { Ask, Reply } from '#storage/ask.ts'
 import { friendship } from '#storage/testing/sample.ts'
 import { Gallery } from './gallery.svelte.ts'
@@ -45,6 +45,24 @@ describe('a gallery', () => {
     all.length = 20
     await gallery.more()
     expect(gallery.hasMore).toBe(false)
+  })
+
+  it('is looked at again soon after somebody has done something, as far as it is shown, once for much', async () => {
+    vi.useFakeTimers()
+    const { gallery, all, asked } = classWith(60)
+    await gallery.show()
+    await gallery.more()
+    await gallery.look('item-3')
+    all.splice(0, 1)
+    all[2] = { ...all[2]!, hearts: 5 }
+    all.unshift(itemOf(100))
+    asked.length = 0
+    for (let news = 0; news < 9; news++) gallery.lookSoon()
+    await vi.advanceTimersByTimeAsync(2000)
+    expect(asked).toEqual(['GET /gallery?by=newest&from=0', 'GET /gallery?by=newest&from=24'])
+    expect(gallery.items!.slice(0, 2).map(({ id }) => id)).toEqual(['item-100', 'item-1'])
+    expect(gallery.items).toHaveLength(48)
+    vi.useRealTimers()
   })
 
   it('shows a heart in the list and beside it', async () => {
