@@ -5,7 +5,7 @@ import { axeFindings } from '../axe.ts'
 import { Pupil } from '../child-class.ts'
 import { GalleryHands, sharesOne } from '../child-gallery.ts'
 import { ProjectList } from '../child-projects.ts'
-import { leftEye, leftWheel } from '../child.ts'
+import { Child, leftEye, leftWheel } from '../child.ts'
 import { testInClass } from '../class-test.ts'
 import { expect } from '../house.ts'
 import { anotherClass, joins, saves, signsIn, teaches } from '../made-class.ts'
@@ -18,7 +18,11 @@ for (const language of languagesOf(import.meta.filename)) {
     test.use({ language })
 
     test('by keys a child finds it, gives a heart, watches, remixes and shares', async ({
+      browser,
       child,
+      contextOptions,
+      house,
+      locale,
       page,
       school: server,
     }) => {
@@ -43,6 +47,15 @@ for (const language of languagesOf(import.meta.filename)) {
         await expect(gallery.heart('Slow and safe', 0)).toBeVisible()
         await page.keyboard.press('Space')
         await expect(gallery.heart('Slow and safe', 1)).toBeVisible()
+      })
+      await test.step('what others do is seen without loading the page again', async () => {
+        const hare = await joins(school, 'Hase')
+        const id = await sharesOne(hare, 'Rude')
+        await expect(gallery.titles).toHaveText(['Rude', 'Slow and safe'])
+        await owl.asker.ask('PUT', `/gallery/${id}/heart`, { on: true })
+        await expect(gallery.heart('Rude', 1)).toBeVisible()
+        await school.teacher.ask('PUT', `/classes/${school.id}/gallery/${id}`, { hidden: true })
+        await expect(gallery.titles).toHaveText(['Slow and safe'])
       })
       await test.step('it drives on the page, fast, and goes back to its start', async () => {
         await page.getByRole('button', { name: 'Slow and safe', exact: true }).focus()
@@ -87,6 +100,13 @@ for (const language of languagesOf(import.meta.filename)) {
         const text = readFileSync(await download.path(), 'utf8')
         expect(parseProject(text).madeFrom).toMatchObject([{ title: 'Slow and safe' }])
         for (const name of ['Fuchs', 'Eule']) expect(text).not.toContain(name)
+        const elsewhere = await browser.newContext({ ...contextOptions, baseURL: house, locale })
+        const friend = new Child(await elsewhere.newPage(), language)
+        await friend.opensHome()
+        await friend.opensFileAtHome('fast.botgarten.json', text)
+        await friend.seesLab()
+        await friend.seesWeight(leftEye, leftWheel, 0.5)
+        await elsewhere.close()
       })
     })
 

@@ -1,6 +1,7 @@
 // Rooms: share
 import type { Block } from '@botgarten/blocks'
 import type { Project } from '@botgarten/programs'
+import { reads } from '../camera.ts'
 import { Child, leftEye, leftWheel } from '../child.ts'
 import { ProjectList } from '../child-projects.ts'
 import { expect, test } from '../house.ts'
@@ -45,12 +46,13 @@ for (const language of languagesOf(import.meta.filename)) {
       await child.seesWeight(leftEye, leftWheel, 0.45)
     })
 
-    test('the copied link is the one that is shown', async ({ child, context }) => {
+    test('the copied link is the one that is shown, and its code leads there', async ({ child, context }) => {
       await context.grantPermissions(['clipboard-read', 'clipboard-write'])
       const link = await sharesFromLab(child)
       await child.presses('share.copy')
       await expect(child.words('share.copied')).toBeVisible()
       expect(await child.page.evaluate(() => navigator.clipboard.readText())).toBe(link)
+      expect(await reads(child.page.getByRole('img', { name: child.word('share.code') }))).toBe(link)
     })
 
     test('without the clipboard of secure pages it is copied all the same', async ({ child, page }) => {
