@@ -5,6 +5,7 @@ import { Pupil } from './child-class.ts'
 import { joins, saves, signsIn, type Joined, type MadeClass } from './made-class.ts'
 import { galleryScreens } from './screens-gallery.ts'
 import { joining } from './screens-joining.ts'
+import { togetherScreens } from './screens-together.ts'
 
 /** One picture of a class: how somebody gets there. */
 export interface ClassScreen {
@@ -245,4 +246,10 @@ const inTheLab: readonly ClassScreen[] = [
 ]
 
 /** What a pupil sees. */
-export const pupilScreens: readonly ClassScreen[] = [...joining, ...gate, ...inTheLab, ...galleryScreens]
+export const pupilScreens: readonly ClassScreen[] = [
+  ...joining,
+  ...gate,
+  ...inTheLab,
+  ...galleryScreens,
+  ...togetherScreens,
+]

@@ -43,7 +43,7 @@ const bodies: { readonly [route: string]: unknown } = {
   'POST /pair/operations': {
     ops: [{ n: 1, base: 0, op: { kind: 'delete', program: 'main', block: 'b' } }],
   },
-  'PUT /pair/hand': { at: 'b', x: 0.5, y: 0.5, chosen: null },
+  'PUT /pair/hand': { program: 'main', at: 'b', x: 0.5, y: 0.5, chosen: null },
   'PUT /pair/role': { role: 'eye' },
   'POST /classes/:class/questionnaires': { form: 'after' },
   'POST /classes/:class/questionnaires/:form/paper': { bands: ['5-6'], n: 5, counts: {}, open: {} },

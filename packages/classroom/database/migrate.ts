@@ -5,7 +5,7 @@ import { first } from './first.ts'
 import { gallery } from './gallery.ts'
 import { live } from './live.ts'
 import { thrown } from './thrown.ts'
-import { together } from './together.ts'
+import { together, togetherSwitch } from './together.ts'
 import { wifi } from './wifi.ts'
 
 const migrations = ({ kind }: Database) => ({
@@ -15,6 +15,7 @@ const migrations = ({ kind }: Database) => ({
   '2026-11-wifi': wifi,
   '2026-12-gallery': gallery,
   '2026-12-together': together,
+  '2026-12-together-switch': togetherSwitch,
 })
 
 const migrator = (database: Database) =>

@@ -68,6 +68,8 @@ export interface ClassTable {
   gallery: Generated<0 | 1>
   /** May pupils ask each other? */
   asking: Generated<0 | 1>
+  /** May two work on one program? */
+  together: Generated<0 | 1>
 }
 
 interface PupilTable {

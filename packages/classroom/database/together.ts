@@ -9,6 +9,16 @@ export const together = {
   },
 }
 
+/** Whether two of a class may work on one program: they may, until the teacher says otherwise. */
+export const togetherSwitch = {
+  async up({ schema }: Kysely<unknown>): Promise<void> {
+    await schema
+      .alterTable('class')
+      .addColumn('together', 'integer', (one) => one.notNull().defaultTo(1))
+      .execute()
+  },
+}
+
 const tables = (schema: Kysely<unknown>['schema']) => [
   schema
     .createTable('pair')

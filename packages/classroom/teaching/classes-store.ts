@@ -60,7 +60,8 @@ export async function giveCode(db: Db, id: string, code: string): Promise<boolea
 export const classOfPupil = (db: Db, id: string) =>
   db
     .selectFrom('class')
-    .select(['id', 'name', 'language', 'grade', 'openedAt', 'cards', 'level', 'gallery', 'asking'])
+    .select(['id', 'name', 'language', 'grade', 'openedAt', 'cards', 'level'])
+    .select(['gallery', 'asking', 'together'])
     .where('id', '=', id)
     .executeTakeFirst()
 

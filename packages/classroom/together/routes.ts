@@ -6,6 +6,7 @@ import { isHere } from '../live/tiles.ts'
 import { wholeNumber } from '../projects/routes.ts'
 import { Refusal } from '../refusal.ts'
 import { route, type Answer, type Call, type Route } from '../route.ts'
+import { classById } from '../teaching/classes-store.ts'
 import type { PairRow } from '../database/together-tables.ts'
 import {
   addEntries,
@@ -29,6 +30,13 @@ const window = 10_000
 const mostOfSending = 400_000
 const mostAnswered = 500
 
+/** Who asks. @throws Refusal unless the teacher lets two work on one program */
+async function allowed({ ports, who }: Call<unknown>) {
+  const pupil = who.pupil!
+  if ((await classById(ports.database.db, pupil.class))?.together !== 1) throw new Refusal(403, 'togetherOff')
+  return pupil
+}
+
 /** The pair of the pupil who asks. @throws Refusal where there is none */
 async function ownPair({ ports, who }: Call<unknown>): Promise<PairRow> {
   const pair = await pairOf(ports.database.db, who.pupil!.id)
@@ -48,8 +56,9 @@ const tellBoth = ({ ports }: Call<unknown>, { class: classId, inviter, invited }
 const isAtWork = ({ accepted, left }: PairRow) => accepted === 1 && left === null
 
 /** Classmates who are here now. */
-async function mates({ ports, who }: Call<undefined>): Promise<Answer> {
-  const { id: own, class: classId } = who.pupil!
+async function mates(call: Call<undefined>): Promise<Answer> {
+  const { ports } = call
+  const { id: own, class: classId } = await allowed(call)
   const now = ports.now()
   const here = (await pupilsOf(ports.database.db, classId)).filter(
     ({ id }) => id !== own && isHere({ live: ports.live.liveOf(classId, id) }, now),
@@ -59,8 +68,8 @@ async function mates({ ports, who }: Call<undefined>): Promise<Answer> {
 
 /** Asks a classmate to work on this project together. An earlier invitation of the same pupil is over with it. */
 async function invite(call: Call<string>): Promise<Answer> {
-  const { ports, who, query, body } = call
-  const { id: inviter, class: classId } = who.pupil!
+  const { ports, query, body } = call
+  const { id: inviter, class: classId } = await allowed(call)
   const { db } = ports.database
   const invited = query.get('to') ?? ''
   // Two devices of one child are not a pair.
@@ -157,9 +166,9 @@ function limited(pair: PairRow, entries: readonly Entry[], now: number) {
 
 const block = v.nullable(v.pipe(v.string(), v.minLength(1), v.maxLength(200)))
 const share = v.pipe(v.number(), v.minValue(0), v.maxValue(1))
-const pointing = v.strictObject({ at: block, x: share, y: share, chosen: block })
+const pointing = v.strictObject({ program: block, at: block, x: share, y: share, chosen: block })
 
-/** Where the hand is: over which block, at which share of its width and height, and which one is chosen. Not stored. */
+/** Where the hand is: over which block of which program, at which share of its width and height, and which one is chosen. Not stored. */
 async function point(call: Call<v.InferOutput<typeof pointing>>): Promise<Answer> {
   const { ports, who, body } = call
   const pair = await workingPair(call)

@@ -136,7 +136,7 @@ onBothDatabases((fresh) => {
     await stream.next()
     await send(fox, move(1))
     expect(await stream.next()).toEqual({ event: 'pair', data: { length: 1 } })
-    const hand = { at: 'b1', x: 0.5, y: 0.25, chosen: null }
+    const hand = { program: 'main', at: 'b1', x: 0.5, y: 0.25, chosen: null }
     await fox.browser.put('/pair/hand', hand)
     expect(await stream.next()).toEqual({ event: 'hand', data: hand })
   })
@@ -168,6 +168,21 @@ onBothDatabases((fresh) => {
     const world = { ...project.world, floor: { asset: 'b'.repeat(64) } }
     const answer = await fox.browser.post(`/pair?to=${owl.id}`, { ...project, world })
     expect(answer.body).toMatchObject({ error: 'ownPhoto' })
+  })
+
+  test('where the teacher does not want it nobody is asked, and who was at it goes on alone', async () => {
+    expect((await fox.browser.get('/me')).body).toMatchObject({ class: { together: true } })
+    await together()
+    await teacher.put(`/classes/${classId}/gallery`, { together: false })
+    expect((await teacher.get(`/classes/${classId}/gallery`)).body).toMatchObject({
+      together: false,
+      on: true,
+    })
+    expect((await fox.browser.get('/me')).body).toMatchObject({ class: { together: false }, pair: null })
+    for (const answer of [await invite(), await fox.browser.get('/pair/mates')])
+      expect(answer).toMatchObject({ status: 403, body: { error: 'togetherOff' } })
+    await teacher.put(`/classes/${classId}/gallery`, { together: true })
+    expect((await invite()).status).toBe(201)
   })
 
   test('a third child reads and adds nothing, and the end of the lesson is the end of the pair', async () => {

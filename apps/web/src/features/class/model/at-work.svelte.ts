@@ -1,5 +1,6 @@
 import { untrack } from 'svelte'
 import { houseIdOf } from '#content/cards.ts'
+import type { Packs } from '#lab/opening.ts'
 import type { LabSession } from '#lab/session.svelte.ts'
 import type { LabUi } from '#lab/ui.svelte.ts'
 import type { PupilLive } from './live.svelte.ts'
@@ -20,6 +21,7 @@ export function follow(
   live: PupilLive,
   session: LabSession,
   ui: LabUi,
+  packs: Packs,
   joined: (together: Together | null) => void,
 ): () => void {
   const card = session.opened.card?.card
@@ -29,7 +31,7 @@ export function follow(
   const stopListening = session.listen((event) => {
     if (event.kind === 'changed') changedAt = Date.now()
   })
-  const stopTogether = followPair(live, session, joined)
+  const stopTogether = followPair(live, session, packs, joined)
   const stopWatching = $effect.root(() => {
     $effect(() => {
       if (ui.missed) failed = countMissed(failed, ui.missed.check)

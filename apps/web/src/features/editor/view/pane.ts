@@ -98,6 +98,7 @@ export class Pane {
 
   /** Another child has done something: a child that looks on, or types elsewhere, is not disturbed. */
   #follow(program: Program): void {
+    this.toolbox.catchUp()
     const focused = this.#host.contains(document.activeElement)
     on.stays(this.#workspace, () => this.#refill(() => this.#show(program), focused))
   }

@@ -8,10 +8,14 @@ export type Order = 'newest' | 'hearts' | 'waiting' | 'hidden'
 const page = v.object({
   on: v.boolean(),
   asking: v.boolean(),
+  together: v.boolean(),
   waiting: v.number(),
   total: v.number(),
   items: v.array(item),
 })
+
+/** Is there a gallery, may pupils ask each other, may two work on one program? */
+type Switches = Pick<v.InferOutput<typeof page>, 'on' | 'asking' | 'together'>
 
 /** The gallery of a class as its teacher sees it: what is shared, what waits for a yes, what is hidden. */
 export class ClassGallery {
@@ -66,8 +70,7 @@ export class ClassGallery {
     this.#items = items
   }
 
-  set = (change: { readonly on?: boolean; readonly asking?: boolean }): Promise<void> =>
-    this.#do(this.#path, change)
+  set = (change: Partial<Switches>): Promise<void> => this.#do(this.#path, change)
   hide = (id: string, hidden: boolean): Promise<void> => this.#do(`${this.#path}/${id}`, { hidden })
   allow = (id: string): Promise<void> => this.#do(`${this.#path}/${id}`, { allowed: true })
 

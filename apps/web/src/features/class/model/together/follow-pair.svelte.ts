@@ -1,4 +1,5 @@
 import { untrack } from 'svelte'
+import type { Packs } from '#lab/opening.ts'
 import type { LabSession } from '#lab/session.svelte.ts'
 import type { PupilLive } from '../live.svelte.ts'
 import { kept } from './kept.ts'
@@ -8,9 +9,9 @@ import type { Together } from './together.svelte.ts'
 export function followPair(
   live: PupilLive,
   session: LabSession,
+  packs: Packs,
   joined: (together: Together | null) => void,
 ): () => void {
-  const opened = session.project
   let together: Together | null = null
   let isComing = false
   let isGone = false
@@ -24,7 +25,7 @@ export function followPair(
     const { Together } = await import('./together.svelte.ts')
     isComing = false
     if (isGone) return
-    together = new Together(live, session, pair, kept()?.pending.length ? opened : session.project, end)
+    together = new Together(live, session, pair, packs, end)
     joined(together)
   }
   const stop = $effect.root(() => {

@@ -10,6 +10,8 @@ const schema = v.object({
   card: v.string(),
   /** Made here by the lab itself. */
   pending: v.array(v.custom<Entry>((one) => typeof one === 'object' && one !== null)),
+  /** So many entries of the common order were shown here, one after the other: the last few. */
+  shown: v.optional(v.array(v.number()), [0]),
 })
 export type Kept = v.InferOutput<typeof schema>
 

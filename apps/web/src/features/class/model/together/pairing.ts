@@ -19,7 +19,7 @@ export async function invite(
   const reply = await ask('POST', `/pair?to=${encodeURIComponent(to)}`, whole)
   const pair = read(invited, reply)?.id
   if (pair !== undefined) {
-    keep({ pair, project: id, card: placeOf(whole), pending: [] })
+    keep({ pair, project: id, card: placeOf(whole), pending: [], shown: [0] })
     return null
   }
   if (reply.kind !== 'refused') return 'togetherNotSent'
@@ -39,6 +39,6 @@ export async function placeOfPair(
   const found = read(begun, await ask('GET', '/pair'))
   if (found?.id !== pair) return null
   const at = await keepNew(parseProject(found.project))
-  if (at) keep({ pair, project: at.id, card: at.card, pending: [] })
+  if (at) keep({ pair, project: at.id, card: at.card, pending: [], shown: [0] })
   return at
 }

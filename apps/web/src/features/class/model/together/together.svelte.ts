@@ -1,25 +1,18 @@
-import { diff, Peer, type Back, type Entry, type Shared } from '@botgarten/programs/together'
-import { inScene, parseProject, sceneOf, type Project } from '@botgarten/programs'
+import { diff, Peer, resumed, type Back, type Shared } from '@botgarten/programs/together'
+import { parseProject } from '@botgarten/programs'
+import type { Floor } from '@botgarten/simulation'
 import * as v from 'valibot'
+import { floorToRun, type Packs } from '#lab/opening.ts'
 import type { LabSession } from '#lab/session.svelte.ts'
-import type { OwnSteps } from '#lab/undo.svelte.ts'
-import { read, type Ask, type Reply } from '#storage/ask.ts'
+import type { Ask, Reply } from '#storage/ask.ts'
 import type { PupilLive } from '../live.svelte.ts'
-import { pair as pairSchema, type Pair } from '../pupil.ts'
-import { keep, kept } from './kept.ts'
-
-const entries = v.array(v.custom<Entry>((one) => typeof one === 'object' && one !== null))
-const state = v.object({ ...pairSchema.entries, length: v.number(), entries })
-const beginning = v.object({ ...state.entries, project: v.unknown() })
-
-const hand = v.object({
-  at: v.nullable(v.string()),
-  x: v.number(),
-  y: v.number(),
-  chosen: v.nullable(v.string()),
-})
-/** Over which block a hand is, at which share of its width and height, and which block it has chosen. */
-export type OtherHand = v.InferOutput<typeof hand>
+import type { Pair } from '../pupil.ts'
+import type { LiveEvent } from '../shared-stream.ts'
+import { keep, kept, type Kept } from './kept.ts'
+import { otherHand, type OtherHand } from './other-hand.ts'
+import { fetchBeginning, fetchFrom, type Beginning } from './order.ts'
+import { StepsOfOne } from './own-steps.svelte.ts'
+import { hasOtherFloor, isOnPhoto, sharedOf, show, waitingIn } from './show.ts'
 
 /** In ms: what a hand does within this is one step. */
 const stepTime = 80
@@ -29,49 +22,60 @@ const retry = 1500
 /** In ms: where no event came, the class is asked all the same. */
 const look = 5000
 const atOnce = 200
-
-const sharedOf = ({ programs, brains, world }: Shared | Project): Shared => ({ programs, brains, world })
-const same = (a: unknown, b: unknown) => a === b || JSON.stringify(a) === JSON.stringify(b)
+/** The class takes no more of it: it is full, or this is too large. */
+const tooMuch: readonly number[] = [400, 409, 413]
+/** So many steps of what was shown are remembered: the device may have saved an earlier one last. */
+const mostShown = 12
 
 /** Two on one program: this page's part of it. What is done here goes to the class, what comes from there is shown. */
-export class Together implements OwnSteps {
+export class Together {
   readonly pair: string
   readonly #live: PupilLive
   readonly #ask: Ask
   readonly #session: LabSession
+  readonly #packs: Packs
   readonly #ended: () => void
   readonly #stops: (() => void)[]
   #peer: Peer | null = null
   #shown: Shared
   #isShowing = false
-  #isBusy = false
+  #busy: Promise<void> | null = null
+  #isAsked = false
+  /** Blocks or a picture that have not come yet are missing for what was heard. */
+  #isBringing = false
+  #floor: { readonly world: Shared['world']; readonly painted: Floor } | null = null
   #noting: ReturnType<typeof setTimeout> | undefined
   #showing: ReturnType<typeof setTimeout> | undefined
-  #done = $state.raw<readonly (readonly Back[])[]>([])
-  #undone = $state.raw<readonly (readonly Back[])[]>([])
+  readonly #steps = new StepsOfOne({
+    settle: () => this.#note(),
+    takeBack: (step) => this.#takeBack(step),
+  })
   #known = $state.raw<Pair | null>(null)
   /** The other one's hand. */
   hand = $state.raw<OtherHand | null>(null)
   /** The class cannot be reached. */
   isAway = $state(false)
-  /** How much of what was done here the class has not got. */
-  waiting = $state(0)
   /** There was more than a pair may do. */
   isFull = $state(false)
+  /** What the other one did is not shown while this page's Bo drives, or a moment of the past is looked at. */
+  waits = $state(false)
+  /** An own photo was put in: it goes to no other child, and is out again. */
+  hadPhoto = $state(false)
 
-  /** @param opened the project as this page has opened it @param ended it is over, and the child knows */
-  constructor(live: PupilLive, session: LabSession, pair: string, opened: Project, ended: () => void) {
+  /** @param packs bring blocks that the other one has used @param ended it is over, and the child knows */
+  constructor(live: PupilLive, session: LabSession, pair: string, packs: Packs, ended: () => void) {
     this.pair = pair
+    this.#packs = packs
     this.#live = live
     this.#ask = live.ask
     this.#session = session
     this.#ended = ended
-    this.#shown = sharedOf(opened)
+    this.#shown = sharedOf(session.project)
     live.working = pair
-    live.whenEvent = ({ event, data }) => this.#hear(event, data)
+    live.whenEvent = (event) => this.#hear(event)
     const looking = setInterval(() => void this.#exchange(), look)
     session.shared = true
-    session.undo.lend(this)
+    session.undo.lend(this.#steps)
     this.#stops = [
       session.listen(({ kind }) => kind === 'changed' && !this.#isShowing && this.#soon()),
       () => clearInterval(looking),
@@ -101,21 +105,33 @@ export class Together implements OwnSteps {
   }
 
   async #begin(): Promise<void> {
-    const found = read(beginning, await this.#ask('GET', '/pair'))
+    const found = await fetchBeginning(this.#ask, this.pair)
     if (this.#live.working !== this.pair) return
     this.isAway = !found
-    if (found?.id !== this.pair) return void (this.#showing = setTimeout(() => void this.#begin(), retry))
-    this.#known = found
-    const pending = kept()?.pending ?? []
-    this.#peer = new Peer(found.me, sharedOf(parseProject(found.project)), pending)
-    this.#peer.receive(0, found.entries)
-    this.#note()
+    if (!found) return void (this.#showing = setTimeout(() => void this.#begin(), retry))
+    this.#takeUp(found)
     await this.#exchange()
   }
 
-  #hear(event: 'pair' | 'hand', data: unknown): void {
+  /** Nothing is lost of what was done here before the class was heard of. */
+  #takeUp(found: Beginning): void {
+    const { me: author, entries, project } = found
+    this.#known = found
+    const own = kept()
+    const { pending, shown } = own?.pair === this.pair ? own : { pending: [], shown: [0] }
+    const shared = sharedOf(parseProject(project))
+    const opened = sharedOf(this.#session.opened.project)
+    this.#shown = sharedOf(this.#session.project)
+    const made = resumed({ author, shared, entries, pending, shown }, opened, this.#shown)
+    this.#peer = new Peer(author, shared, made)
+    this.#isBringing = true
+    this.#peer.receive(0, entries)
+    this.#keep()
+  }
+
+  #hear({ event, data }: LiveEvent): void {
     if (event === 'pair') return void this.#exchange()
-    const found = v.safeParse(hand, data)
+    const found = v.safeParse(otherHand, data)
     if (found.success) this.hand = found.output
   }
 
@@ -132,8 +148,8 @@ export class Together implements OwnSteps {
     const ops = diff(this.#shown, now)
     this.#shown = now
     if (ops.length === 0) return
-    this.#done = [...this.#done, this.#peer.edit(ops)]
-    this.#undone = []
+    this.#steps.did(this.#peer.edit(ops))
+    this.hadPhoto = isOnPhoto(now) && !isOnPhoto(this.#peer.shared)
     this.#made()
   }
 
@@ -142,60 +158,70 @@ export class Together implements OwnSteps {
     void this.#exchange()
   }
 
-  #keep(): void {
+  #keep(more: Partial<Kept> = {}): void {
     const own = kept()
     if (!own || own.pair !== this.pair || !this.#peer) return
-    this.waiting = this.#peer.pending.length
-    keep({ ...own, pending: [...this.#peer.pending] })
+    keep({ ...own, pending: [...this.#peer.pending], ...more })
   }
 
-  get canUndo() {
-    return this.#done.length > 0
-  }
-  get canRedo() {
-    return this.#undone.length > 0
-  }
-  undo(): void {
-    this.#takeBack('undo')
-  }
-  redo(): void {
-    this.#takeBack('redo')
+  /** So much of the common order is seen here now. */
+  #keepShown({ length }: Peer): void {
+    const shown = kept()?.shown ?? []
+    if (shown.at(-1) !== length) this.#keep({ shown: [...shown, length].slice(-mostShown) })
   }
 
-  #takeBack(way: 'undo' | 'redo'): void {
-    this.#note()
-    const [from, to] = way === 'undo' ? [this.#done, this.#undone] : [this.#undone, this.#done]
-    const step = from.at(-1)
-    if (!step || !this.#peer || !this.#session.settleBlocks()) return
+  #takeBack(step: readonly Back[]): readonly Back[] | null {
+    if (!this.#peer || !this.#session.settleBlocks()) return null
     const back = this.#peer.undo(step)
-    const left = from.slice(0, -1)
-    const more = back.length > 0 ? [...to, back] : to
-    ;[this.#done, this.#undone] = way === 'undo' ? [left, more] : [more, left]
-    this.#show()
+    this.#show(true)
     this.#made()
+    return back
   }
 
   /** Sends what is pending and fetches what is new, until there is neither. */
-  async #exchange(): Promise<void> {
-    if (this.#isBusy || !this.#peer || this.isFull) return
-    this.#isBusy = true
+  #exchange(): Promise<void> {
+    this.#isAsked = this.#busy !== null
+    this.#busy ??= this.#rounds().finally(() => {
+      this.#busy = null
+      this.#show()
+      // Meanwhile there was more.
+      if (this.#isAsked && !this.isAway) void this.#exchange()
+    })
+    return this.#busy
+  }
+
+  async #rounds(): Promise<void> {
+    if (!this.#peer || this.isFull) return
+    while (await this.#round(this.#peer));
+    await this.#bring(this.#peer.shared)
+  }
+
+  /** What the other one has used may be new to this page: more blocks, another floor. */
+  async #bring(shared: Shared): Promise<void> {
     try {
-      while (await this.#round(this.#peer));
+      const { project } = this.#session
+      if (!hasOtherFloor(this.#session, shared)) await this.#packs.loadFor(shared)
+      else if (this.#floor?.world !== shared.world)
+        this.#floor = {
+          world: shared.world,
+          painted: await floorToRun({ ...project, ...shared }, this.#packs),
+        }
+    } catch (cause) {
+      console.warn('What the other one has used has not come.', cause)
     } finally {
-      this.#isBusy = false
+      this.#isBringing = false
     }
-    this.#show()
   }
 
   /** @returns whether there is more to do */
   async #round(peer: Peer): Promise<boolean> {
     const ops = peer.pending.slice(0, atOnce).map(({ n, base, op }) => ({ n, base, op }))
     if (ops.length > 0 && !this.#isTaken(await this.#ask('POST', '/pair/operations', { ops }))) return false
-    const reply = await this.#ask('GET', `/pair?from=${peer.length}`)
-    const found = read(state, reply)
-    if (found?.id !== this.pair) return this.#isTaken(reply) && false
+    const { reply, found } = await fetchFrom(this.#ask, this.pair, peer.length)
+    if (!found) return this.#isTaken(reply) && false
     this.isAway = false
     this.#known = found
+    this.#isBringing ||= found.entries.length > 0
     peer.receive(peer.length, found.entries)
     this.#keep()
     return peer.pending.length > 0 || peer.length < found.length
@@ -204,28 +230,52 @@ export class Together implements OwnSteps {
   #isTaken(reply: Reply): boolean {
     if (reply.kind === 'done') return true
     this.isAway = reply.kind === 'away'
-    if (reply.kind === 'refused' && reply.status !== 429 && reply.code !== 'noPair') this.isFull = true
+    if (reply.kind === 'refused' && tooMuch.includes(reply.status)) this.isFull = true
     if (this.isAway || (reply.kind === 'refused' && reply.status === 429))
       setTimeout(() => void this.#exchange(), retry)
     return false
   }
 
-  /** Shows what has come, once no block is in a hand. */
-  #show(): void {
+  /** Shows what has come, once no block is in a hand. @param all a hand wants to see it at once */
+  #show(all = false): void {
     clearTimeout(this.#showing)
-    if (!this.#peer || this.#live.working !== this.pair) return
+    if (!this.#peer || this.#isBringing || this.#live.working !== this.pair) return
     if (!this.#session.settleBlocks()) {
       this.#showing = setTimeout(() => this.#show(), again)
       return
     }
     this.#note()
+    this.#keepShown(this.#peer)
+    const { shared } = this.#peer
+    const floor = this.#floor?.world === shared.world ? this.#floor.painted : null
     this.#isShowing = true
     try {
-      show(this.#session, this.#peer.shared)
+      this.waits = show(this.#session, shared, all ? null : waitingIn(this.#session), floor)
     } finally {
       this.#isShowing = false
     }
     this.#shown = sharedOf(this.#session.project)
+    if (this.waits) this.#waitForRun()
+  }
+
+  #waitForRun(): void {
+    this.#showing = setTimeout(
+      () => (waitingIn(this.#session) === null ? this.#show() : this.#waitForRun()),
+      again,
+    )
+  }
+
+  /** The robot whose program the other one edits, by its place among all; null: the one that is seen here, or no hand. */
+  get elsewhere(): number | null {
+    const { hand } = this
+    const { robots } = this.#session.lab.document.world
+    if (hand?.program == null || hand.program === this.program) return null
+    const at = robots.findIndex(({ program }) => program === hand.program)
+    return at < 0 ? null : at
+  }
+  /** The program that is seen here. */
+  get program(): string {
+    return this.#session.robot.program
   }
 
   /** Tells the other one where this hand is. */
@@ -241,34 +291,11 @@ export class Together implements OwnSteps {
 
   /** Each goes on with a copy of its own. */
   async leave(): Promise<void> {
+    this.#note()
     await this.#exchange()
+    await this.#busy
     keep(null)
     await this.#ask('DELETE', '/pair')
     this.#ended()
   }
-}
-
-/** Makes a project what the two have made of it; only what differs is touched. */
-function show(session: LabSession, { programs, brains, world }: Shared): void {
-  const before = session.lab.document
-  if (!same(sceneOf(before.world), sceneOf(world)))
-    session.apply({ kind: 'scene', after: sceneOf(world) }, 'silent')
-  const ids = (of: Shared) => [
-    Object.keys(of.programs).sort(),
-    of.world.robots.map(({ id, program }) => [id, program]),
-  ]
-  const now = session.lab.document
-  if (
-    !same(ids(sharedOf(session.project)), ids({ programs, brains, world })) ||
-    !same(now.world.robots, world.robots)
-  )
-    session.apply(
-      { kind: 'robots', after: { ...now, programs, brains, world: inScene(world, sceneOf(now.world)) } },
-      'silent',
-    )
-  for (const [program, after] of Object.entries(programs))
-    if (!same(session.lab.document.programs[program], after))
-      session.apply({ kind: 'program', program, after }, 'silent')
-  for (const [id, after] of Object.entries(brains))
-    if (!same(session.lab.document.brains[id], after)) session.apply({ kind: 'brain', id, after }, 'silent')
 }

@@ -1,8 +1,11 @@
 import { migrate, openSqlite } from '@botgarten/classroom'
 import { quickAccounts, Server } from '@botgarten/classroom/testing'
 import type { Block } from '@botgarten/blocks'
-import { afterEach, beforeEach, expect, test, vi } from 'vitest'
+import { sceneOf } from '@botgarten/programs'
+import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest'
+import { withRobot } from '#lab/robots.ts'
 import type { LabSession } from '#lab/session.svelte.ts'
+import type { Packs } from '#lab/opening.ts'
 import { closeSessions, sessionOf } from '#lab/testing/session.ts'
 import { askAs, type Ask } from '#storage/ask.ts'
 import { freshDevice } from '#storage/testing/device.ts'
@@ -12,10 +15,19 @@ import { Together } from './together.svelte.ts'
 
 // Two sessions as the screen has them, and a real class server between them. Only clock and cable are not.
 interface Child {
-  readonly session: LabSession
+  session: LabSession
   readonly ask: Ask
-  readonly together: Together
+  together: Together
   isPlugged: boolean
+}
+/** Which blocks the pages have asked for. */
+let asked: string[]
+const packs: Packs = {
+  loadLearning: () => Promise.resolve(),
+  loadFor({ programs }) {
+    asked.push(JSON.stringify(programs))
+    return Promise.resolve(false)
+  },
 }
 let server: Server
 let fox: Child
@@ -41,6 +53,7 @@ function asker({ browser, id }: Awaited<ReturnType<Server['pupil']>>, plugged: (
 }
 
 beforeEach(async () => {
+  asked = []
   await freshDevice()
   const database = openSqlite(':memory:')
   await migrate(database)
@@ -60,7 +73,7 @@ beforeEach(async () => {
   await pupils[1].browser.put('/pair/answer', { pair: me.pair.id, yes: true })
   for (const child of children) {
     const live = new PupilLive(child.ask, { me: () => {}, over: () => {} })
-    child.together = new Together(live, child.session, me.pair.id, child.session.project, () => {})
+    child.together = new Together(live, child.session, me.pair.id, packs, () => {})
   }
   ;[fox, owl] = children as [Child, Child]
   await passes(1)
@@ -110,7 +123,7 @@ test('both go on while the cable of one is out, and then have both', async () =>
   fox.isPlugged = true
   await passes(12)
   same()
-  expect([weight(fox), weight(fox, 'wheelLeft'), fox.together.waiting]).toEqual([0.7, -0.2, 0])
+  expect([weight(fox), weight(fox, 'wheelLeft'), fox.together.isAway]).toEqual([0.7, -0.2, false])
   const ids = main(owl).stacks.map(({ blocks }) => blocks[0]!.id)
   expect(ids).toEqual(expect.arrayContaining(['of-fox', 'of-owl']))
 })
@@ -142,4 +155,92 @@ test('a block in a hand is not taken out of it', async () => {
   owl.session.settleBlocks = () => true
   await passes(6)
   expect(weight(owl)).toBe(0.4)
+})
+
+describe('a page that is opened again', () => {
+  /** The page goes, and comes with the project that the device has. */
+  async function reopens(child: Child, { saved = child.session.project, early = () => {} } = {}) {
+    child.together.stop()
+    const live = new PupilLive(child.ask, { me: () => {}, over: () => {} })
+    child.session = sessionOf(saved).session
+    const { pair } = child.together
+    const wasPlugged = child.isPlugged
+    child.isPlugged = false
+    child.together = new Together(live, child.session, pair, packs, () => {})
+    await passes(1)
+    early()
+    child.isPlugged = wasPlugged
+    await passes(8)
+  }
+
+  test('has what it did last, also where nobody has noted it, and what it does before the class answers', async () => {
+    turn(fox, 0.4)
+    await passes(6)
+    turn(fox, 0.6)
+    adds(fox, 'last')
+    await reopens(fox, { early: () => adds(fox, 'early') })
+    const ids = main(owl).stacks.map(({ blocks }) => blocks[0]!.id)
+    expect(ids).toEqual(expect.arrayContaining(['last', 'early']))
+    expect(weight(owl)).toBe(0.6)
+    same()
+  })
+
+  test('takes nothing of the other one back where the device has saved an earlier program', async () => {
+    const saved = fox.session.project
+    turn(owl, 0.5)
+    await passes(6)
+    adds(owl, 'of-owl')
+    await passes(6)
+    await reopens(fox, { saved })
+    expect([weight(owl), main(fox).stacks.at(-1)!.blocks[0]!.id]).toEqual([0.5, 'of-owl'])
+    same()
+  })
+})
+
+test('while Bo drives knobs turn, and other blocks wait until it stands', async () => {
+  fox.session.start()
+  adds(owl, 'of-owl')
+  turn(owl, 0.3)
+  await passes(6)
+  expect([weight(fox), main(fox).stacks.length < main(owl).stacks.length]).toEqual([0.3, true])
+  expect([fox.session.lab.facts.phase, fox.together.waits]).toEqual(['running', true])
+  fox.session.lab.stop()
+  await passes(1)
+  same()
+  expect(fox.together.waits).toBe(false)
+})
+
+test('an own photo goes to nobody: the floor is as it was, and the child is told', async () => {
+  const before = fox.session.lab.document.world.floor
+  const photo = 'b'.repeat(64)
+  const scene = { ...sceneOf(fox.session.lab.document.world), floor: { asset: photo } }
+  const pictures = { [photo]: { type: 'image/png' as const, base64: 'iVBORw0KGgo=' } }
+  fox.session.apply({ kind: 'scene', after: scene, pictures })
+  await passes(6)
+  expect([fox.session.lab.document.world.floor, fox.together.hadPhoto]).toEqual([before, true])
+  same()
+  turn(fox, 0.2)
+  await passes(6)
+  expect(fox.together.hadPhoto).toBe(false)
+})
+
+test('blocks that the other one has used are asked for before they are shown', async () => {
+  adds(owl, 'of-owl')
+  asked = []
+  await passes(6)
+  expect(asked.some((programs) => programs.includes('of-owl'))).toBe(true)
+  same()
+})
+
+test('a second robot comes for both, with a program of its own where the other one may be', async () => {
+  const { id, document } = withRobot(fox.session.lab.document, fox.session.robotId, 'own')
+  fox.session.apply({ kind: 'robots', after: document })
+  await passes(6)
+  same()
+  fox.session.choose(id)
+  expect(fox.together.program).toBe(id)
+  owl.together.hand = { program: id, at: null, x: 0, y: 0, chosen: null }
+  expect(owl.together.elsewhere).toBe(1)
+  owl.session.choose(id)
+  expect(owl.together.elsewhere).toBe(null)
 })

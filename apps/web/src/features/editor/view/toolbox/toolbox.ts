@@ -1,5 +1,5 @@
 import type * as Blockly from 'blockly/core'
-import { toolbox, type Category } from '@botgarten/blocks'
+import { definitions, toolbox, type Category } from '@botgarten/blocks'
 import type { Words } from '#words/message.ts'
 import { loadExpert, loadLearning, expertParts } from '../../model/packs.ts'
 import { only, toolboxInfo } from './info.ts'
@@ -11,6 +11,8 @@ interface DrawnBlocks {
   redraw(): void
 }
 
+const typesNow = () => Object.keys(definitions).length
+
 /** Which blocks a workspace offers: the plain ones, with hidden layers or without, or all of them. */
 export class Toolbox {
   readonly #workspace: Blockly.WorkspaceSvg
@@ -20,6 +22,8 @@ export class Toolbox {
   #all = false
   /** Are blocks drawn as the whole language draws them? */
   #knowsAll = expertParts() !== null
+  /** So many types of blocks are known to Blockly. */
+  #known = typesNow()
   #layers = false
   /** Families that a card offers; null: all of them. */
   #families: readonly Category[] | null = null
@@ -42,6 +46,16 @@ export class Toolbox {
   async learn(): Promise<void> {
     if (this.#knowsAll) return
     await loadExpert()
+    this.#knowsAll = true
+    this.#blocks.redraw()
+  }
+
+  /** Blocks may have come with what a classmate has done: from now on they are drawn here. */
+  catchUp(): void {
+    const known = typesNow()
+    if (known === this.#known) return
+    this.#known = known
+    if (this.#knowsAll || !expertParts()) return this.#blocks.speak()
     this.#knowsAll = true
     this.#blocks.redraw()
   }
