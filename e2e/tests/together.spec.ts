@@ -11,7 +11,7 @@ const test = testInClass()
 // A request through a pulled cable fails, and a browser complains of it.
 test.use({ complaints: [/net::ERR_/] })
 
-test('two children on one program, one with a pulled cable: both end with the same', async ({
+test('two children on one program, one with a pulled cable: both end with the same, and each keeps a copy', async ({
   browser,
   child: fox,
   context,
@@ -68,6 +68,7 @@ test('two children on one program, one with a pulled cable: both end with the sa
     await fox.pressesStop()
   })
   await test.step('both go on while the cable is out, and then have both', async () => {
+    const before = await one.blocks()
     await context.setOffline(true)
     await fox.typesWeight(rightEye, rightWheel, 0.7)
     await one.seesAway()
@@ -77,6 +78,36 @@ test('two children on one program, one with a pulled cable: both end with the sa
     await context.setOffline(false)
     await fox.seesWeight(leftEye, rightWheel, 0.2)
     await owl.seesWeight(rightEye, rightWheel, 0.7)
+    await expect.poll(() => one.blocks()).toEqual(await two.blocks())
+    expect((await one.blocks()).length).toBeGreaterThan(before.length)
+  })
+  await test.step('undo takes back only the own steps', async () => {
+    await fox.presses('lab.undo')
+    await owl.seesWeight(rightEye, rightWheel, 0.3)
+    await fox.seesWeight(leftEye, rightWheel, 0.2)
+  })
+  await test.step('what was done just before and after the page was loaded again is not lost', async () => {
+    await fox.typesWeight(rightEye, rightWheel, 0.8)
+    await fox.reloads()
+    await fox.typesWeight(leftEye, leftWheel, 0.9)
+    await one.seesBar()
+    await owl.seesWeight(rightEye, rightWheel, 0.8)
+    await owl.seesWeight(leftEye, leftWheel, 0.9)
+    await fox.seesWeight(rightEye, rightWheel, 0.8)
+  })
+  await test.step('one leaves: both keep it', async () => {
+    await one.seesSame()
+    await two.seesSame()
+    const blocks = await one.blocks()
+    await one.leaves()
+    await expect(two.bar).toContainText(owl.word('class.togetherOver', { name: 'Fuchs' }))
+    await owl.presses('parts.ok')
+    await expect(two.bar).toHaveCount(0)
+    for (const hands of [one, two]) {
+      await hands.child.reloads()
+      expect(await hands.blocks()).toEqual(blocks)
+      await hands.child.seesWeight(leftEye, rightWheel, 0.2)
+    }
   })
   await second.close()
 })
