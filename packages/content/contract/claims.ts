@@ -1,4 +1,5 @@
 import { addBlocks } from '@botgarten/blocks'
+import { expert } from '@botgarten/blocks/packs/expert'
 import { learning } from '@botgarten/blocks/packs/learning'
 import { outcomeOf } from '@botgarten/experiments'
 import { finish, laneKinds, race, summariesOf } from '@botgarten/experiments/brain-race'
@@ -15,6 +16,7 @@ import type { BrainsClaim, Claim, DriveClaim, LearnClaim, RaceClaim } from '../s
 import { givenFor } from './given.ts'
 
 addBlocks(learning)
+addBlocks(expert)
 
 /** A claim as the name of its test, and the claim. */
 export const named = (claim: Claim) => [nameOf(claim), claim] as const
