@@ -48,7 +48,9 @@ for (const language of ['de', 'en'] as const)
 
       const { pages } = await readPdf(await page.pdf({ preferCSSPageSize: true, tagged: true }))
       const begins = pages.flatMap(({ headings }, at) => (headings.includes(1) && at > 0 ? [at + 1] : []))
-      const named = (numbers: readonly number[]) => printed.map(({ id }, at) => `${id}: page ${numbers[at]}`)
+      // A cover of so many lines has pages of its own.
+      const named = (numbers: readonly number[]) =>
+        printed.map(({ id }, at) => `${id}: page ${numbers[at]! - numbers[0]!}`)
       expect(named(begins)).toEqual(named(await beginnings(page)))
     })
   })
