@@ -23,7 +23,7 @@ export interface Place {
 }
 
 /** Numbers of a behaviour, and what a pay gives for it. */
-export function measuredOf({ facts, tiles, touching, ended }: Behaviour, pay: readonly Sentence[]): Measured {
+function measuredOf({ facts, tiles, touching, ended }: Behaviour, pay: readonly Sentence[]): Measured {
   const { way: cm, bump: bumps, free, near, line } = facts
   const all = { cm, tiles, touching, bumps, free, near, line, ended, pay: payFor(pay, facts) }
   return Object.fromEntries(Object.entries(all).map(([name, value]) => [name, tenths(value)])) as {

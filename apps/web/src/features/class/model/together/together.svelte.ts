@@ -2,6 +2,7 @@ import { diff, Peer, resumed, type Back, type Shared } from '@botgarten/programs
 import { parseProject } from '@botgarten/programs'
 import type { Floor } from '@botgarten/simulation'
 import * as v from 'valibot'
+import { robotName } from '#figures/robot-names.ts'
 import { floorToRun, type Packs } from '#lab/opening.ts'
 import type { LabSession } from '#lab/session.svelte.ts'
 import type { Ask, Reply } from '#storage/ask.ts'
@@ -272,6 +273,11 @@ export class Together {
     if (hand?.program == null || hand.program === this.program) return null
     const at = robots.findIndex(({ program }) => program === hand.program)
     return at < 0 ? null : at
+  }
+
+  /** What that robot is called; empty: there is none. */
+  get robotElsewhere(): string {
+    return this.elsewhere === null ? '' : robotName(this.elsewhere)
   }
   /** The program that is seen here. */
   get program(): string {
