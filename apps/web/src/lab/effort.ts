@@ -29,11 +29,15 @@ export class EffortCount {
   }
 
   #add(more: Partial<Effort>): void {
-    const sums = Object.entries(this.#counted).map(([name, count]) => [
-      name,
-      count + (more[name as keyof Effort] ?? 0),
-    ])
-    this.#counted = Object.fromEntries(sums) as unknown as Effort
+    const { knobs = 0, starts = 0, bumps = 0, hand = 0, computer = 0 } = more
+    const before = this.#counted
+    this.#counted = {
+      knobs: before.knobs + knobs,
+      starts: before.starts + starts,
+      bumps: before.bumps + bumps,
+      hand: before.hand + hand,
+      computer: before.computer + computer,
+    }
   }
 
   /** A hand is on it. */

@@ -99,7 +99,7 @@ export class BrainRace {
         if (result) resolve(result)
       }
       const { ground } = this.open
-      worker.postMessage({ ground, lane: $state.snapshot(lane) as Lane, seed: SEED } satisfies Asked)
+      worker.postMessage({ ground, lane: $state.snapshot(lane), seed: SEED } satisfies Asked)
     })
   }
 
