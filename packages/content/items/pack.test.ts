@@ -49,7 +49,9 @@ describe('how something is printed', () => {
 
   test('an item has a side more than it has turns, or as many as it says', () => {
     const text = readItemText('# A\n\nOne.\n\n::page\n\nTwo.')
-    expect([sidesIn({}, text), sidesIn({ sides: 9 }, text)]).toEqual([2, 9])
+    const sides = { de: 9, en: 7 }
+    expect([sidesIn({}, text, 'de'), sidesIn({ sides: 9 }, text, 'de')]).toEqual([2, 9])
+    expect([sidesIn({ sides }, text, 'de'), sidesIn({ sides }, text, 'en')]).toEqual([9, 7])
   })
 })
 

@@ -39,9 +39,14 @@ export function whoGets({
 }
 
 /** Pages that an item takes on paper: as it says, where its text flows over more than `::page` parts. */
-export const sidesIn = ({ sides }: Pick<Item, 'sides'>, { lead, sections }: ItemText): number => {
+export const sidesIn = (
+  { sides }: Pick<Item, 'sides'>,
+  { lead, sections }: ItemText,
+  language: string,
+): number => {
   const nodes = [...lead, ...sections.flatMap(({ body }) => body)]
-  return sides ?? 1 + nodes.filter((node) => node.type === 'embed' && node.embed.kind === 'page').length
+  const said = typeof sides === 'object' ? sides[language] : sides
+  return said ?? 1 + nodes.filter((node) => node.type === 'embed' && node.embed.kind === 'page').length
 }
 
 /** How something is printed so and so often. */

@@ -24,6 +24,8 @@ const code = v.pipe(
   v.regex(/^(([EL])?\d+\.\d|[A-Z]{1,4} [A-Z]{1,2}|[A-Z]{1,4} ([EL] )?\d+|[A-Z]{1,2})$/),
 )
 
+const sides = v.pipe(v.number(), v.integer(), v.minValue(1))
+
 const grade = v.pipe(v.number(), v.integer(), v.minValue(1), v.maxValue(13))
 
 const grades = v.pipe(
@@ -44,7 +46,7 @@ const item: v.GenericSchema<unknown, Item> = v.strictObject({
   social: v.picklist(['alone', 'pairs', 'groups', 'class']),
   module: v.pipe(v.number(), v.integer(), v.minValue(0), v.maxValue(4)),
   paper: v.picklist(['a4', 'a5', '16:9']),
-  sides: v.exactOptional(v.pipe(v.number(), v.integer(), v.minValue(1))),
+  sides: v.exactOptional(v.union([sides, v.record(v.string(), sides)])),
   competences: v.pipe(v.array(v.string()), v.minLength(1)),
   unplugged: v.boolean(),
   levels: v.exactOptional(v.strictObject({ a: v.exactOptional(grades), c: v.exactOptional(grades) })),

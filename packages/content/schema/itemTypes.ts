@@ -17,8 +17,8 @@ export interface Item {
   /** 1 to 4; 0: before, after or across all of them. */
   readonly module: number
   readonly paper: Paper
-  /** Pages it takes, where that is more than its `::page` say: a test prints and counts. */
-  readonly sides?: number
+  /** Pages it takes, where that is more than its `::page` say, by language or in each: a test prints and counts. */
+  readonly sides?: number | { readonly [language: string]: number }
   /** Ids in `content/materials/alignment.json`. */
   readonly competences: readonly string[]
   /** Does it need a screen? */

@@ -9,6 +9,7 @@ import {
   type ItemNode,
   type PackLine,
 } from '@botgarten/content/items'
+import { language } from '#words/language.svelte.ts'
 import { nameOfTarget } from '../addresses.ts'
 import { targetItem, textOf } from '../library.ts'
 import { slidesOf } from '../slides/deck.ts'
@@ -34,7 +35,7 @@ export const slidesOnPage = 12
 /** Pages of an item as it is printed with others: of slides, as small pictures. */
 export function pagesOf(item: Item): number {
   if (item.plan) return planSides
-  if (item.paper !== '16:9') return sidesIn(item, textOf(item))
+  if (item.paper !== '16:9') return sidesIn(item, textOf(item), language.locale)
   return Math.ceil(slidesOf(textOf(item)).length / slidesOnPage)
 }
 
