@@ -16,14 +16,14 @@ try {
   for (const language of languages) {
     const locale = { en: 'en-GB', de: 'de-DE' }[language]
     const context = await browser.newContext({
-      ...{ baseURL: server.url, locale, viewport, deviceScaleFactor: 1.5 },
+      ...{ baseURL: server.url, locale, viewport, deviceScaleFactor: 1 },
       reducedMotion: 'reduce',
     })
     await context.addInitScript(() => localStorage.setItem('botgarten.tour', '"seen"'))
     const child = new Child(await context.newPage(), language)
     await showsExplained(child)
     await learnsABit(child)
-    const screen = await child.page.screenshot({ type: 'jpeg', quality: 82, clip: pictured })
+    const screen = await child.page.screenshot({ type: 'jpeg', quality: 70, clip: pictured })
     const svg = explainedPicture(screen, await explainedPlaces(child))
     writeFileSync(content.path(content.itemFolder('q-map'), `screen-${language}.svg`), svg)
     await context.close()

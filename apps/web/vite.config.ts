@@ -11,6 +11,9 @@ import { words } from './words.ts'
 /** Where files for a web space go, without a server; not given: the build for our own server. */
 const folder = process.env['BOTGARTEN_WEB_SPACE']
 
+/** Bytes of a picture that comes alone in any case. */
+const large = 50_000
+
 export default defineConfig({
   define: { __WEB_SPACE__: JSON.stringify(folder !== undefined) },
   plugins: [
@@ -46,8 +49,8 @@ export default defineConfig({
   build: {
     target: 'es2022',
     // A picture in a script would be loaded by who never sees it. Things are many, small, and never come alone.
-    assetsInlineLimit: (file) =>
-      file.endsWith('.svg') ? /content[\\/](things|materials)[\\/]/.test(file) : undefined,
+    assetsInlineLimit: (file, { length }) =>
+      file.endsWith('.svg') ? /content[\\/](things|materials)[\\/]/.test(file) && length < large : undefined,
   },
   environments: {
     client: {
