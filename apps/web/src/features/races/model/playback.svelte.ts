@@ -43,7 +43,8 @@ export class Playback {
     this.#playing = true
     const [from, started] = [this.#at, performance.now()]
     const next = (now: number) => {
-      const passed = ((now - started) / WHOLE) * this.speed * this.#count
+      // The first frame may have begun before it was asked for.
+      const passed = (Math.max(0, now - started) / WHOLE) * this.speed * this.#count
       this.#at = Math.min(this.#count - 1, from + Math.floor(passed))
       if (this.atEnd) this.stop()
       else this.#frame = requestAnimationFrame(next)
