@@ -14,7 +14,7 @@ const world: World = {
 const place = { worlds: [world], floor: paintFloor(world) }
 const eye = (port: '2' | '3') => ({ port, mode: 'distance' }) as const
 const cage: SenseCage = {
-  ...{ id: 'spinner', world: 'small', starts: [] },
+  ...{ id: 'spinner', world: 'small', starts: [{ x: 150, y: 150, heading: 0 }] },
   trial: {
     ...{
       sensors: [eye('2'), eye('3')],

@@ -47,9 +47,11 @@ export interface Learned {
   readonly cheats: boolean
 }
 
+/** Each try begins at one of the cage's starts, by chance. */
+const trialOf = ({ trial, starts }: SenseCage, seed: number): Trial => ({ ...trial, starts, seed })
+
 export function learnIn(cage: SenseCage, { worlds, floor }: Place, seed: number): Learned {
-  const trial: Trial = { ...cage.trial, seed }
-  const night = beginNight(worlds[0]!, floor, trial)
+  const night = beginNight(worlds[0]!, floor, trialOf(cage, seed))
   night.advance(ticksOf(minutes))
   const table = tableOf(night.state)
   const { measured, cheats } = watchedIn(cage, { worlds, floor }, table)
@@ -71,7 +73,7 @@ export function* mending(
   seed: number,
 ): Generator<number, Mended> {
   const { worlds, floor } = place
-  const night = beginNight(worlds[0]!, floor, { ...cage.trial, pay, seed })
+  const night = beginNight(worlds[0]!, floor, { ...trialOf(cage, seed), pay })
   for (let minute = 1; minute <= minutes; minute++) {
     night.advance(ticksOf(minute) - night.state.total)
     const table = tableOf(night.state)
@@ -143,7 +145,7 @@ export const countOf = (bos: CageRows['bos']): number => bos.filter(({ cheats })
 export const isCage = (bos: CageRows['bos']): boolean => 2 * countOf(bos) >= bos.length
 
 /** The table of the robot that is watched. */
-export const shownIn = ({ trial }: SenseCage, { shown }: Pick<CageRows, 'shown'>): TableBrain => ({
-  ...{ ...trial, kind: 'table', seed: shown.seed, moves: shown.moves },
+export const shownIn = (cage: SenseCage, { shown }: Pick<CageRows, 'shown'>): TableBrain => ({
+  ...{ ...trialOf(cage, shown.seed), kind: 'table', moves: shown.moves },
   ...{ q: [...shown.q], tries: [...shown.tries] },
 })

@@ -42,6 +42,9 @@ export const howMany = ({ rows }: LoadedSenseCage) => ({ count: countOf(rows.bos
 
 export const isRiddle = ({ rows }: LoadedSenseCage) => !isCage(rows.bos)
 
+/** The cage's own mend made none of them drive as is meant. */
+export const isUnmended = ({ rows }: LoadedSenseCage) => rows.bos.every(({ mended }) => mended === null)
+
 /** Numbers of one drive that tell cheats from driving. */
 export const numbersOf = (measured: Measured) => [
   { label: m['zoo.senses.pay'](), value: measured.pay },

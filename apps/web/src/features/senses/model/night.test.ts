@@ -142,7 +142,7 @@ describe('a night', () => {
     expect(night.isAsleep).toBe(true)
   })
 
-  test('says that its worker died, or that there is none, and begins anew when it is asked', async () => {
+  test('says that its worker died, or that there is none, and begins again when it is asked', async () => {
     const session = await sessionFor()
     vi.stubGlobal('Worker', undefined)
     const none = nightOf(session)
