@@ -20,7 +20,7 @@ export const tryingScreens: readonly Screen[] = [
   {
     name: 'try-senses',
     neverPhone: true,
-    show: async (child, phone) => void (await tries(child, phone, 150)),
+    show: async (child, phone) => void (await tries(child, phone, 60)),
   },
   {
     name: 'try-edges',
