@@ -23,6 +23,9 @@ export class TimeMachine {
   get open() {
     return this.#wanted && !this.empty
   }
+  get running() {
+    return this.#session.lab.facts.phase === 'running'
+  }
   get view() {
     return this.#session.lab.view
   }

@@ -132,8 +132,8 @@ export class LabUi {
         if (succeeded) untrack(() => this.#succeed())
       })
       $effect(() => {
-        // In the free lab pushing is no mistake.
-        if (opened.card === null || phase !== 'running') return
+        // In the free lab pushing is no mistake; who learns by trying has to bump.
+        if (opened.card === null || this.#session.tries || phase !== 'running') return
         if (touching) this.notice = 'bumped'
         else untrack(() => this.#soonOver())
       })

@@ -8,7 +8,7 @@ import type { Point } from '#drawing/points.ts'
 import type { LabSession } from '#lab/session.svelte.ts'
 import { edgeAt, type EdgeField, type Edges } from './model/edges.ts'
 import { Night, type SetFields } from './model/night.svelte.ts'
-import { cellAt, fanOf, rowsOf } from './model/table.ts'
+import { cellAt, fanOf, keepRows, rowsOf, type Row } from './model/table.ts'
 import Choice from './view/Choice.svelte'
 import { fixed } from './view/messages.ts'
 import Over from './view/Over.svelte'
@@ -21,10 +21,15 @@ declare module '#lab/slots.ts' {
   }
 }
 
-/** Milliseconds between two looks at what is learned. A table of more cells than `many` is looked at less often. */
+/**
+ * Milliseconds between two looks at what is learned: each may draw the whole table anew. One of more cells than `many` is
+ * looked at less often, and so is one that learns faster than an eye follows.
+ */
 const often = 100
+const calm = 400
 const seldom = 500
 const many = 300
+const fast = 4
 
 /** An edge while a hand pulls it: of which sensor, and where it is. */
 interface Pulled {
@@ -83,7 +88,8 @@ export class Senses {
 
   get #pause() {
     const cells = untrack(() => this.#now?.table.q.length ?? 0)
-    return prefersReducedMotion.current || cells > many ? seldom : often
+    if (prefersReducedMotion.current || cells > many) return seldom
+    return this.session.lab.speed >= fast ? calm : often
   }
 
   #look = (): void => {
@@ -92,19 +98,23 @@ export class Senses {
     if (now?.stage === 'trying' || now?.curve.length) this.night.note(now.curve)
   }
 
-  readonly rows = $derived.by(() => (this.#now ? rowsOf(this.#now.table) : []))
+  #shown: readonly Row[] = []
+  readonly rows = $derived.by(
+    () => (this.#shown = keepRows(this.#shown, this.#now ? rowsOf(this.#now.table) : [])),
+  )
+  readonly #last = $derived.by(() => this.#now?.last ?? null)
 
   /** The cell whose number is looked at. */
   readonly cell = $derived.by(() => {
     const { chosen, rows } = this
     if (chosen && rows[chosen.state]?.cells[chosen.action]) return chosen
-    const last = this.#now?.last
+    const last = this.#last
     return last ? { state: last.from, action: last.action } : null
   })
 
   /** How the number of that cell has just come about; null where it was not the last one to change. */
   readonly trace = $derived.by(() => {
-    const [last, cell] = [this.#now?.last, this.cell]
+    const [last, cell] = [this.#last, this.cell]
     return last && cell && last.from === cell.state && last.action === cell.action ? last : null
   })
 

@@ -1,6 +1,6 @@
 import type { TableBrain } from '@botgarten/learning/q-senses'
 import { expect, test } from 'vitest'
-import { bestOf, fanOf, rowsOf, sizeOf } from './table.ts'
+import { bestOf, fanOf, keepRows, rowsOf, sizeOf } from './table.ts'
 
 const eye = (port: '2' | '3') => ({ port, mode: 'distance' }) as const
 
@@ -101,4 +101,21 @@ test('one sensor is a row of fields', () => {
 test('a trial of too many states has no table at all', () => {
   expect(rowsOf({ ...tableOf({}), q: [], tries: [] })).toEqual([])
   expect(rowsOf({ ...tableOf({}), actions: [], q: [], tries: [] })).toEqual([])
+})
+
+test('rows in which nothing has changed stay the same objects, and all of them where none has', () => {
+  const before = rowsOf(tableOf({ 3: 1, 7: 2 }))
+  expect(keepRows(before, rowsOf(tableOf({ 3: 1, 7: 2 })))).toBe(before)
+  const now = rowsOf(tableOf({ 3: 1, 7: 2.5 }))
+  const kept = keepRows(before, now)
+  expect(kept).toEqual(now)
+  expect(kept.map((row, state) => row === before[state])).toEqual(before.map((_, state) => state !== 2))
+})
+
+test('of a table of another shape no row stays', () => {
+  const before = rowsOf(tableOf({}))
+  const other = rowsOf(tableOf({}, { sensors: [eye('2')], edges: [[15, 40]] }))
+  expect(keepRows(before, other)).toEqual(other)
+  expect(keepRows(other, before)).toEqual(before)
+  expect(keepRows([], before)).toEqual(before)
 })

@@ -32,6 +32,19 @@ export function rowsOf(table: TableBrain): readonly Row[] {
   })
 }
 
+const sameCell = (one: Cell, other: Cell) =>
+  one.value === other.value && one.tries === other.tries && one.best === other.best
+const sameRow = (one: Row | undefined, other: Row) =>
+  String(one?.buckets) === String(other.buckets) &&
+  one!.cells.length === other.cells.length &&
+  other.cells.every((cell, action) => sameCell(one!.cells[action]!, cell))
+
+/** Rows of now; those in which nothing has changed are the objects of before, so that they are not drawn again. */
+export function keepRows(before: readonly Row[], now: readonly Row[]): readonly Row[] {
+  const kept = now.map((row, state) => (sameRow(before[state], row) ? before[state]! : row))
+  return kept.length === before.length && kept.every((row, state) => row === before[state]) ? before : kept
+}
+
 /** The one action that is taken in a state; null where none is known, or several are worth the same. */
 export function bestOf({ cells }: Row): number | null {
   const best = cells.flatMap(({ best }, action) => (best ? [action] : []))

@@ -59,7 +59,10 @@ function bucketName(mode: Sensor['mode'], bucket: number, last: number): string 
 }
 
 /** A row's buckets in words, sensor by sensor; one word for the bump. */
-export const bucketNames = ({ sensors, edges }: TableBrain, { buckets }: Row): readonly string[] =>
+export const bucketNames = (
+  { sensors, edges }: Pick<TableBrain, 'sensors' | 'edges'>,
+  { buckets }: Row,
+): readonly string[] =>
   buckets?.map((bucket, k) => bucketName(sensors[k]!.mode, bucket, edges[k]!.length)) ?? [m['senses.bump']()]
 
 export const stateName = (table: TableBrain, row: Row): string => bucketNames(table, row).join(', ')
