@@ -207,7 +207,7 @@ function brokenUpdate(): string {
 }
 
 async function restarted(guest: Guest) {
-  const ended = await Promise.race([guest.ended.then(() => true), after(2_400_000, false)])
+  const ended = await Promise.race([guest.ended.then(() => true), after(2_400_000, false, { ref: false })])
   if (!ended) throw new Trouble(`The guest did not start again.\n${guest.output().slice(-2000)}`)
 }
 
