@@ -14,6 +14,7 @@ import { cardDocument, type CardProgram } from '../index.ts'
 import { blocksIn } from '../items/blocksIn.ts'
 import type { BrainsClaim, Claim, DriveClaim, LearnClaim, RaceClaim } from '../schema/planTypes.ts'
 import { givenFor } from './given.ts'
+import { practisedBy } from './practise-claims.ts'
 
 addBlocks(learning)
 addBlocks(expert)
@@ -25,6 +26,7 @@ function nameOf(claim: Claim): string {
   if ('card' in claim) return `Bo on ${claim.card} from place ${claim.place}: ${claim.passed}`
   if ('learns' in claim)
     return `${claim.found} of ${claim.of} Bos on ${claim.learns} after ${claim.tries} tries`
+  if ('practises' in claim) return `practice of ${claim.practises}: ${JSON.stringify(claim)}`
   if ('course' in claim) return `brains race on ${claim.course}`
   if ('run' in claim) return `${Object.values(claim.run).join(' ')}: ${claim.answer}`
   return `${claim.race.racers.join(' against ')} on ${claim.race.map}: ${claim.wins.join(', ')}`
@@ -34,6 +36,7 @@ function nameOf(claim: Claim): string {
 export function expectTrue(claim: Claim): void {
   if ('card' in claim) expect(secondOf(claim)).toBe(claim.passed)
   else if ('learns' in claim) expect(shortestOf(claim)).toBe(claim.found)
+  else if ('practises' in claim) expect(claim).toMatchObject(practisedBy(claim))
   else if ('run' in claim) expect(outcomeOf(claim.run, givenFor(claim.run))).toBe(claim.answer)
   else if ('course' in claim) expect(drivenBy(claim)).toEqual(claim.lanes)
   else expect(raced(claim)).toEqual({ wins: claim.wins, bills: claim.bills })

@@ -1,18 +1,9 @@
-import type { Brain } from '@botgarten/learning/neural-network/brain'
-import {
-  afterLesson,
-  beginLesson,
-  practiceChoice,
-  stepSettings,
-} from '@botgarten/learning/neural-network/examples'
-import { practiseFor } from '@botgarten/learning/neural-network/train'
 import { wordsOf } from '@botgarten/messages/folder'
 import { sample } from '@botgarten/numbers/testing'
-import { networks } from '@botgarten/programs'
-import { mirrorIn } from '@botgarten/programs/examples'
 import { describe, expect, it } from 'vitest'
 import { content } from '../files.ts'
 import type { CardProgram, MarkdownNode } from '../index.ts'
+import { practised } from './practised.ts'
 import { solved } from './solved.ts'
 
 const brainOf = (id: string, file: string) => Object.values(content.program(id, file)!.brains)[0]
@@ -27,27 +18,11 @@ const seeds = sample(
   1,
 )
 
-/** The brain after it has practised its own examples again with this seed, from where it began. */
-function practised(id: string, program: CardProgram, seed: number): Brain {
-  const network = Object.values(program.programs).flatMap(networks)[0]!
-  const brain = program.brains[network.id]!
-  const choice = practiceChoice(brain)
-  const { keepBack, from, mirror } = choice.settings
-  const config = content.card(id)!.world.robots[0]!.config
-  const lesson = beginLesson(
-    {
-      ...{ id: network.id, layers: brain.layers, weights: brain.practice!.start, examples: brain.examples! },
-      ...{ seed, keepBack, from, mirror: mirror ? mirrorIn(network, config) : null },
-    },
-    stepSettings(choice),
-  )
-  practiseFor(lesson.practice, lesson.curve, Infinity)
-  return afterLesson(brain, lesson)
-}
-
 const withPractice = (id: string, seed: number) => (program: CardProgram) => ({
   ...program,
-  brains: Object.fromEntries(Object.keys(program.brains).map((key) => [key, practised(id, program, seed)])),
+  brains: Object.fromEntries(
+    Object.keys(program.brains).map((key) => [key, practised(id, program, seed).brain]),
+  ),
 })
 
 /** What is printed bold, wherever it stands. */
@@ -78,7 +53,7 @@ describe.each(learnedCards)('the card %s is learned from examples', (id) => {
   it('its solution has the weights that its own examples and seed come to', () => {
     const program = content.program(id, 'solution')!
     const { weights, practice } = brainOf(id, 'solution')!
-    expect(practised(id, program, practice!.seed).weights).toEqual(weights)
+    expect(practised(id, program, practice!.seed).brain.weights).toEqual(weights)
   })
 
   it('with at least 19 of 20 seeds Bo passes from every place', () => {

@@ -3,6 +3,9 @@ import type { Claim, Plan } from './planTypes.ts'
 import { questionRun } from './question.ts'
 
 const count = v.pipe(v.number(), v.integer(), v.minValue(1))
+/** A count that may be 0. */
+const none = v.pipe(v.number(), v.integer(), v.minValue(0))
+const percents = v.strictObject({ practised: v.exactOptional(none), test: v.exactOptional(none) })
 const lesson = v.pipe(v.string(), v.regex(/^(E |L )?\d+$/))
 
 export const copies = v.array(
@@ -23,8 +26,22 @@ const claim: v.GenericSchema<unknown, Claim> = v.union([
   }),
   v.strictObject({
     ...{ learns: v.string(), tries: count, of: count },
-    found: v.pipe(v.number(), v.integer(), v.minValue(0)),
+    found: none,
     settings: v.exactOptional(v.record(v.string(), v.number())),
+  }),
+  v.strictObject({
+    practises: v.string(),
+    file: v.exactOptional(v.string()),
+    settings: v.exactOptional(v.record(v.string(), v.union([v.number(), v.string(), v.boolean()]))),
+    hidden: v.exactOptional(v.array(v.strictObject({ neurons: count, activation: v.string() }))),
+    wishes: v.exactOptional(v.record(v.string(), v.array(v.number()))),
+    aside: v.exactOptional(v.array(count)),
+    off: v.exactOptional(v.record(v.string(), percents)),
+    weights: v.exactOptional(v.record(v.string(), v.record(v.string(), v.number()))),
+    lowest: v.exactOptional(v.array(count)),
+    misses: v.exactOptional(v.array(v.string())),
+    of: v.exactOptional(count),
+    found: v.exactOptional(none),
   }),
   v.strictObject({ run: questionRun, answer: v.string() }),
   v.strictObject({

@@ -24,7 +24,7 @@ export interface PlanStep {
 }
 
 /** What the plan says of a run, which the tests make. */
-export type Claim = DriveClaim | LearnClaim | RunClaim | RaceClaim | BrainsClaim
+export type Claim = DriveClaim | LearnClaim | PractiseClaim | RunClaim | RaceClaim | BrainsClaim
 
 /** A card's solution with these weights on its network, or another program (`file` as in embeds), driven from a start pose. */
 export interface DriveClaim {
@@ -47,6 +47,31 @@ export interface LearnClaim {
   readonly found: number
   /** Settings that are not those of the card: `rho` and the like. */
   readonly settings?: { readonly [name: string]: number }
+}
+
+/** A card's own examples (`file` as in embeds, else the solution's), practised anew from where they began. */
+export interface PractiseClaim {
+  readonly practises: string
+  readonly file?: string
+  /** Settings that are not those of the file: `rounds`, `rate`, `mirror` and the like. */
+  readonly settings?: { readonly [name: string]: number | string | boolean }
+  /** Hidden layers in place of those it has. */
+  readonly hidden?: readonly { readonly neurons: number; readonly activation: string }[]
+  /** Rows with another wish, by number from 1. */
+  readonly wishes?: { readonly [row: string]: readonly number[] }
+  /** Rows set aside, by number from 1; all others are practised. */
+  readonly aside?: readonly number[]
+  /** By round, in whole percent: how far off it is what it practises, and the test that it does not. */
+  readonly off?: { readonly [round: string]: { readonly practised?: number; readonly test?: number } }
+  /** Weights that it ends with, to two decimals, by the ids of both neurons. */
+  readonly weights?: { readonly [from: string]: { readonly [to: string]: number } }
+  /** With seeds 1, 2, …: the round in which the test is lowest. */
+  readonly lowest?: readonly number[]
+  /** Checks of the card that are missed from any of its places, in its order. */
+  readonly misses?: readonly string[]
+  /** With seeds 1 to `of`: how many pass the card from every place. */
+  readonly of?: number
+  readonly found?: number
 }
 
 /** What a run ends with, in the words of the questions "what will Bo do?". */
