@@ -3,6 +3,7 @@ import { cardProject, type Card, type CardProgram } from '@botgarten/content'
 import { content } from '@botgarten/content/files'
 import { expect } from '@playwright/test'
 import { NetHands } from './child-network.ts'
+import { isTried, pays } from './child-paying.ts'
 import { isPractised, practises } from './child-practising.ts'
 import type { Child } from './child.ts'
 
@@ -20,11 +21,12 @@ export const tasks: readonly Task[] = content.cards.map(({ id }) => {
 })
 
 /**
- * Solves a card: numbers are typed into its blocks, knobs are set, or examples are practised; where other blocks are needed, they
- * come from a file.
+ * Solves a card: numbers are typed into its blocks, knobs are set, examples are practised, or pay is chosen; where other blocks
+ * are needed, they come from a file.
  */
 export async function solves(child: Child, task: Task) {
   if (isPractised(task)) return practises(child, task)
+  if (isTried(task)) return pays(child, task)
   const { card, start, solution } = task
   const numbers = numbersToType(start, solution)
   if (numbers) for (const [block, number] of numbers) await child.typesNumber(block, number)

@@ -1,7 +1,8 @@
 import { Learner } from '../child-learning.ts'
+import { isTried } from '../child-paying.ts'
 import { isPractised } from '../child-practising.ts'
 import { isRaced, racesBrains } from '../child-racing.ts'
-import { solves, tasks } from '../child-solving.ts'
+import { solves, tasks, type Task } from '../child-solving.ts'
 import { TimeHands } from '../child-time.ts'
 import type { Child } from '../child.ts'
 import { expect, test } from '../house.ts'
@@ -15,9 +16,12 @@ async function opens(child: Child, card: string, fromHome: boolean) {
   await child.seesLab()
 }
 
+/** Do its hints say what to press? */
+const isPressed = (task: Task) => isPractised(task) || isTried(task) || isRaced(task)
+
 /** Languages and ways there by turns; what hints tell a child to press is walked in every language. */
 const walks = tasks.flatMap((task, index) =>
-  (isPractised(task) ? languages : [languages[index % languages.length]!]).map((language, turn) => ({
+  (isPressed(task) ? languages : [languages[index % languages.length]!]).map((language, turn) => ({
     ...{ task, language },
     fromHome: (index + 2 * turn) % 4 < 2,
   })),
