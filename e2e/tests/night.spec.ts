@@ -30,7 +30,11 @@ test('Bo learns overnight what Node learns, bit for bit, keeps it, and drives by
 
   const saved = await child.savesFile()
   expect(JSON.parse(saved)).toMatchObject({ botgarten: 4, brains: { try: { kind: 'table' } } })
-  expect(parseProject(saved).tables).toEqual(tables)
+  const { curve, ...learned } = parseProject(saved).tables!['try']!
+  expect({ try: learned }).toEqual(tables)
+  expect(curve).toHaveLength(8)
+  await page.reload()
+  await expect(page.getByRole('figure', { name: child.word('night.curves') }).getByRole('row')).toHaveCount(9)
   await child.pressesStart()
   await child.seesDriving()
 })

@@ -58,7 +58,7 @@ export function tryingIn({ stacks }: Program): TryOutline | null {
   }
   const starts = startsIn(learn)
   const tried = starts.length > 0 ? { ...trial, starts } : trial
-  const minutes = learn ? numberIn(learn, 'MINUTES', 8, 0, 60) : 0
+  const minutes = learn ? numberIn(learn, 'MINUTES', 8, 0, limits.minutes) : 0
   return { id, trial: tried, minutes, senses: senses.map((block) => block.id) }
 }
 

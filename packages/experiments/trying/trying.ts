@@ -1,5 +1,5 @@
-import { beginNight, rideBy, tableOf, ticksOf, type Minute } from '@botgarten/lab/trying'
-import type { TableBrain, Trial } from '@botgarten/learning/q-senses'
+import { beginNight, rideBy, tableOf, ticksOf } from '@botgarten/lab/trying'
+import type { Minute, TableBrain, Trial } from '@botgarten/learning/q-senses'
 import type { Floor, World } from '@botgarten/simulation'
 
 /** When a table counts as learned: so long from each start without a bump, and at least so many cm a minute. */

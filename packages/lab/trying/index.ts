@@ -1,5 +1,5 @@
 export { beginNight, rideBy, type Night, type Ride } from './overnight.ts'
 export { behave, ticksAPose, type Behaviour, type Watched } from './behave.ts'
-export { tableOf, type Minute, type TryState } from './try.ts'
+export { learnedOf, tableOf, type TryState } from './try.ts'
 export type { TryView } from './shown.ts'
 export { isLearned, ticksOf } from './trials.ts'

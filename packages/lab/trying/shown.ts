@@ -1,9 +1,9 @@
 import { emptyTable, isOf, problemOf, stateOf, statesOf } from '@botgarten/learning/q-senses'
-import type { Problem, TableBrain, TryTrace } from '@botgarten/learning/q-senses'
+import type { Minute, Problem, TableBrain, TryTrace } from '@botgarten/learning/q-senses'
 import { tryingIn, type TryOutline } from '@botgarten/programs'
 import type { Run } from '../run.ts'
 import { readingsOf, touchesIn } from './body.ts'
-import { tableOf, type Minute, type TryState } from './try.ts'
+import { tableOf, type TryState } from './try.ts'
 
 /** What a robot learns by trying at the moment that is shown. Nothing of it is the run's own: it stays as it is. */
 export interface TryView {
@@ -21,8 +21,9 @@ export interface TryView {
   readonly action: { readonly index: number; readonly decision: TryTrace['decision'] } | null
   /** The last move that was learned from. */
   readonly last: TryTrace | null
-  /** While it tries, `curve` also after that in the same run: whole simulated minutes, the one under way, and ticks in all. */
+  /** Whole simulated minutes of what is being learned, or of the table as far as they are known. */
   readonly curve: readonly Minute[]
+  /** While it tries: the minute under way, and ticks in all. */
   readonly minute: Minute
   readonly total: number
   /** Index of the start from which it could not get away; −1: none. */
@@ -30,7 +31,7 @@ export interface TryView {
 }
 
 const nothingYet = {
-  ...{ action: null, last: null, curve: [], minute: { pay: 0, bumps: 0 }, total: 0, stuckAt: -1 },
+  ...{ action: null, last: null, minute: { pay: 0, bumps: 0 }, total: 0, stuckAt: -1 },
 } as const
 
 /**
@@ -44,14 +45,15 @@ export function tryViewOf(
 ): TryView | null {
   const outline = robots[robot] ? tryingIn(robots[robot].program) : null
   if (!outline) return null
-  const { learning, doing, curve } = trials.state[robot] ?? { learning: null, doing: null, curve: [] }
+  const { learning, doing } = trials.state[robot] ?? { learning: null, doing: null }
   const problem = problemOf(outline.trial)
   if (learning) return { outline, problem, ...whileTrying(learning) }
   const known = trials.tables[outline.id]
   const table = known ?? emptyOf(outline, problem)
   const read = () => stateOf(table, readingsOf(simulation, robot, table), touchesIn(simulation, robot))
   return {
-    ...{ ...nothingYet, curve, outline, problem, table, stage: stageOf(outline, known) },
+    ...{ ...nothingYet, outline, problem, table, stage: stageOf(outline, known) },
+    curve: table.curve ?? [],
     state: reads && table.q.length > 0 ? read() : (doing?.state ?? null),
     action: reads || !doing ? null : { index: doing.action, decision: 'exploit' },
   }

@@ -11,7 +11,7 @@ import { stream, type StreamState } from '@botgarten/numbers'
 import { tryingIn, type Program } from '@botgarten/programs'
 import { stopMotors, TICKS_PER_SECOND, type Simulation } from '@botgarten/simulation'
 import { drive, readingsOf, touchesIn } from './body.ts'
-import { beginTry, tableOf, tryTick, type Minute, type TryState } from './try.ts'
+import { beginTry, learnedOf, tryTick, type TryState } from './try.ts'
 
 /** Learned tables by the block that learned them. */
 export type Tables = { readonly [id: string]: TableBrain }
@@ -21,10 +21,8 @@ export interface RobotTry {
   learning: TryState | null
   /** Draws between actions that are worth the same. */
   readonly ties: StreamState
-  /** Minutes of what it learned last, once that is over. */
-  curve: readonly Minute[]
   /** What the table made it do last; null: it has not driven by one. */
-  doing: { readonly state: number; readonly action: number } | null
+  doing: { readonly table: string; readonly state: number; readonly action: number } | null
 }
 
 /** Ticks of so many simulated minutes. */
@@ -49,11 +47,17 @@ export class Trials {
     return (this.state[robot]?.learning ?? null) !== null
   }
 
+  /** The table by which a robot drives; null: it learns, or drives by none. */
+  drivesBy(robot: number): TableBrain | null {
+    const { learning = null, doing = null } = this.state[robot] ?? {}
+    return learning || !doing ? null : (this.tables[doing.table] ?? null)
+  }
+
   #of(robot: number): RobotTry {
     const known = this.state[robot]
     if (known) return known
     const ties = stream(1, `act/${this.#simulation.world.robots[robot]!.id}`)
-    const fresh: RobotTry = { learning: null, ties, curve: [], doing: null }
+    const fresh: RobotTry = { learning: null, ties, doing: null }
     this.state = { ...this.state, [robot]: fresh }
     return fresh
   }
@@ -66,7 +70,7 @@ export class Trials {
     const problem = problemOf(trial)
     return {
       learn: () => problem ?? (isLearned(this.tables[id], trial, minutes) || this.#tick(robot, outline)),
-      act: () => this.#act(robot, this.tables[id]),
+      act: () => this.#act(robot, id),
     }
   }
 
@@ -75,8 +79,7 @@ export class Trials {
     own.learning ??= beginTry(trial)
     tryTick(own.learning, this.#simulation, robot)
     if (own.learning.total < ticksOf(minutes)) return false
-    this.tables = { ...this.tables, [id]: tableOf(own.learning) }
-    own.curve = own.learning.curve
+    this.tables = { ...this.tables, [id]: learnedOf(own.learning) }
     own.learning = null
     const { id: name, pose } = this.#simulation.world.robots[robot]!
     stopMotors(this.#simulation, robot)
@@ -84,13 +87,14 @@ export class Trials {
     return true
   }
 
-  #act(robot: number, table: TableBrain | undefined): number | string {
+  #act(robot: number, id: string): number | string {
+    const table = this.tables[id]
     if (!table) return 'tryNotLearned'
     const simulation = this.#simulation
     const state = stateOf(table, readingsOf(simulation, robot, table), touchesIn(simulation, robot))
     const own = this.#of(robot)
     const action = bestAction(table.q, state, table.actions.length, own.ties)
-    own.doing = { state, action }
+    own.doing = { table: id, state, action }
     drive(simulation, robot, table.actions[action]!)
     return table.hold
   }

@@ -6,6 +6,7 @@ import {
   rhoAt,
   statesOf,
   stateOf,
+  type Minute,
   type Place,
   type QTable,
   type Settings,
@@ -24,12 +25,6 @@ const fallTicks = 8 * 60 * TICKS_PER_SECOND
 /** Who has never been so far from its start, cm, and touches something at the end, could not get away. */
 const free = 20
 const minuteTicks = 60 * TICKS_PER_SECOND
-
-/** Pay and bumps of one simulated minute. A bump that lasts is one. */
-export interface Minute {
-  readonly pay: number
-  readonly bumps: number
-}
 
 /** A robot that learns by trying, as plain data: it goes on from a copy bit for bit. */
 export interface TryState {
@@ -165,3 +160,6 @@ export const tableOf = ({ trial, table }: TryState): TableBrain => ({
   kind: 'table',
   ...{ q: [...table.q], tries: [...table.tries], moves: table.moves },
 })
+
+/** The same with the minutes in which it was learned. */
+export const learnedOf = (state: TryState): TableBrain => ({ ...tableOf(state), curve: [...state.curve] })

@@ -5,7 +5,7 @@ import { paintFloor } from '@botgarten/simulation'
 import { beforeAll, describe, expect, it } from 'vitest'
 import { createLab } from '../index.ts'
 import { block, forever, program, worldWith } from '../testing/scene.ts'
-import { beginNight, rideBy, tableOf, ticksOf } from './index.ts'
+import { beginNight, learnedOf, rideBy, ticksOf } from './index.ts'
 
 beforeAll(() => addBlocks(learning))
 
@@ -47,7 +47,7 @@ function overnight(minutes: number, slice: number, trial = trialOf()) {
   const night = beginNight(world, floor, trial)
   const all = ticksOf(minutes)
   while (night.state.total < all) night.advance(Math.min(slice, all - night.state.total))
-  return tableOf(night.state)
+  return learnedOf(night.state)
 }
 
 describe('learning by trying', () => {
@@ -63,10 +63,10 @@ describe('learning by trying', () => {
 
   it('is learned again from the seed and the moves of a table that was saved, to the same bits', () => {
     const saved = JSON.parse(JSON.stringify(overnight(1, 60))) as ReturnType<typeof overnight>
-    const { kind: _kind, q: _q, tries: _tries, moves, ...trial } = saved
+    const { kind: _kind, q: _q, tries: _tries, moves, curve: _curve, ...trial } = saved
     const night = beginNight(world, floor, trial)
     while (night.state.table.moves < moves) night.advance(1)
-    expect(tableOf(night.state)).toEqual(saved)
+    expect(learnedOf(night.state)).toEqual(saved)
   })
 
   it('is the same after going back in time, whatever was looked at in between', () => {
@@ -275,7 +275,12 @@ describe('what is shown of it', () => {
     const lab = started()
     lab.advance(3700)
     expect(shown(lab)).toMatchObject({ stage: 'learned', action: { decision: 'exploit' } })
-    expect(shown(lab).curve).toHaveLength(1)
+    const { curve } = shown(lab)
+    expect(curve).toHaveLength(1)
+    const again = createLab()
+    const saved = JSON.parse(JSON.stringify(lab.document())) as ReturnType<typeof lab.document>
+    again.load(saved, floor, { seed: 1, checks: [] })
+    expect(shown(again).curve).toEqual(curve)
     lab.edit({ main: blocks(1, { ALPHA: '0.1' }) })
     expect(shown(lab)).toMatchObject({ stage: 'other', table: { alpha: 0.2 } })
   })

@@ -7,6 +7,7 @@ export const limits = {
   coins: 20,
   actions: 12,
   starts: 8,
+  minutes: 60,
   hold: [6, 60],
 } as const
 

@@ -75,9 +75,17 @@ export interface Trial {
   readonly starts?: readonly Place[]
 }
 
+/** Pay and bumps of one simulated minute. A bump that lasts is one. */
+export interface Minute {
+  readonly pay: number
+  readonly bumps: number
+}
+
 /** A learned table as a project holds it: from its seed it is learned again, the same every time. */
 export interface TableBrain extends Trial, Readonly<QTable> {
   readonly kind: 'table'
+  /** Whole minutes in which it was learned, to be shown; there where a lab has learned it. */
+  readonly curve?: readonly Minute[]
 }
 
 /** One move with all its numbers. */

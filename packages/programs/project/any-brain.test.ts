@@ -27,6 +27,12 @@ describe('a table that was learned by trying', () => {
     expect(refusalOf(opened)).toBeNull()
   })
 
+  it('keeps the minutes in which it was learned, so that their curves can be drawn again', () => {
+    const curve = Array.from({ length: 60 }, (_, k) => ({ pay: 10.25 * k - 5, bumps: 60 - k }))
+    const table = { ...opened.tables!['try']!, curve }
+    expect(parseProject(writeProject({ ...opened, tables: { try: table } })).tables).toEqual({ try: table })
+  })
+
   it('lies beside networks', () => {
     const both = { ...project, tables: opened.tables! }
     const read = parseProject(writeProject(both))
@@ -44,6 +50,9 @@ describe('a table that was learned by trying', () => {
       { ...table, q: table!.q.map(() => 1e300) },
       { ...table, ...states, q: Array(3_000_000).fill(0), tries: Array(3_000_000).fill(0) },
       { ...table, hold: 1e6 },
+      { ...table, curve: Array.from({ length: 61 }, () => ({ pay: 0, bumps: 0 })) },
+      { ...table, curve: [{ pay: 0, bumps: -1 }] },
+      { ...table, curve: [{ pay: 1e300, bumps: 0 }] },
       { kind: 'table' },
       { ...table, kind: 'network' },
     ]

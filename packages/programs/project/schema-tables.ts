@@ -52,6 +52,9 @@ export const tableSchema: v.GenericSchema<unknown, TableBrain> = v.pipe(
     starts: v.exactOptional(v.pipe(v.array(v.object({ x: place, y: place })), v.maxLength(limits.starts))),
     q: v.pipe(v.array(value), v.maxLength(most)),
     tries: v.pipe(v.array(whole), v.maxLength(most)),
+    curve: v.exactOptional(
+      v.pipe(v.array(v.object({ pay: value, bumps: whole })), v.maxLength(limits.minutes)),
+    ),
   }),
   v.check(
     ({ sensors, edges, bump, actions, q, tries }) =>

@@ -41,5 +41,6 @@ test('goes on from what was counted before', () => {
   const before = { knobs: 1, starts: 2, bumps: 3, hand: 4, computer: 5 }
   const effort = new EffortCount(before)
   effort.computed(0.5)
-  expect(effort.sum).toEqual({ ...before, computer: 5.5 })
+  effort.computed(1, 12)
+  expect(effort.sum).toEqual({ ...before, computer: 6.5, bumps: 15 })
 })

@@ -7,7 +7,7 @@ const AWAY = 30_000
 const none: Effort = { knobs: 0, starts: 0, bumps: 0, hand: 0, computer: 0 }
 
 /** Changes that the lab makes by itself. */
-const byItself: readonly Change['kind'][] = ['progress', 'learned']
+const byItself: readonly Change['kind'][] = ['progress', 'learned', 'table']
 
 /** Counts what goes into a project while it is in a child's hands. It is saved with the next change. */
 export class EffortCount {
@@ -65,8 +65,8 @@ export class EffortCount {
     if (more > 0) this.#add({ bumps: more })
   }
 
-  /** The computer has practised or tried. */
-  computed(seconds: number): void {
-    this.#add({ computer: seconds })
+  /** The computer has practised or tried. @param bumps in tries that were not on the screen */
+  computed(seconds: number, bumps = 0): void {
+    this.#add({ computer: seconds, bumps })
   }
 }

@@ -1,4 +1,4 @@
-import type { Minute } from '@botgarten/lab/trying'
+import type { Minute } from '@botgarten/learning/q-senses'
 
 /** Size of the picture in its own units. */
 export const paper = { width: 480, height: 150 } as const

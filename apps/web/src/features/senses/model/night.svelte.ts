@@ -1,5 +1,5 @@
-import { isLearned, ticksOf, type Minute } from '@botgarten/lab/trying'
-import { limits, problemOf, type Place, type Problem } from '@botgarten/learning/q-senses'
+import { isLearned, ticksOf } from '@botgarten/lab/trying'
+import { limits, problemOf, type Minute, type Place, type Problem } from '@botgarten/learning/q-senses'
 import { tryingIn, type TryOutline } from '@botgarten/programs'
 import type { LabSession } from '#lab/session.svelte.ts'
 import { inWorker, type Ears } from './in-worker.ts'
@@ -19,6 +19,9 @@ interface Shown {
 }
 const nothing: Shown = { total: 0, curve: [], stuck: 0 }
 
+const isSame = (a: readonly Minute[], b: readonly Minute[]) =>
+  a.length === b.length && a.every(({ pay, bumps }, at) => pay === b[at]!.pay && bumps === b[at]!.bumps)
+
 /** The chosen robot learns as fast as it can while everything stands still; what it has learned is put into the lab. */
 export class Night {
   readonly #session: LabSession
@@ -27,6 +30,8 @@ export class Night {
   #wake: (() => void) | null = null
   #deaf: () => unknown = () => {}
   #shown = $state.raw<Shown>(nothing)
+  /** What the bill of the first robot will say of this night: when it began, in ms, and its bumps. */
+  #cost: { readonly began: number; bumps: number } | null = null
   /** How the last one has ended; null: none has, or one is going on. */
   ending = $state<Ending | null>(null)
   /** Ticks of the night that goes on; 0: the robot is awake. */
@@ -64,9 +69,9 @@ export class Night {
     return tryingIn(this.#session.program)
   }
 
-  /** Minutes that were tried in the lab are shown like those of a night. */
+  /** Minutes that were tried in the lab, or before, are shown like those of a night. */
   note(curve: readonly Minute[]): void {
-    if (!this.isAsleep && curve.length !== this.#shown.curve.length) this.#shown = { ...nothing, curve }
+    if (!this.isAsleep && !isSame(curve, this.#shown.curve)) this.#shown = { ...nothing, curve }
   }
 
   begin(): void {
@@ -80,6 +85,7 @@ export class Night {
     this.#watch(robot.id)
     this.ticks = ticksOf(outline.minutes)
     const { world } = lab.document
+    this.#cost = robot === world.robots[0] ? { began: performance.now(), bumps: 0 } : null
     const asked = { world, floor: lab.floor, trial: outline.trial, ticks: this.ticks }
     const ears = { hear: (report: Report) => this.#hear(outline.id, report), fail: () => this.end('died') }
     const wake = this.#begin({ ...asked, robot: world.robots.indexOf(robot) }, ears)
@@ -106,9 +112,10 @@ export class Night {
     })
   }
 
-  #hear(id: string, { table, ...shown }: Report): void {
+  #hear(id: string, { table, bumps, ...shown }: Report): void {
     if (!this.isAsleep) return
     this.#shown = shown
+    if (this.#cost) this.#cost.bumps = bumps
     if (!table) return
     this.end('learned')
     this.#session.lab.reset()
@@ -123,5 +130,13 @@ export class Night {
     this.#deaf()
     this.ticks = 0
     this.ending = ending
+    this.#count()
+  }
+
+  /** What was tried has cost its time, whatever came of it. */
+  #count(): void {
+    const cost = this.#cost
+    this.#cost = null
+    if (cost) this.#session.effort.computed((performance.now() - cost.began) / 1000, cost.bumps)
   }
 }

@@ -3,7 +3,7 @@ import { learning } from '@botgarten/blocks/packs/learning'
 import { cardProject } from '@botgarten/content'
 import { content } from '@botgarten/content/files'
 import { createLab } from '@botgarten/lab'
-import { beginNight, tableOf, ticksOf } from '@botgarten/lab/trying'
+import { beginNight, learnedOf, ticksOf } from '@botgarten/lab/trying'
 import { tryingIn, type Project } from '@botgarten/programs'
 import { paintFloor } from '@botgarten/simulation'
 import { afterEach, beforeAll, describe, expect, test, vi } from 'vitest'
@@ -92,6 +92,25 @@ describe('a night', () => {
     expect(session.project.tables).toEqual(inLab(project))
   })
 
+  test('stands on the bill: the time of the computer and the bumps, also of one that was stopped', async () => {
+    const session = await sessionFor()
+    let now = 0
+    vi.spyOn(performance, 'now').mockImplementation(() => now)
+    const { begin, nights } = slowly()
+    const night = nightOf(session, begin)
+    night.begin()
+    now = 2000
+    nights[0]!.ears.hear({ total: 1800, curve: [], bumps: 3, stuck: 0, table: null })
+    night.end()
+    expect(session.project.effort).toMatchObject({ computer: 2, bumps: 3 })
+    night.begin()
+    now = 3000
+    sleep(nights[1]!.asked, nights[1]!.ears.hear, () => 0)
+    const [{ bumps }] = night.shown.curve as [{ bumps: number }]
+    expect(session.project.effort).toMatchObject({ computer: 3, bumps: 3 + bumps })
+    vi.restoreAllMocks()
+  })
+
   test('is of the robot that is chosen; the other one stands still', async () => {
     const { id, document } = withRobot(project, 'bo', 'own')
     const two = { ...project, ...document }
@@ -101,7 +120,7 @@ describe('a night', () => {
     const { id: block, trial } = tryingIn(two.programs[id]!)!
     const alone = beginNight(two.world, floorOf(two), trial, 1)
     alone.advance(ticksOf(1))
-    expect(session.project.tables).toEqual({ [block]: tableOf(alone.state) })
+    expect(session.project.tables).toEqual({ [block]: learnedOf(alone.state) })
   })
 
   test('reports while it goes on, and is woken up by a hand', async () => {
@@ -110,7 +129,7 @@ describe('a night', () => {
     const night = nightOf(session, begin)
     night.begin()
     const [first] = nights
-    first!.ears.hear({ total: 1800, curve: [], stuck: 0, table: null })
+    first!.ears.hear({ total: 1800, curve: [], bumps: 3, stuck: 0, table: null })
     expect(night).toMatchObject({ isAsleep: true, ticks: 3600, shown: { total: 1800 } })
     night.end()
     expect(night).toMatchObject({ isAsleep: false, ending: 'stopped' })

@@ -1,5 +1,5 @@
-import { beginNight, tableOf, type Minute } from '@botgarten/lab/trying'
-import type { TableBrain, Trial } from '@botgarten/learning/q-senses'
+import { beginNight, learnedOf } from '@botgarten/lab/trying'
+import type { Minute, TableBrain, Trial } from '@botgarten/learning/q-senses'
 import type { Floor, World } from '@botgarten/simulation'
 
 /** What a robot is to learn while nobody looks. */
@@ -16,6 +16,8 @@ export interface Report {
   /** Ticks that are over. */
   readonly total: number
   readonly curve: readonly Minute[]
+  /** So far, those of the minute under way among them. */
+  readonly bumps: number
   /** Tries in which it could not get away from where it began. */
   readonly stuck: number
   /** At the end: what was learned. */
@@ -36,8 +38,9 @@ export function sleep(
   const night = beginNight(world, floor, trial, robot)
   const { state } = night
   const report = (table: TableBrain | null) => {
-    const { total, curve, stuck } = state
-    post({ total, curve, stuck, table })
+    const { total, curve, minute, stuck } = state
+    const bumps = curve.reduce((sum, one) => sum + one.bumps, minute.bumps)
+    post({ total, curve, bumps, stuck, table })
   }
   let posted = now()
   while (state.total < ticks) {
@@ -46,5 +49,5 @@ export function sleep(
     report(null)
     posted = now()
   }
-  report(tableOf(state))
+  report(learnedOf(state))
 }
