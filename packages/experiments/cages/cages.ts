@@ -1,4 +1,13 @@
-import { beginNight, behave, tableOf, ticksOf, type Behaviour } from '@botgarten/lab/trying'
+import {
+  beginNight,
+  behave,
+  judged,
+  measuresOf,
+  tableOf,
+  tenths,
+  ticksOf,
+  type Behaviour,
+} from '@botgarten/lab/trying'
 import {
   bucketsOf,
   payFor,
@@ -9,7 +18,7 @@ import {
 } from '@botgarten/learning/q-senses'
 import type { Floor, World } from '@botgarten/simulation'
 import { passes } from '../trying/trying.ts'
-import { measures, type CageRow, type CageRows, type Measured, type SenseCage } from './types.ts'
+import type { CageRow, CageRows, Measured, SenseCage } from './types.ts'
 
 /** Simulated minutes of trying before a robot is judged. */
 export const minutes = 8
@@ -23,22 +32,10 @@ export interface Place {
 }
 
 /** Numbers of a behaviour, and what a pay gives for it. */
-function measuredOf({ facts, tiles, touching, ended }: Behaviour, pay: readonly Sentence[]): Measured {
-  const { way: cm, bump: bumps, free, near, line } = facts
-  const all = { cm, tiles, touching, bumps, free, near, line, ended, pay: payFor(pay, facts) }
-  return Object.fromEntries(Object.entries(all).map(([name, value]) => [name, tenths(value)])) as {
-    [name in keyof typeof all]: number
-  }
-}
-
-const tenths = (value: number) => Math.round(value * 10) / 10 + 0
-
-/** Does it do what the cage is named after? */
-export const judged = ({ cheats }: Pick<SenseCage, 'cheats'>, measured: Measured): boolean =>
-  measures.every((name) => {
-    const [least, most] = cheats[name] ?? [-Infinity, Infinity]
-    return measured[name] >= least && measured[name] <= most
-  })
+const measuredOf = (behaviour: Behaviour, pay: readonly Sentence[]): Measured => ({
+  ...measuresOf(behaviour),
+  pay: tenths(payFor(pay, behaviour.facts)),
+})
 
 /** What one robot has learned in a cage, and what it does then. */
 export interface Learned {
@@ -96,7 +93,7 @@ export function mendedIn(cage: SenseCage, place: Place, seed: number): number | 
 export function watchedIn(cage: SenseCage, { worlds, floor }: Place, table: TableBrain) {
   const { behaviour, watched } = behave(table, worlds, floor, seconds)
   const measured = measuredOf(behaviour, table.pay)
-  return { measured, watched, cheats: judged(cage, measured) }
+  return { measured, watched, cheats: judged(cage.cheats, measured) }
 }
 
 /** A table as an honest program has it: ahead, and away from what is nearer than the far edge. */

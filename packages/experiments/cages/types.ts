@@ -1,14 +1,6 @@
+import type { Cheat, Measures } from '@botgarten/lab/trying'
 import type { Sentence, Trial } from '@botgarten/learning/q-senses'
 import type { Pose } from '@botgarten/simulation'
-
-/** What a behaviour is judged by; a number of each stands in the row of a seed. */
-export const measures = ['cm', 'tiles', 'touching', 'bumps', 'free', 'near', 'line', 'ended'] as const
-/**
- * - `cm`: way a minute · `tiles`: squares of 40 cm entered from a start · `touching`: percent of the time
- * - `bumps`, `free`, `near`, `line`: moves a minute in which it touched, came free, was near a thing, came onto black
- * - `ended`: starts from which a bump ended the try
- */
-export type Measure = (typeof measures)[number]
 
 /** A pay that invites to cheat: `cage.json` of a folder `content/senses/<nn-id>/`. */
 export interface SenseCage {
@@ -17,14 +9,13 @@ export interface SenseCage {
   readonly world: string
   readonly starts: readonly Pose[]
   readonly trial: Omit<Trial, 'seed'>
-  /** It cheats where each of these measures lies between these two, both included. */
-  readonly cheats: { readonly [name in Measure]?: readonly [least: number, most: number] }
+  readonly cheats: Cheat
   /** A pay with which it drives as is meant. */
   readonly mend: readonly Sentence[]
 }
 
-/** Numbers of a behaviour, rounded to tenths. */
-export type Measured = { readonly [name in Measure]: number } & {
+/** Numbers of a behaviour; each stands in the row of a seed. */
+export type Measured = Measures & {
   /** Coins a minute, by the cage's own pay. */
   readonly pay: number
 }

@@ -23,7 +23,7 @@ function kindOf(check: Check): AnyKind {
 }
 
 type Sight = Pick<Simulation, 'world' | 'state' | 'read'> &
-  Partial<Pick<Moment, 'taught' | 'nextTurn' | 'trying' | 'raced'>>
+  Partial<Pick<Moment, 'taught' | 'nextTurn' | 'trying' | 'table' | 'raced'>>
 
 const noTurn: Moment['nextTurn'] = () => null
 
@@ -31,10 +31,12 @@ const momentOf = (
   checks: readonly Check[],
   watches: readonly Watch[],
   seconds: number,
-  { world, state, read, taught = null, nextTurn = noTurn, trying = false, raced = null }: Sight,
+  seen: Sight,
 ): Moment => {
+  const { world, state, read, taught = null, nextTurn = noTurn, trying = false } = seen
+  const { table = null, raced = null } = seen
   const passed = (id: string) => watches[checks.findIndex((check) => check.id === id)]?.passed ?? false
-  return { seconds, world, simulation: state, read, taught, nextTurn, trying, raced, passed }
+  return { seconds, world, simulation: state, read, taught, nextTurn, trying, table, raced, passed }
 }
 
 /** Every check looks at one tick. */

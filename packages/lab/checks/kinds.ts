@@ -9,6 +9,7 @@ import { laps } from './laps.ts'
 import { learned } from './learned.ts'
 import { led } from './led.ts'
 import { near } from './near.ts'
+import { neverCheats } from './neverCheats.ts'
 import { neverSees } from './neverSees.ts'
 import { neverTouches } from './neverTouches.ts'
 import { raced } from './raced.ts'
@@ -37,6 +38,7 @@ export const kinds: { readonly [kind: string]: AnyKind } = {
   learned,
   led,
   near,
+  neverCheats,
   neverSees,
   neverTouches,
   raced,

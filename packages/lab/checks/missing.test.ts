@@ -47,6 +47,7 @@ const numbers = {
     rate: 0.1,
   },
   ...{ gates: '100 60, 300 60, 200 350', laps: 1, points: '200 60, 60 160', kinds: 3, letters: 0 },
+  ...{ animal: 'gazer', cheats: 'cm 0 60' },
 }
 const checkOf = (kind: string, other: object = {}): Check => ({
   ...{ id: kind, kind, seconds: 1 },

@@ -1,4 +1,5 @@
 import type { Brain } from '@botgarten/learning/neural-network/brain'
+import type { TableBrain } from '@botgarten/learning/q-senses'
 import { cos, sin } from '@botgarten/numbers'
 import type { Raced } from '@botgarten/programs'
 import {
@@ -33,6 +34,8 @@ export interface Moment {
   readonly taught: Brain | null
   /** Does the first robot learn by trying in this tick? What it does then is no result. */
   readonly trying: boolean
+  /** The learned table by which the first robot drives; null: it drives by none. */
+  readonly table: TableBrain | null
   /** What came of the project's last race of brains; null: there was none. */
   readonly raced: Raced | null
   /** Has another check of the card passed? */

@@ -8,7 +8,7 @@ import type { Moment } from './moment.ts'
 
 /** What checks see of a run, as it stands whenever they look. */
 export type Seen = Pick<Simulation, 'world' | 'state' | 'read'> &
-  Pick<Moment, 'taught' | 'nextTurn' | 'trying' | 'raced'>
+  Pick<Moment, 'taught' | 'nextTurn' | 'trying' | 'table' | 'raced'>
 
 interface Watched {
   readonly simulation: Simulation
@@ -31,6 +31,9 @@ export function seenIn(run: Watched): Seen {
     },
     get trying() {
       return run.trials.isTrying(0)
+    },
+    get table() {
+      return run.trials.drivesBy(0)
     },
   }
 }

@@ -42,7 +42,10 @@ it('drives as the table drives alone, from each world, and gives the same pay fo
   expect(payFor(trial.pay, behaviour.facts)).toBeCloseTo(behaviour.facts.ahead / 4, 9)
   expect(watched).toHaveLength(2)
   expect(watched[0]).toEqual(watched[1])
-  expect(watched[0]).toHaveLength(201)
+  const coins = watched[0]!.coins.reduce((sum, one) => sum + one, 0)
+  expect([watched[0]!.coins.length, watched[0]!.posesAMove]).toEqual([40, 5])
+  expect(coins * 6).toBeCloseTo(payFor(trial.pay, behaviour.facts), 9)
+  expect(watched[0]!.poses).toHaveLength(201)
 })
 
 it('turning on the spot is no way, one place and no bump', () => {
@@ -55,7 +58,7 @@ it('going on and on ends at a wall, where bumps end a try', () => {
   const table = { ...always(0), bumpEnds: true }
   const { behaviour, watched } = behave(table, [world], floor, 60)
   expect(behaviour.ended).toBe(1)
-  expect(watched[0]!.length).toBeLessThan(60 * 20)
+  expect(watched[0]!.poses.length).toBeLessThan(60 * 20)
   const on = behave({ ...table, bumpEnds: false }, [world], floor, 60).behaviour
   expect(on.ended).toBe(0)
   expect(on.touching).toBeGreaterThan(30)

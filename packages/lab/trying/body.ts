@@ -17,17 +17,20 @@ const farthest = 100
 /** Edge of the squares that count as new places. */
 const tileCm = 40
 
+/** What of a world a robot's sensors and body are asked for. */
+export type Sensing = Pick<Simulation, 'world' | 'state' | 'read'>
+
 /** One reading as buckets take it: cm up to 100, light 0..100, a colour's number 0..7, touch 0 or 1. */
-function readingOf(simulation: Simulation, robot: number, { port, mode }: Sensor): number {
+function readingOf(simulation: Sensing, robot: number, { port, mode }: Sensor): number {
   const value = simulation.read(robot, port, mode)
   if (mode === 'colour') return Math.max(0, colours.indexOf(String(value)))
   return Math.min(farthest, Number(value ?? 0))
 }
 
-export const readingsOf = (simulation: Simulation, robot: number, { sensors }: Trial): readonly number[] =>
+export const readingsOf = (simulation: Sensing, robot: number, { sensors }: Trial): readonly number[] =>
   sensors.map((sensor) => readingOf(simulation, robot, sensor))
 
-export const touchesIn = (simulation: Simulation, robot: number): boolean =>
+export const touchesIn = (simulation: Sensing, robot: number): boolean =>
   simulation.state.robots[robot]!.touching.length > 0
 
 /** Does an action from now on. */
@@ -52,7 +55,7 @@ export interface Sight {
   readonly touches: boolean
 }
 
-export function sightOf(simulation: Simulation, robot: number): Sight {
+export function sightOf(simulation: Sensing, robot: number): Sight {
   const { x, y, heading, motors } = simulation.state.robots[robot]!
   const { sensors, drive } = simulation.world.robots[robot]!.config
   const ports = (kind: string) =>

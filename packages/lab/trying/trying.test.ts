@@ -4,7 +4,7 @@ import { tryingIn } from '@botgarten/programs'
 import { paintFloor } from '@botgarten/simulation'
 import { beforeAll, describe, expect, it } from 'vitest'
 import { createLab } from '../index.ts'
-import { block, forever, program, worldWith } from '../testing/scene.ts'
+import { block, drive, forever, program, worldWith } from '../testing/scene.ts'
 import { beginNight, learnedOf, rideBy, ticksOf } from './index.ts'
 
 beforeAll(() => addBlocks(learning))
@@ -233,6 +233,40 @@ describe('learning by trying', () => {
     expect(lab.view().checks[0]!.passed).toBe(false)
     lab.advance(200)
     expect(lab.view().checks[0]!.passed).toBe(true)
+  })
+})
+
+describe('the trick of an animal', () => {
+  const animal = (cheats: string) => [
+    { id: 'c', kind: 'neverCheats', numbers: { animal: 'gazer', cheats }, seconds: 5 },
+  ]
+  const missing = (cheats: string, seconds: number, main = blocks(1)) => {
+    const lab = started(main, animal(cheats))
+    lab.advance(seconds * 60)
+    return lab.view().checks[0]!.passed || lab.missing()[0]!.what
+  }
+
+  it('is looked for when it drives by its table, not while it learns, for so many seconds', () => {
+    expect(missing('cm 0 3000', 59)).toBe('untried')
+    expect(missing('cm 0 3000', 63)).toBe('short')
+    expect(missing('cm 0 3000', 66)).toBe('trick')
+    expect(missing('cm 0 3000, bumps 240 240', 66)).toBe(true)
+    expect(missing('tiles 99 100', 66)).toBe(true)
+  })
+
+  it('is not looked for where no table drives', () => {
+    expect(missing('tiles 99 100', 6, program(forever(drive('go', 20, 10))))).toBe('untried')
+  })
+
+  it('is looked for again where it was done, and never again where it was not', () => {
+    const lab = started(blocks(1), animal('cm 0 3000'))
+    lab.advance(66 * 60)
+    expect(lab.missing()[0]).toMatchObject({ what: 'trick', facts: { animal: 'gazer' } })
+    lab.advance(6 * 60)
+    expect(lab.missing()[0]!.what).toBe('trick')
+    const honest = started(blocks(1), animal('tiles 99 100'))
+    honest.advance(120 * 60)
+    expect(honest.view().checks[0]).toMatchObject({ passed: true, at: expect.closeTo(65, 0) as number })
   })
 })
 
