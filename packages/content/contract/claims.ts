@@ -15,6 +15,7 @@ import { blocksIn } from '../items/blocksIn.ts'
 import type { BrainsClaim, Claim, DriveClaim, LearnClaim, RaceClaim } from '../schema/planTypes.ts'
 import { givenFor } from './given.ts'
 import { practisedBy } from './practise-claims.ts'
+import { paidSays, rowsSay, triedSays } from './sense-claims.ts'
 
 addBlocks(learning)
 addBlocks(expert)
@@ -29,6 +30,9 @@ function nameOf(claim: Claim): string {
   if ('practises' in claim) return `practice of ${claim.practises}: ${JSON.stringify(claim)}`
   if ('course' in claim) return `brains race on ${claim.course}`
   if ('run' in claim) return `${Object.values(claim.run).join(' ')}: ${claim.answer}`
+  if ('cage' in claim) return `${claim.cheating} Bos in the cage ${claim.cage}`
+  if ('trying' in claim) return `Bo tries on ${claim.trying}: drives after ${claim.passes} minutes`
+  if ('ahead' in claim) return `only ahead in ${claim.ahead}: ${JSON.stringify(claim.coins)}`
   return `${claim.race.racers.join(' against ')} on ${claim.race.map}: ${claim.wins.join(', ')}`
 }
 
@@ -39,6 +43,9 @@ export function expectTrue(claim: Claim): void {
   else if ('practises' in claim) expect(claim).toMatchObject(practisedBy(claim))
   else if ('run' in claim) expect(outcomeOf(claim.run, givenFor(claim.run))).toBe(claim.answer)
   else if ('course' in claim) expect(drivenBy(claim)).toEqual(claim.lanes)
+  else if ('cage' in claim) expect(rowsSay(claim)).toEqual(claim)
+  else if ('trying' in claim) expect({ trying: claim.trying, ...triedSays(claim) }).toEqual(claim)
+  else if ('ahead' in claim) expect(paidSays(claim)).toEqual(claim.coins)
   else expect(raced(claim)).toEqual({ wins: claim.wins, bills: claim.bills })
 }
 

@@ -1,3 +1,5 @@
+import { measures } from '@botgarten/lab/trying'
+import { payKinds } from '@botgarten/learning/q-senses'
 import * as v from 'valibot'
 import type { Claim, Plan } from './planTypes.ts'
 import { questionRun } from './question.ts'
@@ -6,6 +8,8 @@ const count = v.pipe(v.number(), v.integer(), v.minValue(1))
 /** A count that may be 0. */
 const none = v.pipe(v.number(), v.integer(), v.minValue(0))
 const percents = v.strictObject({ practised: v.exactOptional(none), test: v.exactOptional(none) })
+/** Numbers of a behaviour. */
+const named = [...measures, 'pay'] as const
 const lesson = v.pipe(v.string(), v.regex(/^(E |L )?\d+$/))
 
 export const copies = v.array(
@@ -55,6 +59,17 @@ const claim: v.GenericSchema<unknown, Claim> = v.union([
   v.strictObject({
     course: v.string(),
     lanes: v.record(v.string(), v.strictObject({ cm: v.number(), bumps: v.number() })),
+  }),
+  v.strictObject({
+    ...{ cage: v.string(), cheating: none, failing: none },
+    those: v.record(v.picklist(named), v.tuple([v.number(), v.number()])),
+    honest: v.exactOptional(v.record(v.picklist(named), v.number())),
+  }),
+  v.strictObject({ trying: v.string(), passes: v.nullable(count), bumps: v.array(none) }),
+  v.strictObject({
+    ahead: v.string(),
+    from: v.strictObject({ x: v.number(), y: v.number(), heading: v.number() }),
+    coins: v.record(v.picklist(payKinds), v.number()),
   }),
 ])
 

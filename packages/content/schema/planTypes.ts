@@ -1,3 +1,6 @@
+import type { Measured } from '@botgarten/experiments/cages'
+import type { PayKind } from '@botgarten/learning/q-senses'
+import type { Pose } from '@botgarten/simulation'
 import type { QuestionRun } from './questionTypes.ts'
 
 /** What a lesson plan says besides its words: times, copies, and what Bo does as it claims. */
@@ -24,7 +27,11 @@ export interface PlanStep {
 }
 
 /** What the plan says of a run, which the tests make. */
-export type Claim = DriveClaim | LearnClaim | PractiseClaim | RunClaim | RaceClaim | BrainsClaim
+export type Claim =
+  DriveClaim | LearnClaim | PractiseClaim | RunClaim | RaceClaim | BrainsClaim | SenseClaim
+
+/** Of those that are about learning by trying with a robot's own sensors. */
+export type SenseClaim = CageClaim | TryClaim | PaidClaim
 
 /** A card's solution with these weights on its network, or another program (`file` as in embeds), driven from a start pose. */
 export interface DriveClaim {
@@ -99,6 +106,33 @@ export interface RaceClaim {
 export interface BrainsClaim {
   readonly course: string
   readonly lanes: { readonly [kind: string]: { readonly cm: number; readonly bumps: number } }
+}
+
+/** What the measured robots of a cage of the zoo of sensors do. */
+export interface CageClaim {
+  readonly cage: string
+  /** How many of the 20 do what it is named after. */
+  readonly cheating: number
+  /** Least and most of those, of each number that is named. */
+  readonly those: { readonly [name in keyof Measured]?: readonly [least: number, most: number] }
+  /** Of a program that honestly keeps away from things. */
+  readonly honest?: { readonly [name in keyof Measured]?: number }
+  /** How many do not learn to drive as is meant with the cage's mend. */
+  readonly failing: number
+}
+
+/** The robot of a card's solution: after which whole minute of trying it drives as is meant, and its bumps minute by minute. */
+export interface TryClaim {
+  readonly trying: string
+  readonly passes: number | null
+  readonly bumps: readonly number[]
+}
+
+/** A robot that only drives ahead, in this world from this place: whole coins a minute, for one coin a unit of each pay. */
+export interface PaidClaim {
+  readonly ahead: string
+  readonly from: Pose
+  readonly coins: { readonly [kind in PayKind]?: number }
 }
 
 /** Text of a plan, in the parts of its two pages. */
