@@ -3,6 +3,9 @@ import { learningIn, type LearningOutline } from '@botgarten/programs'
 import type { ContentFiles } from '../files.ts'
 import { changedOf, shortestWays, triesOf, type ChangedRow, type TriesRow } from './tries.ts'
 
+export { practisedAgain, triedAgain } from './again.ts'
+export { effortOf } from './efforts.ts'
+
 /** What answers say in numbers, by card: `content/materials/answers.json`, worked out again by the contract test. */
 export interface Answers {
   readonly tries: { readonly [card: string]: readonly TriesRow[] }

@@ -1,9 +1,9 @@
 // Contract of every course on which brains race: its world and its brains are there, and a robot can stand at each start.
-import { laneKinds } from '@botgarten/experiments/brain-race'
+import { laneKinds, type Racer } from '@botgarten/experiments/brain-race'
 import { createLab } from '@botgarten/lab'
-import { beginNight, tableOf, ticksOf } from '@botgarten/lab/trying'
-import { tryingIn } from '@botgarten/programs'
+import { tableOf } from '@botgarten/lab/trying'
 import { describe, expect, test } from 'vitest'
+import { effortOf, triedAgain } from '../answers/index.ts'
 import { content } from '../files.ts'
 
 describe.each(content.courses)('the course $id', (course) => {
@@ -23,12 +23,18 @@ describe.each(content.courses)('the course $id', (course) => {
   test('has a table that is learned again from its seed, on the first start alone', () => {
     const racer = content.racer(course.id, 'trying')
     if (!racer) return
-    const { id, trial, minutes } = tryingIn(Object.values(racer.programs)[0]!)!
-    const [placement] = world.robots
-    const robots = [{ ...placement!, pose: course.starts[0]! }]
-    const night = beginNight({ ...world, robots }, content.floorOf(world), trial)
-    night.advance(ticksOf(minutes))
-    expect(racer.tables).toEqual({ [id]: tableOf(night.state) })
+    const robots = [{ ...world.robots[0]!, pose: course.starts[0]! }]
+    const night = triedAgain(racer, { ...world, robots }, content.floorOf(world))
+    expect(Object.values(racer.tables!)).toEqual([tableOf(night.state)])
+  })
+
+  test.each(laneKinds)('its brain "%s" has cost what making it again costs (npm run efforts)', (kind) => {
+    const racer = content.racer(course.id, kind)
+    if (!racer) return
+    const ground = { course, world, floor: content.floorOf(world) }
+    const timed = (effort: Racer['effort'] = {}) => ({ ...effort, computer: 'computer' in effort })
+    expect(timed(racer.effort)).toEqual(timed(effortOf(ground, kind, racer, () => 0)))
+    expect(racer.effort?.computer ?? 1).toBeGreaterThan(0)
   })
 
   test('has the brains that it names, and no others', () => {

@@ -15,8 +15,11 @@ export function coursesIn(content: Folder, ofCard: (card: string, file: string) 
   function racer(id: string, kind: LaneKind): Racer | null {
     const at = course(id)?.racers[kind]
     if (!at) return null
-    if ('card' in at) return ofCard(at.card, at.file)
-    return content.json('courses', id, `${at.file}.json`) as CardProgram
+    const made =
+      'card' in at
+        ? ofCard(at.card, at.file)
+        : (content.json('courses', id, `${at.file}.json`) as CardProgram)
+    return made && { ...made, ...(at.effort && { effort: at.effort }) }
   }
   return { courses, racer }
 }

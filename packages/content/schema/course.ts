@@ -1,8 +1,12 @@
 import type { Course, LaneKind } from '@botgarten/experiments/brain-race'
+import type { Effort } from '@botgarten/programs'
 import * as v from 'valibot'
 
 /** Where a lane's brain of the course lies: a file beside it, or a program of a card. */
-type RacerAt = { readonly file: string } | { readonly card: string; readonly file: string }
+type RacerAt = ({ readonly file: string } | { readonly card: string; readonly file: string }) & {
+  /** What is known of how it came about: `npm run efforts`. */
+  readonly effort?: Partial<Effort>
+}
 
 /** A course as its file says it. */
 export interface CourseFile extends Course {
@@ -20,8 +24,16 @@ const measure = v.variant('kind', [
   v.strictObject({ kind: v.literal('time'), obstacle: id, cm }),
 ])
 
+const whole = v.pipe(v.number(), v.integer(), v.minValue(0))
+const effort = v.exactOptional(
+  v.strictObject({
+    knobs: v.exactOptional(whole),
+    bumps: v.exactOptional(whole),
+    computer: v.exactOptional(v.pipe(v.number(), v.minValue(0))),
+  }),
+)
 const racer = v.exactOptional(
-  v.union([v.strictObject({ file: id }), v.strictObject({ card: id, file: v.string() })]),
+  v.union([v.strictObject({ file: id, effort }), v.strictObject({ card: id, file: v.string(), effort })]),
 )
 
 const course: v.GenericSchema<unknown, CourseFile> = v.pipe(

@@ -17,8 +17,8 @@ export interface Bill {
   readonly practised: { readonly rounds: number; readonly examples: number } | null
   /** Decisions while it tried, and simulated minutes. */
   readonly tried: { readonly decisions: number; readonly minutes: number } | null
-  /** What the lab has counted while it came about; null: nobody made it in a lab. */
-  readonly effort: Effort | null
+  /** What the lab has counted while it came about, as far as that is known; null: nothing is. */
+  readonly effort: Partial<Effort> | null
 }
 
 /** @throws TypeError for a racer without a program */

@@ -1,6 +1,6 @@
 import type { Document } from '@botgarten/lab'
 import type { Floor, Pose, Seconds } from '@botgarten/simulation'
-import type { Project } from '@botgarten/programs'
+import type { Effort, Project } from '@botgarten/programs'
 import type { LaneKind } from '@botgarten/programs/lanes'
 
 export type { LaneKind } from '@botgarten/programs/lanes'
@@ -40,7 +40,10 @@ export interface Ground {
 }
 
 /** A brain that races: a program with what it drives by and what went into it, as a project holds them. */
-export type Racer = Pick<Project, 'programs' | 'brains' | 'tables' | 'effort'>
+export type Racer = Pick<Project, 'programs' | 'brains' | 'tables'> & {
+  /** As far as it is known. */
+  readonly effort?: Partial<Effort>
+}
 
 /** What came of one start. */
 export interface Run {

@@ -59,6 +59,18 @@ test('tries are moves of knobs, rounds, or runs; no lane wins them', () => {
   expect(line(driven, 'learningBumps').values).toEqual([5, 5, 5, null])
 })
 
+test('of a ready-made brain is said what is known, and no time of a child', () => {
+  const driven = [
+    summary('hand', { effort: { knobs: 2 } }),
+    summary('examples', { effort: { bumps: 0, computer: 0.4 }, examples: 475 }),
+    summary('trying', { effort: { bumps: 18, computer: 2.5 } }),
+  ]
+  expect(line(driven, 'tries').values).toEqual([2, 60, null])
+  expect(line(driven, 'learningBumps').values).toEqual([null, 0, 18])
+  expect(line(driven, 'hand').values).toEqual([null, null, null])
+  expect(line(driven, 'computer').values).toEqual([0, 0.4, 2.5])
+})
+
 test('of a time less is better', () => {
   const driven = [summary('hand', { score: 20 }), summary('ifThen', { score: 60 })]
   const [score] = linesOf(driven, { kind: 'time', obstacle: 'square', cm: 10 })

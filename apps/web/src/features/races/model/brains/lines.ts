@@ -33,8 +33,8 @@ export function linesOf(summaries: readonly (Summary | null)[], measure: Measure
       ...line('tries', (summary) => triesOf(summary)?.count ?? null, 'no'),
       units: tries.map((one) => one && one.unit),
     },
-    line('learningBumps', ({ bill }) => bill.effort && bill.effort.bumps),
-    line('hand', ({ bill }) => bill.effort && bill.effort.hand / 60),
+    line('learningBumps', ({ bill }) => bill.effort?.bumps ?? null),
+    line('hand', ({ bill }) => minutes(bill.effort?.hand)),
     line('computer', computerOf),
     line('decisions', ({ decisions }) => decisions),
   ]
@@ -44,9 +44,12 @@ function triesOf({ kind, bill }: Summary): { readonly count: number; readonly un
   const { practised, tried, effort } = bill
   if (practised) return { count: practised.rounds, unit: 'rounds' }
   if (tried) return { count: tried.decisions, unit: 'decisions' }
-  if (!effort) return null
-  return kind === 'hand' ? { count: effort.knobs, unit: 'knobs' } : { count: effort.starts, unit: 'starts' }
+  const unit = kind === 'hand' ? 'knobs' : 'starts'
+  const count = effort?.[unit]
+  return count === undefined ? null : { count, unit }
 }
+
+const minutes = (seconds: number | undefined) => (seconds === undefined ? null : seconds / 60)
 
 /** What a hand has set took no time of the computer. */
 const withoutComputer: readonly LaneKind[] = ['hand', 'ifThen']
