@@ -23,6 +23,8 @@ for (const language of languagesOf(import.meta.filename)) {
       await expect(child.button('zoo.senses.add')).toHaveCount(0)
       await zoo.guesses(spinner)
       await zoo.watches(spinner)
+      // A coin for each moment falls at its head.
+      await expect(page.locator('figure svg text')).toHaveText(language === 'de' ? '+1,0' : '+1.0')
       expect(await axeFindings(page)).toEqual([])
 
       // Pay beyond 20 coins goes to 20; without any there is nothing to learn for.

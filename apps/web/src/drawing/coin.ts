@@ -8,9 +8,19 @@ export interface Coin {
   readonly gains: boolean
 }
 
+/** What has just been paid, in tenths and with its sign; null where that is nothing. */
+export function coinFor(paid: number, locale: string): Coin | null {
+  if (Math.abs(paid) < 0.05) return null
+  const tenths = { minimumFractionDigits: 1, maximumFractionDigits: 1, signDisplay: 'always' } as const
+  return { text: paid.toLocaleString(locale, tenths).replace('-', '−'), gains: paid > 0 }
+}
+
 const radius = 22
 /** From the middle of the robot, in px beside its body. */
 const away = 20
+
+/** How far from the middle of a robot its coin reaches, in px. */
+export const coinReach = (bodyPx: number): number => (bodyPx + away) * 0.8 + radius + 2
 
 /** A coin at the head of a robot, on the side it does not look to. `at`: px; `heading`: degrees counter-clockwise from the right. */
 export function drawCoin(

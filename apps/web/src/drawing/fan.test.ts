@@ -1,7 +1,8 @@
 import { expect, test } from 'vitest'
 import { actionFill, actionSign } from './action-signs.ts'
 import type { Command, Group } from './commands.ts'
-import { drawFan, drawFanNow, fieldSide, type Fan } from './fan.ts'
+import { drawFan, drawFanNow, fanInSight, fieldSide, roomIn, type Fan } from './fan.ts'
+import { turned } from './points.ts'
 
 const actions = [
   { left: 50, right: 50 },
@@ -60,6 +61,35 @@ test('in a low pane its fields are smaller, so that all of it is seen', () => {
   expect(side).toBeLessThan(fieldSide(fan, 2))
   expect(24 + 3 * Math.SQRT2 * side).toBeCloseTo(room)
   expect(fieldSide(fan, 2, 40)).toBe(22)
+})
+
+test.each([0, 45, 90, 180, 290])('at an edge, turned by %i, it is moved until all of it is seen', (turn) => {
+  const seen = { x: 100, y: 50, width: 400, height: 300 }
+  const half = fieldSide(fan, 2, roomIn(seen)) / Math.SQRT2
+  for (const at of [
+    { x: 110, y: 60 },
+    { x: 490, y: 340 },
+    { x: 300, y: 55 },
+  ]) {
+    const to = fanInSight(fan, 2, { at, turn, seen })
+    const picture = drawFan(fan, 2, roomIn(seen)).shapes
+    for (const one of picture) {
+      const place = turned((one as Group).shapes[0] as { x: number; y: number }, turn)
+      expect(to.x + place.x).toBeGreaterThan(seen.x + half * 0.7)
+      expect(to.x + place.x).toBeLessThan(seen.x + seen.width - half * 0.7)
+      expect(to.y + place.y).toBeGreaterThan(seen.y + half * 0.7)
+      expect(to.y + place.y).toBeLessThan(seen.y + seen.height - half * 0.7)
+    }
+  }
+})
+
+test('in the middle it stays at its robot, and so it does where the robot is out of sight', () => {
+  const seen = { x: 0, y: 0, width: 800, height: 800 }
+  for (const at of [
+    { x: 400, y: 400 },
+    { x: -30, y: 400 },
+  ])
+    expect(fanInSight(fan, 2, { at, turn: 30, seen })).toEqual(at)
 })
 
 test('the picture of all fields leaves none of them out', () => {

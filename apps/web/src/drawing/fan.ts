@@ -1,6 +1,6 @@
 import { actionFill, actionSign, type Wheels } from './action-signs.ts'
 import type { Command, Group } from './commands.ts'
-import type { Point, Size } from './points.ts'
+import { clamp, turned, type Point, type Size } from './points.ts'
 
 // What a robot would do in each case, as fields before it: no map, but how near to each eye something is.
 
@@ -49,6 +49,70 @@ export function drawFanNow(fan: Fan, scale: number, room = Infinity): readonly C
   const at = middleOf(fan)(...fan.now, side, before * scale)
   return [square(at, side, hasTwo(fan), { stroke: active, lineWidth: 5 })]
 }
+
+/** Corners of all fields, in px about the middle of the robot, which looks up. */
+function cornersOf(fan: Fan, scale: number, room: number): readonly Point[] {
+  const side = fieldSide(fan, scale, room)
+  const half = side / (hasTwo(fan) ? Math.SQRT2 : 2)
+  const around = hasTwo(fan) ? onPoint : flat
+  return fan.fields.flatMap((row, left) =>
+    row.flatMap((_, right) => {
+      const { x, y } = middleOf(fan)(left, right, side, before * scale)
+      return around.map(([across, up]) => ({ x: x + across * half, y: y + up * half }))
+    }),
+  )
+}
+
+const flat = [
+  [-1, -1],
+  [1, -1],
+  [1, 1],
+  [-1, 1],
+] as const
+const onPoint = [
+  [0, -1],
+  [1, 0],
+  [0, 1],
+  [-1, 0],
+] as const
+
+/** Px to the edge of what is seen: the lines of the fields. */
+const edge = 4
+
+/**
+ * Where a fan has to be drawn so that none of its fields is out of sight: about its robot at `at`, or as little beside that as
+ * will do. A robot that is itself out of sight takes it along.
+ * @param turn of the robot, degrees clockwise from up
+ * @param seen what is seen, in the px of `at`
+ */
+export function fanInSight(
+  fan: Fan,
+  scale: number,
+  { at, turn, seen }: { readonly at: Point; readonly turn: number; readonly seen: Size & Point },
+): Point {
+  const corners = cornersOf(fan, scale, roomIn(seen)).map((corner) => turned(corner, turn))
+  const [right, bottom] = [seen.x + seen.width, seen.y + seen.height]
+  if (at.x < seen.x || at.y < seen.y || at.x > right || at.y > bottom) return at
+  const within = (place: number, ends: readonly number[], from: number, to: number) =>
+    clamp(place, from + edge - Math.min(...ends), to - edge - Math.max(...ends))
+  return {
+    x: within(
+      at.x,
+      corners.map(({ x }) => x),
+      seen.x,
+      right,
+    ),
+    y: within(
+      at.y,
+      corners.map(({ y }) => y),
+      seen.y,
+      bottom,
+    ),
+  }
+}
+
+/** From the middle of what is seen to its nearest edge: a fan is no longer, where it can be read so. */
+export const roomIn = ({ width, height }: Size): number => Math.min(width, height) / 2
 
 /** What the fields cover, with their lines. */
 function boxOf({ fields }: Fan, side: number, off: number): Size & Point {

@@ -1,16 +1,16 @@
 import { untrack } from 'svelte'
 import { prefersReducedMotion } from 'svelte/motion'
 import type { TryView } from '@botgarten/lab/trying'
-import { drawCoin } from '#drawing/coin.ts'
+import { coinFor, drawCoin } from '#drawing/coin.ts'
 import type { Command, Group } from '#drawing/commands.ts'
-import { drawFan, drawFanNow, type Fan } from '#drawing/fan.ts'
-import type { Point } from '#drawing/points.ts'
+import { drawFan, drawFanNow, fanInSight, roomIn, type Fan } from '#drawing/fan.ts'
+import type { Point, Size } from '#drawing/points.ts'
 import type { LabSession } from '#lab/session.svelte.ts'
+import { language } from '#words/language.svelte.ts'
 import { edgeAt, type EdgeField, type Edges } from './model/edges.ts'
 import { Night, type SetFields } from './model/night.svelte.ts'
 import { cellAt, fanOf, keepRows, rowsOf, type Row } from './model/table.ts'
 import Choice from './view/Choice.svelte'
-import { fixed } from './view/messages.ts'
 import Over from './view/Over.svelte'
 import Pane from './view/Pane.svelte'
 
@@ -131,12 +131,13 @@ export class Senses {
   readonly fans = $derived.by(() => this.#fan !== null)
   #drawn: { readonly key: string; readonly fields: Group } | null = null
 
-  /** Under the robot. The same picture as long as nothing else is known: it is only moved. Px; `room`: to the edge of what is seen */
-  under(at: Point, heading: number, scale: number, room: number): readonly Command[] {
+  /** Under the robot. The same picture as long as nothing else is known: it is only moved. Px. */
+  under(at: Point, heading: number, scale: number, seen: Size & Point): readonly Command[] {
     const fan = this.#fan
     if (!fan) return []
+    const [room, turn] = [roomIn(seen), 90 - heading]
     const shapes = [this.#fields(fan, scale, room), ...drawFanNow(fan, scale, room)]
-    return [{ kind: 'group', ...at, turn: 90 - heading, shapes }]
+    return [{ kind: 'group', ...fanInSight(fan, scale, { at, turn, seen }), turn, shapes }]
   }
 
   #fields(fan: Fan, scale: number, room: number): Group {
@@ -147,9 +148,7 @@ export class Senses {
 
   readonly #coin = $derived.by(() => {
     const last = this.#now?.stage === 'trying' ? this.#now.last : null
-    if (!last || Math.abs(last.reward) < 0.05) return null
-    const sign = last.reward > 0 ? '+' : ''
-    return { text: `${sign}${fixed(last.reward, 1)}`, gains: last.reward > 0 }
+    return last && coinFor(last.reward, language.locale)
   })
 
   /** Over the robot: what has just been paid. @param at px */

@@ -50,16 +50,31 @@ test('an edge that is pulled is written once, when the hand lets go, and never p
   expect(written).toHaveLength(1)
 })
 
+const seen = { x: -200, y: -200, width: 400, height: 400 }
+
 test('no fan before anything is learned; then one that is only moved and turned with Bo', () => {
   const { session, senses } = opened()
-  expect(senses.under({ x: 0, y: 0 }, 90, 2, 200)).toEqual([])
+  expect(senses.under({ x: 0, y: 0 }, 90, 2, seen)).toEqual([])
   tries(session, 900)
   const after = new Senses(session, () => {})
-  const [one] = after.under({ x: 10, y: 10 }, 90, 2, 200)
-  const [other] = after.under({ x: 20, y: 10 }, 45, 2, 200)
+  const [one] = after.under({ x: 10, y: 10 }, 90, 2, seen)
+  const [other] = after.under({ x: 20, y: 10 }, 45, 2, seen)
   expect(one).toMatchObject({ kind: 'group', x: 10, turn: 0 })
   expect(other).toMatchObject({ kind: 'group', x: 20, turn: 45 })
   expect((one as { shapes: unknown }).shapes).toEqual((other as { shapes: unknown }).shapes)
+})
+
+test('minutes that a project has saved are drawn again when it is opened', () => {
+  const { card } = content.card('try-dodge')!
+  const { tables, ...program } = content.program('try-dodge', 'solution')!
+  const curve = [
+    { pay: 12.5, bumps: 9 },
+    { pay: 40, bumps: 1 },
+  ]
+  const saved = { ...program, tables: { try: { ...tables!['try']!, curve } } }
+  const text = JSON.stringify(cardProject(content.world(card.world)!, card, saved, 'Mine'))
+  const { session } = sessionOf(parseProject(text), { isCard: false })
+  expect(new Senses(session, () => {}).night.shown.curve).toEqual(curve)
 })
 
 test('the cell of the last move is looked at, with its update, until another one is tapped', () => {

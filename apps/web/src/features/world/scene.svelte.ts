@@ -201,10 +201,10 @@ export class WorldScene {
     const { senses, view, robot } = this.#shown()
     const one = senses && view.robots.find(({ id }) => id === robot)
     if (!one) return []
-    const { scale, pane } = this.#viewport
+    const { scale, seen } = this.#viewport
     const { heading } = one.pose
     if (where === 'over') return senses.over(this.#at(one.pose), heading, scale)
-    return senses.under(this.#at(one.pose), heading, scale, Math.min(pane.width, pane.height) / 2)
+    return senses.under(this.#at(one.pose), heading, scale, seen)
   }
 
   readonly shapes = $derived.by(() => [

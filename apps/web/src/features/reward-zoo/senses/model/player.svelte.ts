@@ -1,4 +1,5 @@
 import type { Watched } from '@botgarten/lab/trying'
+import type { Pose } from '@botgarten/simulation'
 
 /** Poses a second: three times as fast as Bo drives. */
 const pace = 60
@@ -22,8 +23,13 @@ export class Player {
     return this.#drive
   }
   /** Where it has been so far; empty before anything is shown. */
-  get trail(): Watched {
-    return this.#drives[this.#drive]?.slice(0, Math.floor(this.#at) + 1) ?? []
+  get trail(): readonly Pose[] {
+    return this.#drives[this.#drive]?.poses.slice(0, Math.floor(this.#at) + 1) ?? []
+  }
+  /** Coins of the move that was over last; null before the first one. */
+  get paid(): number | null {
+    const drive = this.#drives[this.#drive]
+    return drive?.coins[Math.floor(this.#at / drive.posesAMove) - 1] ?? null
   }
 
   show(drives: readonly Watched[]): void {
@@ -44,7 +50,7 @@ export class Player {
   }
 
   #tick = (now: number): void => {
-    const poses = this.#drives[this.#drive]!
+    const { poses } = this.#drives[this.#drive]!
     const passed = Math.min(latest, Math.max(0, now - this.#before))
     this.#before = now
     this.#at = Math.min(poses.length - 1, this.#at + (passed * pace) / 1000)
