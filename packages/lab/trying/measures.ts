@@ -7,7 +7,7 @@ export const measures = ['cm', 'tiles', 'touching', 'bumps', 'free', 'near', 'li
  * - `bumps`, `free`, `near`, `line`: moves a minute in which it touched, came free, was near a thing, came onto black
  * - `ended`: starts from which a bump ended the try
  */
-export type Measure = (typeof measures)[number]
+type Measure = (typeof measures)[number]
 
 /** Numbers of a behaviour, rounded to tenths. */
 export type Measures = { readonly [name in Measure]: number }
