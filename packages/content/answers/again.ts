@@ -17,8 +17,8 @@ import type { CardProgram } from '../schema/cardTypes.ts'
 /** The brain of a program after it has practised its own examples again. @throws TypeError for one that has not practised */
 export function practisedAgain(program: CardProgram, config: RobotConfig, seed?: number): Brain {
   const network = Object.values(program.programs).flatMap(networks)[0]
-  const brain = network && program.brains[network.id]
-  if (!brain?.practice || !brain.examples) throw new TypeError('Its network has not practised.')
+  const brain = program.brains[network?.id ?? '']
+  if (!network || !brain?.practice || !brain.examples) throw new TypeError('Its network has not practised.')
   const choice = practiceChoice(brain)
   const { keepBack, from, mirror } = choice.settings
   const lesson = beginLesson(

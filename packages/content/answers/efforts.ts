@@ -34,7 +34,7 @@ function bumpsTried({ course, world, floor }: Ground, racer: Racer): number {
 function bumpsShown({ drives, rows, inputs }: Examples): number {
   const touches = rows.map((row) => {
     const eyes = row.slice(headOfRow, headOfRow + inputs.length)
-    return drives[row[place.drive]!]!.by !== 'hand' && Math.min(...eyes) < atWall
+    return drives[row[place.drive]!]!.by !== 'hand' && eyes.some((read) => read !== null && read < atWall)
   })
   return touches.filter((touch, at) => touch && !touches[at - 1]).length
 }
