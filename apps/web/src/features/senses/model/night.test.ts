@@ -106,7 +106,7 @@ describe('a night', () => {
     night.begin()
     now = 3000
     sleep(nights[1]!.asked, nights[1]!.ears.hear, () => 0)
-    const [{ bumps }] = night.shown.curve as [{ bumps: number }]
+    const { bumps } = night.shown.curve[0]!
     expect(session.project.effort).toMatchObject({ computer: 3, bumps: 3 + bumps })
     vi.restoreAllMocks()
   })
