@@ -5,7 +5,7 @@ import {
   practiceChoice,
   stepSettings,
 } from '@botgarten/learning/neural-network/examples'
-import { practiseFor } from '@botgarten/learning/neural-network/train'
+import { practiseFor, type CurvePoint } from '@botgarten/learning/neural-network/train'
 import { beginNight, ticksOf, type Night } from '@botgarten/lab/trying'
 import { networks, tryingIn } from '@botgarten/programs'
 import { mirrorIn } from '@botgarten/programs/examples'
@@ -14,8 +14,15 @@ import type { CardProgram } from '../schema/cardTypes.ts'
 
 // What content has learned is learned again, from where it began.
 
-/** The brain of a program after it has practised its own examples again. @throws TypeError for one that has not practised */
-export function practisedAgain(program: CardProgram, config: RobotConfig, seed?: number): Brain {
+/**
+ * The brain of a program after it has practised its own examples again, with this seed or its own.
+ * @throws TypeError for one that has not practised
+ */
+export function practisedAgain(
+  program: Pick<CardProgram, 'programs' | 'brains'>,
+  config: RobotConfig,
+  seed?: number,
+): { readonly brain: Brain; readonly curve: readonly CurvePoint[] } {
   const network = Object.values(program.programs).flatMap(networks)[0]
   const brain = program.brains[network?.id ?? '']
   if (!network || !brain?.practice || !brain.examples) throw new TypeError('Its network has not practised.')
@@ -30,7 +37,7 @@ export function practisedAgain(program: CardProgram, config: RobotConfig, seed?:
     stepSettings(choice),
   )
   practiseFor(lesson.practice, lesson.curve, Infinity)
-  return afterLesson(brain, lesson)
+  return { brain: afterLesson(brain, lesson), curve: lesson.curve }
 }
 
 /** What a program has tried, from where the world has its robot. @throws TypeError for one that tries nothing */

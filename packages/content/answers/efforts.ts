@@ -19,8 +19,8 @@ export function effortOf(ground: Ground, kind: LaneKind, racer: Racer, clock: ()
     return { bumps, computer: clock() - began }
   }
   if (kind !== 'examples') return {}
-  const { examples } = practisedAgain(racer, ground.world.robots[0]!.config)
-  return { bumps: bumpsShown(examples!), computer: clock() - began }
+  const { brain } = practisedAgain(racer, ground.world.robots[0]!.config)
+  return { bumps: bumpsShown(brain.examples!), computer: clock() - began }
 }
 
 /** Its tries begin on the first start alone. */

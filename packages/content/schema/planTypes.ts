@@ -27,8 +27,7 @@ export interface PlanStep {
 }
 
 /** What the plan says of a run, which the tests make. */
-export type Claim =
-  DriveClaim | LearnClaim | PractiseClaim | RunClaim | RaceClaim | BrainsClaim | SenseClaim
+export type Claim = DriveClaim | LearnClaim | PractiseClaim | RunClaim | RaceClaim | BrainsClaim | SenseClaim
 
 /** Of those that are about learning by trying with a robot's own sensors. */
 export type SenseClaim = CageClaim | TryClaim | PaidClaim
