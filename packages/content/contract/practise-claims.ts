@@ -1,6 +1,6 @@
 import { brainsFor } from '@botgarten/lab'
 import type { Brain } from '@botgarten/learning/neural-network/brain'
-import type { Examples, PracticeChoice } from '@botgarten/learning/neural-network/examples'
+import type { Examples } from '@botgarten/learning/neural-network/examples'
 import { percentOff, type CurvePoint } from '@botgarten/learning/neural-network/train'
 import { networks } from '@botgarten/programs'
 import { withHidden, type Hidden } from '@botgarten/programs/examples'
@@ -56,7 +56,7 @@ function asked(brain: Brain, { settings = {}, wishes, aside }: Partial<PractiseC
   return {
     ...brain,
     examples: rowsAs(brain.examples!, wishes, aside),
-    practice: { ...practice, seed, settings: { ...before, ...settings } as PracticeChoice['settings'] },
+    practice: { ...practice, seed, settings: { ...before, ...settings } },
   }
 }
 
@@ -73,7 +73,7 @@ function rowsAs(
     const kept = wish ? [...row.slice(0, -wish.length), ...wish] : row
     return aside ? kept.with(switchAt, aside.includes(at + 1) ? 0 : 1) : kept
   })
-  return { ...examples, rows: rows as Examples['rows'] }
+  return { ...examples, rows }
 }
 
 const percent = (loss: number | null) => Math.round(percentOff(loss!))
@@ -88,7 +88,7 @@ const offIn = (curve: readonly CurvePoint[], asked: NonNullable<PractiseClaim['o
       }
       return [round, Object.fromEntries(Object.keys(names).map((name) => [name, found[name as 'test']]))]
     }),
-  ) as NonNullable<PractiseClaim['off']>
+  )
 
 const roundedIn = (brain: Brain, asked: NonNullable<PractiseClaim['weights']>) =>
   mapped(asked, (row, from) =>
