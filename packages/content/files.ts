@@ -1,17 +1,17 @@
 // The catalogue as files, for all that runs in Node: the command line, scripts, tests, benchmarks, the build of the page.
-import { globSync, readFileSync } from 'node:fs'
+import { globSync } from 'node:fs'
 import { join } from 'node:path'
 import type { LaneKind, Racer } from '@botgarten/experiments/brain-race'
 import type { SenseCage } from '@botgarten/experiments/cages'
 import { readMap, type MapFile } from '@botgarten/maps'
 import type { Project } from '@botgarten/programs'
-import { paintFloor, type Floor, type World } from '@botgarten/simulation'
-import { readPng } from '@botgarten/simulation/png'
+import type { Floor, World } from '@botgarten/simulation'
 import type { Answers } from './answers/index.ts'
 import type { Catalogue } from './catalogue.ts'
 import { cardsIn } from './files/cards.ts'
 import { coursesIn } from './files/courses.ts'
-import { folderAt, idOf, named, once } from './files/folder.ts'
+import { floorsIn } from './files/floors.ts'
+import { each, folderAt, idOf, named, once } from './files/folder.ts'
 import { itemsIn } from './files/items.ts'
 import { questionnairesIn } from './files/questionnaires.ts'
 import { sensesIn } from './files/senses.ts'
@@ -71,25 +71,15 @@ export function contentIn(root: string): ContentFiles {
   const questionnaires = questionnairesIn(folder)
   const maps = once(() => folder.foldersWith('maps/*/map.svg').map(idOf))
   const map = (id: string) => (maps().includes(id) ? folder.text('maps', id, 'map.svg') : null)
-  const mapFile = (id: string) => {
+  const mapFile = each((id) => {
     const svg = map(id)
     return svg === null ? null : readMap(svg).map
-  }
+  })
   const stations = once(() =>
     Object.fromEntries(maps().map((id) => [id, mapFile(id)?.map.actions.length ?? 0])),
   )
   const setFolders = once(() => folder.foldersWith('things/*/things.json'))
   const sets = once(() => setFolders().map((one) => named(one, readThings(folder.json(one, 'things.json')))))
-
-  function floorOf(world: World, assets: Project['assets'] = {}): Floor {
-    if (!('asset' in world.floor)) return paintFloor(world)
-    const { asset } = world.floor
-    // Only names that the product ships: a project file must not read other files of this machine.
-    const shipped = /^content:(worlds\/[a-z0-9-]+\/floor\.png)$/.exec(asset)?.[1]
-    if (shipped) return paintFloor(world, readPng(readFileSync(folder.path(shipped))))
-    const own = Object.hasOwn(assets, asset) ? assets[asset] : undefined
-    return paintFloor(world, own && readPng(Buffer.from(own.base64, 'base64')))
-  }
 
   return {
     get languages() {
@@ -137,16 +127,17 @@ export function contentIn(root: string): ContentFiles {
     get questions() {
       return items.questions()
     },
-    ...{ map, mapFile, floorOf, path: folder.path, cardFolder: cards.folderOf },
+    ...{ map, mapFile, floorOf: floorsIn(folder), path: folder.path, cardFolder: cards.folderOf },
     ...{ card: cards.card, program: cards.program, world: cards.world },
     racer: courses.racer,
     ...{ pictureOfCard: cards.pictureOfCard, mapOfCage: zoo.mapOf },
     ...{ senseCage: senses.cage, pictureOfSenseCage: senses.pictureOf },
     pictureOfTopic: questionnaires.pictureOfTopic,
-    filesBelow: () =>
+    filesBelow: once(() =>
       globSync('{cards,courses,free-lab,maps,materials,questionnaires,senses,things,worlds,zoo}/**/*.*', {
         cwd: root,
       }).map((file) => folder.path(file)),
+    ),
     ...{
       freeLab: cards.freeLab,
       goals: cards.goals,

@@ -213,8 +213,12 @@ function shownPrograms(content: ContentFiles) {
 /** `content:card/friendship`: the part `card`, of `friendship`. */
 const ours = new RegExp(`${prefix}(${Object.keys(modules).join('|')})(?:/([\\w-]+))?$`)
 
+/** What was read last; a change of any file is a catalogue of its own. */
+let latest: ContentFiles | null = null
+const forget = () => void (latest = null)
+
 function moduleFor(context: Rolldown.PluginContext, id: string) {
-  const content = contentIn(root)
+  const content = (latest ??= contentIn(root))
   const [, part = '', of = ''] = ours.exec(id) ?? []
   for (const file of content.filesBelow()) context.addWatchFile(file)
   return { code: modules[part]!(content, of), map: null, moduleType: 'js' as const }
@@ -224,7 +228,9 @@ function moduleFor(context: Rolldown.PluginContext, id: string) {
 function refresh({ watcher, environments }: ViteDevServer) {
   watcher.add(root)
   watcher.on('all', (_, file) => {
-    if (!file.startsWith(root) || file.startsWith(join(root, 'words'))) return
+    if (!file.startsWith(root)) return
+    forget()
+    if (file.startsWith(join(root, 'words'))) return
     for (const { moduleGraph, hot } of Object.values(environments)) {
       for (const [id, module] of moduleGraph.idToModuleMap)
         if (id.startsWith(`\0${prefix}`)) moduleGraph.invalidateModule(module)
@@ -250,6 +256,8 @@ async function pixelsModule(context: Rolldown.PluginContext, id: string) {
 export const contentPlugin: Plugin = {
   name: 'botgarten-content',
   enforce: 'pre',
+  buildStart: forget,
+  watchChange: forget,
   configureServer(server) {
     refresh(server)
     server.middlewares.use(whileDeveloping, (request, response) => {

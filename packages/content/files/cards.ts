@@ -5,7 +5,7 @@ import { newBlocks } from '../items/newBlocks.ts'
 import { readBed, readCard } from '../schema/card.ts'
 import { readCardText, titleOf } from '../schema/cardText.ts'
 import type { Card, CardProgram, WorldFile } from '../schema/cardTypes.ts'
-import { idOf, named, once, type Folder } from './folder.ts'
+import { each, idOf, named, once, type Folder } from './folder.ts'
 
 /** Worlds, and the cards that are played in them. */
 export function cardsIn(content: Folder) {
@@ -28,6 +28,7 @@ export function cardsIn(content: Folder) {
   }
   const cardIn = (folder: string): Card => named(folder, readCard(content.json(folder, 'card.json')))
 
+  const textIn = each((folder) => content.translated(folder, readCardText))
   const bedIn = (folder: string) => readBed(basename(dirname(folder)))
 
   function headIn(folder: string): CardHead {
@@ -51,7 +52,7 @@ export function cardsIn(content: Folder) {
       bed: bedIn(folder),
       world: worldNamed(card.world),
       start: content.json(folder, 'start.json') as CardProgram,
-      text: content.translated(folder, readCardText),
+      text: textIn(folder),
     }
   }
 

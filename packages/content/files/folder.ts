@@ -36,6 +36,15 @@ export function once<Value>(make: () => Value): () => Value {
   return () => (made ??= { value: make() }).value
 }
 
+/** Makes each when it is first asked for by its name. */
+export function each<Value>(make: (name: string) => Value): (name: string) => Value {
+  const made = new Map<string, Value>()
+  return (name) => {
+    if (!made.has(name)) made.set(name, make(name))
+    return made.get(name)!
+  }
+}
+
 export function folderAt(root: string): Folder {
   const path = (...below: string[]) => join(root, ...below)
   const has = (...below: string[]) => existsSync(path(...below))

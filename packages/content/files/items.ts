@@ -6,7 +6,7 @@ import type { ItemNode, ItemText } from '../schema/itemTypes.ts'
 import { readQuestion, readQuestionText } from '../schema/question.ts'
 import type { Question } from '../schema/questionTypes.ts'
 import { readPacks, readSynonyms } from '../schema/packs.ts'
-import { named, numberOf, once, type Folder } from './folder.ts'
+import { each, named, numberOf, once, type Folder } from './folder.ts'
 
 /** Learning materials and the questions about what Bo will do. */
 export function itemsIn(content: Folder) {
@@ -31,7 +31,7 @@ export function itemsIn(content: Folder) {
   const textIn = (folder: string, language: string) =>
     content.text(folder, `${content.has(folder, `${language}.md`) ? language : 'en'}.md`)
 
-  const itemTexts = (language: string): ItemTexts => ({
+  const itemTexts = each((language): ItemTexts => ({
     items: Object.fromEntries(
       items().map(([folder, { kind, id }]) => [
         `${kind}/${id}`,
@@ -42,7 +42,7 @@ export function itemsIn(content: Folder) {
     questions: Object.fromEntries(
       questions().map(([folder, { id }]) => [id, readQuestionText(textIn(folder, language))]),
     ),
-  })
+  }))
 
   return {
     ...{ itemTexts, folderOf },

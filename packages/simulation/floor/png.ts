@@ -105,6 +105,8 @@ function joined(chunks: readonly Chunk[]): Uint8Array {
 
 function toRgb(image: DecodedPng): Uint8Array {
   const { data, channels } = unpacked(image)
+  // As most are: a million points are as they should be.
+  if (channels === 3) return data
   const rgb = new Uint8Array(image.width * image.height * 3)
   const isGrey = channels < 3
   const hasAlpha = channels === 2 || channels === 4
