@@ -19,7 +19,7 @@ export const filesOfScreens = (folder = wordsFolder): readonly string[] =>
  * `content:words`: the languages and the files of messages, each as a module of its own, `content:words/de/app`. A module
  * holds every message of its file: what the language lacks it says in the language that it falls back to.
  */
-const tables = (folder: string): Plugin => ({
+const tables = (folder: string, together = false): Plugin => ({
   name: 'words',
   enforce: 'pre',
   resolveId: { filter: { id: /^content:words(\/|$)/ }, handler: (id) => `\0${id}` },
@@ -27,13 +27,9 @@ const tables = (folder: string): Plugin => ({
     filter: { id: /^\0content:words(\/|$)/ },
     async handler(id) {
       const [language, file] = id.split('/').slice(1)
-      if (!language || !file) return { code: indexOf(folder), map: null, moduleType: 'js' }
+      if (!language || !file) return { code: await indexOf(folder, together), map: null, moduleType: 'js' }
       for (const language of languagesIn(folder)) this.addWatchFile(join(folder, language, `${file}.json`))
-      const words = await (file === ofBlockly
-        ? wordsOfBlockly(folder, language)
-        : tableOf(file, language, folder))
-      // A string is read faster than an object of code.
-      const code = `export default JSON.parse(${JSON.stringify(JSON.stringify(words))})`
+      const code = `export default ${await wordsAsCode(folder, language, file)}`
       return { code, map: null, moduleType: 'js' }
     },
   },
@@ -54,12 +50,31 @@ export function chunkOfWords(id: string): string | null {
 /** What a language is called in itself. A browser would take some milliseconds of every start to say it. */
 const nameOf = (language: string) => new Intl.DisplayNames([language], { type: 'language' }).of(language)
 
-function indexOf(folder: string): string {
+/** A string is read faster than an object of code. */
+async function wordsAsCode(folder: string, language: string, file: string): Promise<string> {
+  const words = await (file === ofBlockly
+    ? wordsOfBlockly(folder, language)
+    : tableOf(file, language, folder))
+  return `JSON.parse(${JSON.stringify(JSON.stringify(words))})`
+}
+
+/** How a file of words is asked for: as a module of its own, or at once, beside all others. */
+const loadOf = async (folder: string, language: string, file: string, together: boolean): Promise<string> =>
+  together
+    ? `async () => ({ default: ${await wordsAsCode(folder, language, file)} })`
+    : `() => import("content:words/${language}/${file}")`
+
+async function indexOf(folder: string, together: boolean): Promise<string> {
   const languages = languagesIn(folder)
   const files = [...filesOfScreens(folder), ofBlockly]
-  const loads = (language: string) =>
-    files.map((file) => `${JSON.stringify(file)}: () => import("content:words/${language}/${file}")`)
-  const tables = languages.map((language) => `${JSON.stringify(language)}: { ${loads(language).join(', ')} }`)
+  const tables = await Promise.all(
+    languages.map(async (language) => {
+      const loads = files.map(
+        async (file) => `${JSON.stringify(file)}: ${await loadOf(folder, language, file, together)}`,
+      )
+      return `${JSON.stringify(language)}: { ${(await Promise.all(loads)).join(', ')} }`
+    }),
+  )
   const names = Object.fromEntries(languages.map((language) => [language, nameOf(language)]))
   return `export const languages = ${JSON.stringify(languages)}
 export const names = ${JSON.stringify(names)}
@@ -94,6 +109,7 @@ function comingWithBlockly(language: string): { readonly [key: string]: string }
 }
 
 /** The words of a folder such as `content/words`, as the screens ask for them. */
-export const wordsFrom = tables
+export const wordsFrom = (folder: string): Plugin => tables(folder)
 
-export const words = wordsFrom(wordsFolder)
+// A file of tests says all words from its start: a hundred modules would be a hundred questions to another process.
+export const words = tables(wordsFolder, process.env['VITEST'] !== undefined)
