@@ -76,7 +76,7 @@ for (const language of languagesOf(import.meta.filename)) {
       await expect(count).toHaveText(told(offered))
       await expect(page.getByRole('searchbox')).toBeFocused()
       await page.goto('/materials?module=3&kind=slides')
-      await expect(page.locator('.library li')).toHaveCount(1)
+      await expect(page.locator('.library li')).toHaveCount(3)
       expect(await page.locator('.library input:checked').count()).toBe(3)
     })
 

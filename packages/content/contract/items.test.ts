@@ -147,17 +147,25 @@ describe('the printed set', () => {
 })
 
 describe('slides', () => {
-  const decks = content.items.filter(({ kind }) => kind === 'slides')
+  const all = content.items.filter(({ kind }) => kind === 'slides')
+  /** A deck of one lesson is called after it: `slides-four-brains` of `lesson-four-brains`. */
+  const isOfLesson = ({ id }: Item) => id.startsWith('slides-')
+  const decks = all.map((item) => ({ ...item, slides: isOfLesson(item) ? [5, 8] : [12, 18] }))
 
   it('are four decks, one a module', () => {
-    expect(decks.map(({ module }) => module)).toEqual([1, 2, 3, 4])
+    expect(all.filter((item) => !isOfLesson(item)).map(({ module }) => module)).toEqual([1, 2, 3, 4])
   })
 
-  it.each(decks)('$id: 12 to 18 slides, each with notes, and something to work with', ({ id }) => {
+  it.each(all.filter(isOfLesson))('$id is named in the plan of its lesson', ({ id }) => {
+    const prepared = [...nodesOf(itemText(id.replace('slides-', 'lesson-'), 'en'))]
+    expect(prepared.map((node) => node.type === 'link' && node.href)).toContain(`item:${id}`)
+  })
+
+  it.each(decks)('$id: $slides.0 to $slides.1 slides, each with notes', ({ id, slides: [least, most] }) => {
     for (const language of languages) {
       const { sections } = itemText(id, language)
-      expect(sections.length).toBeGreaterThanOrEqual(12)
-      expect(sections.length).toBeLessThanOrEqual(18)
+      expect(sections.length).toBeGreaterThanOrEqual(least!)
+      expect(sections.length).toBeLessThanOrEqual(most!)
       expect(sections.filter(({ notes }) => notes.length === 0).map(({ title }) => title)).toEqual([])
     }
   })

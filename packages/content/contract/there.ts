@@ -44,6 +44,8 @@ export const there = (): Nameable => ({
   worlds: new Set(content.worlds),
   sets: new Set(content.sets.map(({ id }) => id)),
   blocks: new Set(Object.keys(definitions)),
+  courses: new Set(content.courses.map(({ id }) => id)),
+  cages: new Set(content.senseCages.map(({ cage }) => cage.id)),
   questions: new Map(
     [...Map.groupBy(content.questions, ({ module }: Question) => module)].map(([module, all]) => [
       module,

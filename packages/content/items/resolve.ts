@@ -12,6 +12,9 @@ export interface Nameable {
   readonly worlds: ReadonlySet<string>
   readonly sets: ReadonlySet<string>
   readonly blocks: ReadonlySet<string>
+  readonly courses: ReadonlySet<string>
+  /** Cages of the zoo of sensors. */
+  readonly cages: ReadonlySet<string>
   /** Questions of each module. */
   readonly questions: ReadonlyMap<number, ReadonlySet<string>>
 }
@@ -68,6 +71,12 @@ function missing(embed: Embed, nameable: Nameable): readonly string[] {
     case 'sort':
     case 'things':
       return unless(nameable.sets.has(embed.set), `There is no set "${embed.set}".`)
+    case 'race':
+      return unless(nameable.courses.has(embed.course), `There is no course "${embed.course}".`)
+    case 'senses':
+      return (embed.only ?? []).flatMap((one) =>
+        unless(nameable.cages.has(one), `There is no cage "${one}".`),
+      )
     case 'block':
       return unless(nameable.blocks.has(embed.type), `There is no block "${embed.type}".`)
     case 'qr':

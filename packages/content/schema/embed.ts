@@ -81,8 +81,13 @@ const embed = v.variant('kind', [
   v.strictObject({ kind: v.literal('alignment') }),
   /** All cages of the zoo as a table: to be filled in, or with what value iteration says of each. */
   v.strictObject({ kind: v.literal('cages'), filled: v.optional(v.picklist(['yes', 'no']), 'no') }),
-  /** Cages of the zoo of sensors: a table to be filled in, its answers, a poster of the animals, or its back. */
-  v.strictObject({ kind: v.literal('senses'), show: v.picklist(['sheet', 'answers', 'poster', 'back']) }),
+  /** Cages of the zoo of sensors: a table to be filled in, its answers, a poster of the animals (all, or those of `only`), or its back. */
+  v.strictObject({
+    ...{ kind: v.literal('senses'), show: v.picklist(['sheet', 'answers', 'poster', 'back']) },
+    only: v.optional(ids),
+  }),
+  /** The race of brains on a course, to be worked with. On paper: the course. */
+  v.strictObject({ kind: v.literal('race'), course: id }),
   /** What others made and materials lead to, with its licence and where that was looked up. */
   v.strictObject({ kind: v.literal('references') }),
 ])

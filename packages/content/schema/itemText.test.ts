@@ -50,6 +50,8 @@ const there: Nameable = {
   worlds: new Set(['rally']),
   sets: new Set(['vessels']),
   blocks: new Set(['ai_neural_network']),
+  courses: new Set(['garden']),
+  cages: new Set(['spinner']),
   questions: new Map([[2, new Set(['all-zero'])]]),
 }
 
