@@ -11,3 +11,6 @@ export const toClass = (id: string, view: View = 'live') =>
   resolve(`/teacher?class=${encodeURIComponent(id)}&view=${view}`)
 
 export const toProjector = (id: string) => resolve(`/teacher/projector?class=${encodeURIComponent(id)}`)
+
+/** The race of four brains with those that the class has shared. */
+export const toBrainRace = (id: string) => resolve(`/race?brains=garden&class=${encodeURIComponent(id)}`)

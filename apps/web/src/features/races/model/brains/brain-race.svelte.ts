@@ -18,7 +18,7 @@ type Question = (typeof questions)[number]
 /** Which brains race, and the race that was run last. */
 export class BrainRace {
   readonly open: OpenCourse
-  /** Ids of projects of this device; '' for the brain of the course. */
+  /** Ids of projects of this device or of the class, whose best liked ones come first; '' for the brain of the course. */
   chosen = $state<{ readonly [kind in LaneKind]: string }>({ hand: '', examples: '', trying: '', ifThen: '' })
   /** 0..1 while it runs, else null. */
   share = $state<number | null>(null)
@@ -34,7 +34,8 @@ export class BrainRace {
 
   constructor(open: OpenCourse) {
     this.open = open
-    const { mine } = open
+    const { mine, own } = open
+    for (const kind of laneKinds) this.choose(kind, own[kind].find(({ by }) => by !== undefined)?.id ?? '')
     if (mine?.kind) this.choose(mine.kind, mine.id)
     this.playback.speed = 1
   }

@@ -4,21 +4,27 @@ import { networks, tryingIn, type Project, type Raced } from '@botgarten/program
 import { loadWorld, placeOf } from '#content/cards.ts'
 import { shownName } from '#content/names.ts'
 import { Floors } from '#lab/floor/floors.ts'
+import { askAs } from '#storage/ask.ts'
 import { list, open as openProject, save } from '#storage/projects.ts'
+import { sharedIn } from './shared.ts'
 
-/** A course that is open: where it is, its own brains, and those of this device. */
+/** A course that is open: where it is, its own brains, and those of this device and of a class. */
 export interface OpenCourse {
   readonly ground: Ground
   readonly given: { readonly [kind in LaneKind]: Racer | null }
   readonly own: { readonly [kind in LaneKind]: readonly OwnBrain[] }
   /** The project that a child has come with; null: none, or this device has it no longer. */
   readonly mine: Mine | null
+  /** The class whose shared brains are among those of `own`; null: none was asked for. */
+  readonly school: School | null
 }
 
-/** A project of this device that can drive in a lane. */
+/** A project of this device, or one that a class has shared, that can drive in a lane. */
 interface OwnBrain {
   readonly id: string
   readonly name: string
+  /** Who has shared it; undefined: it is of this device. */
+  readonly by?: string
   readonly racer: Racer
 }
 
@@ -30,22 +36,43 @@ interface Mine {
   readonly card: string
 }
 
+interface School {
+  readonly id: string
+  /** How many brains it has shared; null: they cannot be had. */
+  readonly shared: number | null
+}
+
 /** Ids of all courses, with the world of each. */
 export const allCourses = courses.map(({ course: { id, world } }) => ({ id, world }))
 
-/** @param project id of the one that a child has come with. Null where there is no such course. */
-export async function openCourse(id: string, project: string | null = null): Promise<OpenCourse | null> {
+/**
+ * @param project id of the one that a child has come with
+ * @param school id of the class whose shared brains may race
+ * @returns null where there is no such course
+ */
+export async function openCourse(
+  id: string,
+  project: string | null = null,
+  school: string | null = null,
+  ask = askAs(null),
+): Promise<OpenCourse | null> {
   const found = courses.find(({ course }) => course.id === id)
   if (!found) return null
   const { course, racers } = found
-  const [world, { projects }] = await Promise.all([loadWorld(course.world), list()])
+  const [world, { projects }, shared] = await Promise.all([
+    loadWorld(course.world),
+    list(),
+    school === null ? [] : sharedIn(school, ask),
+  ])
   const floors = new Floors()
   await floors.load(world, {})
-  const brains = projects.map((one) => ({ ...one, kind: kindOf(one.project), name: shownName(one) }))
-  const ownFor = (kind: LaneKind) =>
+  const ofDevice = projects.map((one) => ({ id: one.id, project: one.project, name: shownName(one) }))
+  const ofClass = (shared ?? []).map(({ title: name, ...one }) => ({ ...one, name }))
+  const brains = [...ofClass, ...ofDevice].map((one) => ({ ...one, kind: kindOf(one.project) }))
+  const ownFor = (kind: LaneKind): readonly OwnBrain[] =>
     brains
       .filter((one) => one.kind === kind)
-      .map((one) => ({ id: one.id, name: one.name, racer: racerOf(one.project) }))
+      .map(({ kind: _, project: of, ...one }) => ({ ...one, racer: racerOf(of) }))
   const mine = brains.find((one) => one.id === project)
   return {
     ground: { course, world, floor: floors.paint(world) },
@@ -57,6 +84,7 @@ export async function openCourse(id: string, project: string | null = null): Pro
       ifThen: ownFor('ifThen'),
     },
     mine: mine ? { id: mine.id, kind: mine.kind, card: placeOf(mine.project) } : null,
+    school: school === null ? null : { id: school, shared: shared && ofClass.length },
   }
 }
 
