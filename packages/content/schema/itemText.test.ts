@@ -144,6 +144,8 @@ describe('what an item names and is not there', () => {
     ['::world{id=moon}', 'There is no world "moon".'],
     ['::sort{set=spoons}', 'There is no set "spoons".'],
     ['::block{type=fly}', 'There is no block "fly".'],
+    ['::race{course=moon}', 'There is no course "moon".'],
+    ['::senses{show=poster only=spinner,unicorn}', 'There is no cage "unicorn".'],
     ['::questions{module=3}', 'Module 3 has no questions.'],
     ['::questions{module=2 only=all-zero,nobody}', 'Module 2 has no question "nobody".'],
     ['::qr{to=card:friends}', 'There is no card "friends".'],
