@@ -1,6 +1,6 @@
 import { readItemText } from '@botgarten/content/items'
 import { expect, test } from 'vitest'
-import { sidesOf, isWords, leavesOf } from './sides.ts'
+import { headingOf, sidesOf, isWords, leavesOf, taskOf } from './sides.ts'
 
 const kinds = (markdown: string) =>
   sidesOf(readItemText(markdown)).map((side) => side.map(({ type }) => type).join(' '))
@@ -38,4 +38,11 @@ test('a slide of paragraphs and lists is words alone; one with a picture or a dr
     ['Picture', false],
     ['Net', false],
   ])
+})
+
+test('a heading says which task it is, where it begins with a number', () => {
+  const tasks = ['2 Find your knobs', '3', '1.1 What is clever?', 'What do you think?'].map((title) =>
+    taskOf(headingOf(title)),
+  )
+  expect(tasks).toEqual([{ number: '2', rest: 'Find your knobs' }, { number: '3', rest: '' }, null, null])
 })

@@ -35,6 +35,14 @@ const slidesOf = ({ title, lead, sections }: ItemText): readonly Leaf[] => [
 export const leavesOf = (text: ItemText, paper: string): readonly Leaf[] =>
   paper === '16:9' ? slidesOf(text) : sidesOf(text).map((nodes) => ({ title: null, nodes }))
 
+/** A heading that begins with the number of a task, as “2 Find your knobs”, or is one alone. Null: it does not. */
+export function taskOf(node: ItemNode): { readonly number: string; readonly rest: string } | null {
+  if (node.type !== 'heading' || node.children.length !== 1) return null
+  const [text] = node.children
+  const found = text?.type === 'text' && /^(\d)(?: (.+))?$/.exec(text.value)
+  return found ? { number: found[1]!, rest: found[2] ?? '' } : null
+}
+
 /** A paragraph or a list without a picture. */
 export const isWords = (node: ItemNode): boolean =>
   node.type === 'list' || (node.type === 'paragraph' && node.children.every(({ type }) => type !== 'image'))

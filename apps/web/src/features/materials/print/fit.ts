@@ -1,4 +1,6 @@
 import './paper.css'
+import './sheets.css'
+import './answers.css'
 import './cards.css'
 import './by-hand.css'
 
