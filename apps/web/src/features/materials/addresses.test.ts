@@ -1,6 +1,6 @@
 import { expect, test } from 'vitest'
 import { allItems, cardItem, itemNamed } from './library.ts'
-import { onPaper, questionsOf, solutionsOf } from './addresses.ts'
+import { numberedName, onPaper, questionsOf, solutionsOf } from './addresses.ts'
 
 test('each item has a way to paper', () => {
   for (const item of allItems) expect(onPaper(item)).toMatch(/\/materials\/[a-z]+\/[a-z0-9-]+\?paper=a4$/)
@@ -35,4 +35,10 @@ test.each([
 
 test('what is no card is no item', () => {
   expect(cardItem('no-such-card')).toBeUndefined()
+})
+
+test('what a link leads to is named on paper without saying its number or its name twice', () => {
+  expect(numberedName('item:pair-roles', 'Hand and Eye')).toBe('0.2')
+  expect(numberedName('item:pair-roles', '0.2')).toBe('Hand and Eye')
+  expect(numberedName('item:pair-roles', 'the two roles')).toBe('0.2: Hand and Eye')
 })

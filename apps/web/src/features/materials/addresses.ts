@@ -24,7 +24,7 @@ export function nameOfTarget(target: string): string {
 
 /**
  * What somebody looks for who has only paper: `Folien 1: Wie lernt dein Roboter?`, `NN 5: Freundschaft`.
- * Where the words of the link already end with the number, the name is enough; where they are the name, its number is.
+ * Where the words of the link already are or end with the number, the name is enough; where they are the name, its number is.
  */
 export function numberedName(target: string, words = ''): string {
   const [kind, id] = target.split(':') as [string, string]
@@ -35,7 +35,7 @@ export function numberedName(target: string, words = ''): string {
     ? (codeOfAll(item) ??
       m['materials.kindAndNumber']({ kind: message(`materials.kind.${item.kind}`), number: item.number }))
     : allCards.find((card) => card.id === id)?.code
-  if (number === undefined) return name
+  if (number === undefined || words.trim() === number) return name
   return words.trim() === name ? number : m['materials.numberedName']({ number, name })
 }
 
