@@ -38,7 +38,7 @@ test('what is no card is no item', () => {
 })
 
 test('what a link leads to is named on paper without saying its number or its name twice', () => {
-  expect(numberedName('item:pair-roles', 'Hand and Eye')).toBe('0.2')
-  expect(numberedName('item:pair-roles', '0.2')).toBe('Hand and Eye')
-  expect(numberedName('item:pair-roles', 'the two roles')).toBe('0.2: Hand and Eye')
+  const name = numberedName('card:friendship', 'NN 5')
+  expect(numberedName('card:friendship', name)).toBe('NN 5')
+  expect(numberedName('card:friendship', 'this card')).toBe(`NN 5: ${name}`)
 })
