@@ -93,19 +93,26 @@ export async function classOfTest(
   const server = await serverWithData(publicAddress)
   const teacher = new Asker(server.url)
   const token = await server.classServer.firstTeacher()
-  const done = async (method: string, path: string, body?: unknown) => {
-    const answer = await teacher.ask(method, path, body)
-    if (answer.status >= 300) throw new Error(`${method} ${path}: ${answer.status}`)
-    return answer.body
-  }
-  await done('POST', '/teachers', { token, username: 'm.weber', password: 'kastanie im regen' })
-  const made = { name: '5b', language, grade: 5, endsOn: server.classServer.ports.day(120) }
-  const { id } = (await done('POST', '/classes', made)) as { id: string }
-  await done('POST', `/classes/${id}/open`)
-  const { words } = (await done('GET', `/classes/${id}`)) as { words: readonly string[] }
+  await done(teacher, 'POST', '/teachers', { token, username: 'm.weber', password: 'kastanie im regen' })
+  return nextClass({ ...server, teacher }, language)
+}
+
+/** One more class 5b on a server that has a teacher. */
+export async function nextClass(
+  server: Omit<ClassOfTest, 'id' | 'code' | 'pupil'>,
+  language: 'en' | 'de',
+): Promise<ClassOfTest> {
+  const { teacher, url, classServer } = server
+  const made = { name: '5b', language, grade: 5, endsOn: classServer.ports.day(120) }
+  const { id } = (await done(teacher, 'POST', '/classes', made)) as { id: string }
+  await done(teacher, 'POST', `/classes/${id}/open`)
+  const { words } = (await done(teacher, 'GET', `/classes/${id}`)) as { words: readonly string[] }
   const code = words.join(' ')
-  return {
-    ...{ ...server, teacher, id, code },
-    pupil: (nickname) => pupilOf(server.url, code, nickname),
-  }
+  return { ...{ ...server, id, code }, pupil: (nickname) => pupilOf(url, code, nickname) }
+}
+
+async function done(asker: Asker, method: string, path: string, body?: unknown): Promise<unknown> {
+  const answer = await asker.ask(method, path, body)
+  if (answer.status >= 300) throw new Error(`${method} ${path}: ${answer.status}`)
+  return answer.body
 }

@@ -1,18 +1,26 @@
-import { classOfTest } from './class-server.ts'
+import { classOfTest, nextClass } from './class-server.ts'
 import { test as base } from './house.ts'
 import type { MadeClass } from './made-class.ts'
 
-/** Tests in a class of their own, one for all tests that a worker takes of a file. */
-export const testInClass = (language: 'en' | 'de' = 'en') =>
-  base.extend<object, { school: MadeClass }>({
-    school: [
+type Language = 'en' | 'de'
+
+/** Tests in a class of their own; a worker has one server for the classes of all files. */
+const testsIn = (language: Language) =>
+  base.extend<{ school: MadeClass }, { room: MadeClass }>({
+    room: [
       // eslint-disable-next-line no-empty-pattern -- Playwright reads the names of what is asked for
       async ({}, use) => {
-        const school = await classOfTest(language)
-        await use(school)
-        await school.close()
+        const room = await classOfTest(language)
+        await use(room)
+        await room.close()
       },
       { scope: 'worker' },
     ],
-    house: [({ school }, use) => use(school.url), { scope: 'worker' }],
+    house: [({ room }, use) => use(room.url), { scope: 'worker' }],
+    school: async ({ room }, use) => use(await nextClass(room, language)),
   })
+
+// The same test for every file: what is asked for otherwise would be a worker of its own.
+const tests = { en: testsIn('en'), de: testsIn('de') }
+
+export const testInClass = (language: Language = 'en') => tests[language]

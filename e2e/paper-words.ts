@@ -29,3 +29,26 @@ export function smallWords(least: readonly number[]): string[][] {
     return small.map(({ text, pt, must }) => `“${text}” has ${pt.toFixed(1)} pt, not ${must}`)
   })
 }
+
+/** How small the smallest words of a plan are, in pt, and what of it is made smaller or cut, by the place of its paper. */
+export function smallInPlans(): {
+  readonly [at: number]: { readonly least: number; readonly wrong: string[] }
+} {
+  function smallIn(plan: Element) {
+    const words = [...plan.querySelectorAll<HTMLElement>('.plan-page .body :is(p, li, td, th, h1, h2, h3)')]
+    return {
+      least: Math.min(...words.map((one) => (parseFloat(getComputedStyle(one).fontSize) * 72) / 96)),
+      wrong: [...plan.querySelectorAll<HTMLElement>('.plan-page')].flatMap((page, at) => {
+        const { zoom } = page.querySelector<HTMLElement>('.body')!.dataset
+        return [
+          ...(zoom === '1.00' ? [] : [`page ${at + 1} is made smaller: ${zoom}`]),
+          ...(page.scrollHeight > page.clientHeight + 1 ? [`page ${at + 1} is cut`] : []),
+        ]
+      }),
+    }
+  }
+  const papers = [...document.querySelectorAll('.pack > .paper')]
+  return Object.fromEntries(
+    papers.flatMap((paper, at) => (paper.querySelector('.plan-page') ? [[at, smallIn(paper)]] : [])),
+  )
+}

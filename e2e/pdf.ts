@@ -32,8 +32,28 @@ interface ReadPage {
 
 const mm = (points: number) => Math.round((points / 72) * 25.4)
 
+const opens = (bytes: Uint8Array) =>
+  getDocument({ data: new Uint8Array(bytes), verbosity: 0, useSystemFonts: false })
+
+/** Of a long file only how large its pages are, and their headings: letters and pictures take twenty times as long. */
+export async function readOutside(
+  bytes: Uint8Array,
+): Promise<readonly Pick<ReadPage, 'width' | 'height' | 'headings'>[]> {
+  const task = opens(bytes)
+  const pdf = await task.promise
+  const numbers = Array.from({ length: pdf.numPages }, (_, index) => index + 1)
+  const pages = await Promise.all(
+    numbers.map(async (number) => {
+      const page = await pdf.getPage(number)
+      return { ...sizeOf(page.view), headings: headingsIn(rolesOf(await page.getStructTree())) }
+    }),
+  )
+  await task.destroy()
+  return pages
+}
+
 export async function readPdf(bytes: Uint8Array): Promise<ReadPdf> {
-  const task = getDocument({ data: new Uint8Array(bytes), verbosity: 0, useSystemFonts: false })
+  const task = opens(bytes)
   const pdf = await task.promise
   const [{ info }, mark, outline] = await Promise.all([
     pdf.getMetadata(),
@@ -62,8 +82,7 @@ async function readPage(pdf: PDFDocumentProxy, number: number): Promise<ReadPage
   const figures = roles.filter(({ role }) => role === 'Figure')
   const links = (await page.getAnnotations()) as { url?: string }[]
   return {
-    width: mm(right - left),
-    height: mm(top - bottom),
+    ...sizeOf(page.view),
     text: content.items
       .map((item) => ('str' in item ? item.str + (item.hasEOL ? ' ' : '') : ''))
       .join('')
@@ -78,11 +97,19 @@ async function readPage(pdf: PDFDocumentProxy, number: number): Promise<ReadPage
       return inside ? [] : [item.str]
     }),
     marks: await marksOn(page),
-    headings: roles.flatMap(({ role }) => /^H([1-6])$/.exec(role)?.[1] ?? []).map(Number),
+    headings: headingsIn(roles),
     figures: figures.length,
     silentFigures: figures.filter(({ alt }) => !alt?.trim()).length,
   }
 }
+
+function sizeOf(view: readonly number[]): { readonly width: number; readonly height: number } {
+  const [left, bottom, right, top] = view as [number, number, number, number]
+  return { width: mm(right - left), height: mm(top - bottom) }
+}
+
+const headingsIn = (roles: readonly StructNode[]): number[] =>
+  roles.flatMap(({ role }) => /^H([1-6])$/.exec(role)?.[1] ?? []).map(Number)
 
 interface StructNode {
   readonly role: string

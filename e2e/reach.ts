@@ -14,10 +14,24 @@ export const outOfReach = (page: Page): Promise<string[]> =>
       const words = element.getAttribute('aria-label') ?? element.textContent?.trim().replace(/\s+/g, ' ')
       return `${element.tagName.toLowerCase()}.${[...element.classList].filter((c) => !c.startsWith('svelte-')).join('.')} “${(words ?? '').slice(0, 40)}”`
     }
+    /** What is asked of every box above every word is found out once. */
+    const once = <Found>(find: (element: Element) => Found) => {
+      const found = new Map<Element, Found>()
+      return (element: Element): Found => {
+        if (!found.has(element)) found.set(element, find(element))
+        return found.get(element)!
+      }
+    }
     /** Only for ears. */
-    const isUnseen = (element: Element): boolean =>
-      getComputedStyle(element).clipPath === 'inset(50%)' ||
-      (element.parentElement !== null && isUnseen(element.parentElement))
+    const isUnseen: (element: Element) => boolean = once(
+      (element) =>
+        getComputedStyle(element).clipPath === 'inset(50%)' ||
+        (element.parentElement !== null && isUnseen(element.parentElement)),
+    )
+    const overflowOf = once((element) => {
+      const { overflowX, overflowY } = getComputedStyle(element)
+      return { overflowX, overflowY }
+    })
     const shows = (element: Element) =>
       element.checkVisibility({ visibilityProperty: true, contentVisibilityAuto: true }) &&
       element.getBoundingClientRect().width > 1 &&
@@ -35,7 +49,7 @@ export const outOfReach = (page: Page): Promise<string[]> =>
     /** Things that only look cut: what a person cannot scroll must not have been scrolled to show this. */
     function stuck(element: Element): Element | null {
       for (let box = element.parentElement; box && box !== document.body; box = box.parentElement) {
-        const { overflowX, overflowY } = getComputedStyle(box)
+        const { overflowX, overflowY } = overflowOf(box)
         if (
           (overflowY === 'hidden' && box.scrollTop > 1) ||
           (overflowX === 'hidden' && Math.abs(box.scrollLeft) > 1)
@@ -88,19 +102,14 @@ export const outOfReach = (page: Page): Promise<string[]> =>
     const page = document.scrollingElement!
     if (page.scrollWidth > page.clientWidth)
       faults.add(`the page is ${page.scrollWidth - page.clientWidth} px too wide`)
+    const scrolls = (how: string) => how === 'auto' || how === 'scroll'
     for (const box of document.querySelectorAll('*')) {
-      if (!shows(box) || box === page) continue
-      const { overflowX, overflowY } = getComputedStyle(box)
-      const scrolls = (how: string) => how === 'auto' || how === 'scroll'
-      if (
-        scrolls(overflowX) &&
-        scrolls(overflowY) &&
-        box.scrollWidth > box.clientWidth + 1 &&
-        box.scrollHeight > box.clientHeight + 1
-      )
+      const wider = box.scrollWidth > box.clientWidth + 1
+      if (!wider || box === page || !shows(box)) continue
+      const { overflowX, overflowY } = overflowOf(box)
+      if (scrolls(overflowX) && scrolls(overflowY) && box.scrollHeight > box.clientHeight + 1)
         faults.add(`${nameOf(box)} scrolls in both directions`)
-      if (box.matches('.menu > .sheet') && box.scrollWidth > box.clientWidth + 1)
-        faults.add(`${nameOf(box)} cuts its words`)
+      if (box.matches('.menu > .sheet')) faults.add(`${nameOf(box)} cuts its words`)
     }
     for (const box of document.querySelectorAll('*'))
       if (box.scrollTop || box.scrollLeft) box.scrollTo({ top: 0, left: 0, behavior: 'instant' })

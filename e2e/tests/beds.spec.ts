@@ -1,5 +1,5 @@
 // Rooms: home, content, editor
-import { isLong, tasks, walks, walksToVessels } from '../beds.ts'
+import { isLong, tasksByKeys, walks, walksToVessels } from '../beds.ts'
 import { test } from '../house.ts'
 import { byKeys } from '../ways.ts'
 import { languagesOf } from '../words.ts'
@@ -8,7 +8,7 @@ for (const language of languagesOf(import.meta.filename))
   test.describe(`by keys alone, in ${language}`, () => {
     test.use({ language })
 
-    for (const task of tasks)
+    for (const task of tasksByKeys)
       test(`${task.card} is solved from home to the end`, async ({ child }) => {
         await walks(child, byKeys(child), task)
       })

@@ -14,14 +14,6 @@ async function builds(child: Child, place = 'free'): Promise<Builder> {
   return builder
 }
 
-/** The first bytes of a PNG that says it is so big, with all its pieces in place. */
-function hugePicture(width: number, height: number): Buffer {
-  const png = picture(8, 8)
-  png.writeUInt32BE(width, 16)
-  png.writeUInt32BE(height, 20)
-  return png
-}
-
 const square = {
   x: 0.4,
   y: 0.4,
@@ -128,39 +120,26 @@ for (const language of languagesOf(import.meta.filename)) {
     test('is told what is wrong with a picture, and nothing changes', async ({ child }) => {
       const builder = await builds(child)
       const before = (await file(child)).world
+      // Every other reason: picture.test.ts and picture-file.test.ts.
       const picks = 'build.ownPicture'
-      await builder.choosesFile(picks, 'big.png', hugePicture(20_000, 20_000))
-      await builder.seesRefusal('pictureTooWide', { width: 20_000, height: 20_000, most: 10_000 })
       await builder.choosesFile(picks, 'diary.png', Buffer.from('Dear diary, today Bo drove'))
       await builder.seesRefusal('pictureKind')
-      await builder.choosesFile(picks, 'cut.png', picture(50, 50).subarray(0, 60))
-      await builder.seesRefusal('pictureBroken')
       await builder.choosesFile(
         picks,
         'odd.png',
         Buffer.concat([picture(8, 8).subarray(0, 45), picture(9, 9).subarray(60)]),
       )
       await builder.seesRefusal('pictureBroken')
-      const svg = '<svg xmlns="http://www.w3.org/2000/svg"><script>document.title = "!"</script></svg>'
-      await builder.choosesFile(picks, 'map.svg', Buffer.from(svg))
-      await builder.seesRefusal('pictureSvg')
-      await builder.choosesFile(picks, 'heavy.png', Buffer.alloc(20_000_001))
-      await builder.seesRefusal('pictureTooHeavy')
       expect((await file(child)).world).toEqual(before)
     })
 
     test('is told what is wrong with a scene, and nothing changes', async ({ child }) => {
       const builder = await builds(child)
       const before = (await file(child)).world
-      await builder.choosesFile('build.openScene', 'many.json', json(foreignScene(2000)))
-      await builder.seesRefusal('tooManyThings', { count: 2000, most: 100 })
-      await builder.choosesFile('build.openScene', 'none.json', Buffer.from('{'))
-      await builder.seesRefusal('sceneNotJson')
+      // Every other reason: scene.test.ts.
       const odd = { ...foreignScene(1), obstacles: [{ ...square, x: 'left' }] }
       await builder.choosesFile('build.openScene', 'odd.json', json(odd))
       await builder.seesRefusal('notAScene')
-      await builder.choosesFile('build.openScene', 'project.json', json({ botgarten: 1 }))
-      await builder.seesRefusal('isAProject')
       expect((await file(child)).world).toEqual(before)
       await expect(child.button('lab.undo')).toHaveAttribute('aria-disabled', 'true')
     })

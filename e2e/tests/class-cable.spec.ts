@@ -10,7 +10,7 @@ const test = testInClass()
 // A request through a pulled cable fails, and a browser complains of it.
 test.use({ complaints: [/net::ERR_/] })
 
-const seconds = isLong ? 600 : 20
+const seconds = isLong ? 600 : 10
 const names = ['Ananas', 'Biber', 'Dachs', 'Eule', 'Falke']
 
 interface Saved {

@@ -1,5 +1,6 @@
 // Rooms: class, questionnaires, teacher
 import { readFileSync } from 'node:fs'
+import { sample } from '@botgarten/numbers/testing'
 import type { Page } from '@playwright/test'
 import { unzipSync } from 'fflate'
 import { opensForm, passes, sends } from '../asked-class.ts'
@@ -33,7 +34,10 @@ const sentBy = (page: Page) =>
       body: response.request().postDataJSON() as object,
     }))
 
-test('a class of thirty: five answer on their devices, results come when the teacher has closed the form', async ({
+/** Those who answer on a device of their own; of the others only the answers come. */
+const onDevices = sample(['Ananas', 'Biber', 'Dachs', 'Eule', 'Falke'], 2)
+
+test('a class of thirty: some answer on their devices, results come when the teacher has closed the form', async ({
   browser,
   school,
   contextOptions,
@@ -52,7 +56,7 @@ test('a class of thirty: five answer on their devices, results come when the tea
   expect(await axeFindings(teacher.page)).toEqual([])
 
   const children = await Promise.all(
-    ['Ananas', 'Biber', 'Dachs', 'Eule', 'Falke'].map(async (nickname, n) => {
+    onDevices.map(async (nickname, n) => {
       const context = await browser.newContext(options)
       const child = new Child(await context.newPage(), 'en')
       await child.page.clock.install()
@@ -84,7 +88,7 @@ test('a class of thirty: five answer on their devices, results come when the tea
 
   const { asker } = await school.pupil('Reh')
   const { key } = (await asker.ask('GET', '/me/questionnaire')).body as { key: string }
-  for (let n = 5; n < 30; n += 1) expect(await sends(school, key, 'after', n)).toBe(204)
+  for (let n = onDevices.length; n < 30; n += 1) expect(await sends(school, key, 'after', n)).toBe(204)
   await expect(card.getByText(teacher.word('form.answers', { count: 30 }))).toBeVisible()
   await card.getByRole('button', { name: teacher.word('form.close'), exact: true }).click()
   await expect(card.getByText(teacher.word('form.class.closing'), { exact: true })).toBeVisible()

@@ -23,10 +23,12 @@ test('on every card Bo is 44 px wide, blocks and network are whole, and nothing 
   page,
 }) => {
   test.slow()
-  for (const card of cards)
-    for (const size of sizes) {
+  for (const [turn, card] of cards.entries())
+    // It is opened at one of the sizes, by turns, and fits into the other when the window changes.
+    for (const [face, size] of (turn % 2 === 0 ? sizes : sizes.toReversed()).entries()) {
       await page.setViewportSize(size)
-      await child.opensLab(card)
+      if (face === 0) await child.opensLab(card)
+      else await child.watches(3)
       const fit = async () => {
         const { bo, over, cut, ...fit } = await fitOf(page)
         const pans = isPanned(card) ? 0 : fit.pans

@@ -44,10 +44,6 @@ async function opensPaper(page: Page, item: string, option = 'paper=a4', address
   await page.locator('html[data-print=ready]').waitFor({ state: 'attached' })
 }
 
-const plans = globSync('materials/plan/*/item.json', { cwd: content }).map(
-  (file) => read(file) as { id: string },
-)
-
 for (const language of languagesOf(import.meta.filename))
   test.describe(`on paper, in ${language}`, () => {
     test.use({ language })
@@ -66,21 +62,6 @@ for (const language of languagesOf(import.meta.filename))
       expect(shown.get('chameleon')).not.toMatch(/distance|abstand/i)
       expect([...wrong, ...[...shown].flatMap(numbersOfNoProgram)]).toEqual([])
     })
-  })
-
-// In both languages: what fits in one may be cut in the other.
-for (const language of ['de', 'en'] as const)
-  test.describe(`a lesson plan, in ${language}`, () => {
-    test.use({ language })
-    for (const { id } of plans)
-      test(`${id} is two pages that a teacher can read`, async ({ page }) => {
-        await opensPaper(page, `plan/${id}`)
-        const { least, wrong } = await page.evaluate(smallInPlan)
-        expect(wrong).toEqual([])
-        expect(least).toBeGreaterThanOrEqual(9.5)
-        const { pages } = await readPdf(await page.pdf({ preferCSSPageSize: true, printBackground: true }))
-        expect(pages.map(({ width, height }) => [width, height])).toEqual(Array(2).fill([210, 297]))
-      })
   })
 
 /** Words on blocks below 8 pt, and boxes that hold more than is seen. */
@@ -107,23 +88,6 @@ function smallOrCut(): string[] {
       ...(cut ? [`${name} is cut`] : []),
     ]
   })
-}
-
-/** How small the smallest words of a plan are, in pt, and what of it is made smaller or cut. */
-function smallInPlan(): { readonly least: number; readonly wrong: readonly string[] } {
-  const pages = [...document.querySelectorAll<HTMLElement>('.plan-page')]
-  const words = [...document.querySelectorAll<HTMLElement>('.plan-page .body :is(p, li, td, th, h1, h2, h3)')]
-  return {
-    least: Math.min(...words.map((one) => (parseFloat(getComputedStyle(one).fontSize) * 72) / 96)),
-    wrong: pages.flatMap((page, at) => {
-      const body = page.querySelector<HTMLElement>('.body')!
-      const zoom = body.dataset['zoom']
-      return [
-        ...(zoom === '1.00' ? [] : [`page ${at + 1} is made smaller: ${zoom}`]),
-        ...(page.scrollHeight > page.clientHeight + 1 ? [`page ${at + 1} is cut`] : []),
-      ]
-    }),
-  }
 }
 
 const cards = globSync('cards/*/*/card.json', { cwd: content }).map((file) => file.replace('/card.json', ''))

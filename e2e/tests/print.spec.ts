@@ -1,6 +1,6 @@
 // Rooms: materials, cli
 import { spawnSync } from 'node:child_process'
-import { mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
+import { mkdtempSync, readdirSync, readFileSync, rmSync } from 'node:fs'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import { Learner } from '../child-learning.ts'
@@ -118,30 +118,15 @@ test('botgarten print pack: what a lesson needs for 25 children, with a cover; a
   // As many pages as the cover says there are.
   expect(cover).toContain(`${pages.length} Seiten in dieser Datei`)
   expect(pages.flatMap(({ missingFonts }) => missingFonts)).toEqual([])
-  expect(botgarten(['pack', 'lesson-33']).stderr).toMatch(
-    /There is no pack "lesson-33"\. Did you mean lesson-3/,
-  )
-  expect(botgarten(['pack', 'lesson-3', '--pupils', 'many']).stderr).toContain('--pupils takes a number')
 })
 
-test('botgarten print without an address prints no code; what is wrong is said in words', () => {
+test('botgarten print where no browser starts says what to install, and writes nothing', () => {
   const out = fresh()
-  const wrong = botgarten(['q-cty', '--out', out])
-  expect(wrong.status).toBe(2)
-  expect(wrong.stderr).toMatch(/^botgarten: There is no item "q-cty"\. Did you mean q-city,/)
-  expect(botgarten([]).status).toBe(2)
-  expect(botgarten(['all', '--address', 'nowhere']).stderr).toContain('--address takes an address such as')
-  expect(botgarten(['--help']).stdout).toContain('--turn short|long')
-  const file = join(out, 'file')
-  writeFileSync(file, '')
-  const unwritable = botgarten(['q-city', '--out', join(file, 'below')])
-  expect(unwritable).toMatchObject({ status: 1, stdout: '' })
-  expect(unwritable.stderr).toMatch(/^botgarten: The folder ".+below" cannot be made/)
   const blind = botgarten(['q-city', '--out', out], { CHROMIUM: join(out, 'no-browser') })
   expect(blind.status).toBe(1)
   expect(blind.stderr).toContain('did not start')
   expect(blind.stderr).toContain('Install Chrome, Chromium or Edge')
-  expect(readdirSync(out)).toEqual(['file'])
+  expect(readdirSync(out)).toEqual([])
 })
 
 test('the table of trials is printed filled, and nothing else of the lab', async ({ child, page }) => {

@@ -3,9 +3,9 @@ import { axeFindings } from '../axe.ts'
 import { leftEye, leftWheel } from '../child.ts'
 import { StudyHands, replayed, studyFile } from '../child-study.ts'
 import { expect, test } from '../house.ts'
-import { languages } from '../words.ts'
+import { languagesOf } from '../words.ts'
 
-for (const language of languages)
+for (const language of languagesOf(import.meta.filename))
   test.describe(`a study in ${language}`, () => {
     test.use({ language })
 
