@@ -1,7 +1,7 @@
 import { countOf } from '@botgarten/experiments/cages'
 import { tryOut } from '@botgarten/experiments/trying'
 import { behave } from '@botgarten/lab/trying'
-import { emptyTable, statesOf, unitOf, type PayKind, type TableBrain } from '@botgarten/learning/q-senses'
+import { emptyTable, statesOf, unitOf, type TableBrain } from '@botgarten/learning/q-senses'
 import { tryingIn } from '@botgarten/programs'
 import { content } from '../files.ts'
 import { worldAt } from '../index.ts'
@@ -43,8 +43,8 @@ export function paidSays({ ahead, from, coins }: PaidClaim): PaidClaim['coins'] 
   const world = content.world(ahead)!
   const worlds = [{ ...world, robots: [{ ...world.robots[0]!, pose: from }] }]
   const { facts } = behave(onlyAhead, worlds, content.floorOf(world), watched).behaviour
-  const paid = (kind: PayKind) => Math.round(facts[kind] / unitOf(kind)) + 0
-  return Object.fromEntries((Object.keys(coins) as PayKind[]).map((kind) => [kind, paid(kind)]))
+  const paid = (kind: keyof typeof coins) => Math.round(facts[kind] / unitOf(kind)) + 0
+  return Object.fromEntries((Object.keys(coins) as (keyof typeof coins)[]).map((kind) => [kind, paid(kind)]))
 }
 
 /** A table that knows nothing but ahead. */

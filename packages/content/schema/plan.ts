@@ -1,5 +1,3 @@
-import { measures } from '@botgarten/lab/trying'
-import { payKinds } from '@botgarten/learning/q-senses'
 import * as v from 'valibot'
 import type { Claim, Plan } from './planTypes.ts'
 import { questionRun } from './question.ts'
@@ -8,8 +6,9 @@ const count = v.pipe(v.number(), v.integer(), v.minValue(1))
 /** A count that may be 0. */
 const none = v.pipe(v.number(), v.integer(), v.minValue(0))
 const percents = v.strictObject({ practised: v.exactOptional(none), test: v.exactOptional(none) })
-/** Numbers of a behaviour. */
-const named = [...measures, 'pay'] as const
+// Pages read plans: no name here brings the lab along.
+const named = ['cm', 'tiles', 'touching', 'bumps', 'free', 'near', 'line', 'ended', 'pay'] as const
+const paid = ['wheels', 'ahead', 'way'] as const
 const lesson = v.pipe(v.string(), v.regex(/^(E |L )?\d+$/))
 
 export const copies = v.array(
@@ -69,7 +68,7 @@ const claim: v.GenericSchema<unknown, Claim> = v.union([
   v.strictObject({
     ahead: v.string(),
     from: v.strictObject({ x: v.number(), y: v.number(), heading: v.number() }),
-    coins: v.record(v.picklist(payKinds), v.number()),
+    coins: v.record(v.picklist(paid), v.number()),
   }),
 ])
 

@@ -1,5 +1,4 @@
 import type { Measured } from '@botgarten/experiments/cages'
-import type { PayKind } from '@botgarten/learning/q-senses'
 import type { Pose } from '@botgarten/simulation'
 import type { QuestionRun } from './questionTypes.ts'
 
@@ -131,7 +130,7 @@ export interface TryClaim {
 export interface PaidClaim {
   readonly ahead: string
   readonly from: Pose
-  readonly coins: { readonly [kind in PayKind]?: number }
+  readonly coins: { readonly [kind in 'wheels' | 'ahead' | 'way']?: number }
 }
 
 /** Text of a plan, in the parts of its two pages. */

@@ -1,7 +1,7 @@
 export { beginNight, rideBy, type Night, type Ride } from './overnight.ts'
 export { behave, type Watched } from './behave.ts'
 export type { Behaviour } from './doings.ts'
-export { judged, measures, measuresOf, tenths, type Cheat, type Measures } from './measures.ts'
+export { judged, measuresOf, tenths, type Cheat, type Measures } from './measures.ts'
 export { learnedOf, tableOf, type TryState } from './try.ts'
 export type { TryView } from './shown.ts'
 export { isLearned, ticksOf } from './trials.ts'

@@ -1,7 +1,7 @@
 import type { Behaviour } from './doings.ts'
 
 /** What a behaviour is judged by. */
-export const measures = ['cm', 'tiles', 'touching', 'bumps', 'free', 'near', 'line', 'ended'] as const
+const measures = ['cm', 'tiles', 'touching', 'bumps', 'free', 'near', 'line', 'ended'] as const
 /**
  * - `cm`: way a minute · `tiles`: squares of 40 cm entered from a start · `touching`: percent of the time
  * - `bumps`, `free`, `near`, `line`: moves a minute in which it touched, came free, was near a thing, came onto black
