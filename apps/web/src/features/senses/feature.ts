@@ -5,5 +5,5 @@ export const senses = {
   id: 'senses',
   words: ['senses', 'night', 'blocks-q-learning', 'proof'],
   load: () => import('./lazy.ts'),
-  budget: { part: 30_000 },
+  budget: { part: 36_000 },
 } satisfies Feature
