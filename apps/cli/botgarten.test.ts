@@ -189,6 +189,12 @@ describe('the language of what is said', () => {
     expect(status).toBe(2)
     expect(stderr).toMatch(/^botgarten: --lang takes de.* or .*, not "xx"\. Help: botgarten cards --help\n$/)
   })
+
+  it('is one alone, but for what is printed', async () => {
+    const { status, stderr } = await botgarten('cards', '--lang', 'de,en')
+    expect(status).toBe(2)
+    expect(stderr).toContain('--lang nimmt de oder en, nicht „de,en“')
+  })
 })
 
 describe('--help', () => {

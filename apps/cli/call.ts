@@ -2,18 +2,19 @@ import { findCommand } from './commands.ts'
 import { CallError, FileError } from './errors.ts'
 import { helpOf, listOf } from './help.ts'
 import { takeNotes } from './notes.ts'
-import { languageIn, languageNamed } from './options.ts'
+import { languageIn, languageNamed, languagesNamed } from './options.ts'
 import { languageOfMachine, message, speak, type Language } from './words.ts'
 
 async function answerTo(args: readonly string[]): Promise<string> {
   const { lang, rest: words } = languageIn(args)
-  const language = lang === undefined ? undefined : languageNamed(lang)
-  if (language) speak(language)
+  const asked = lang === undefined ? [] : languagesNamed(lang)
+  if (asked[0]) speak(asked[0])
   const { found, path, rest } = findCommand(words)
   const asksForHelp = rest.includes('--help') || rest.includes('-h')
   if (typeof found === 'function') {
     const command = await found()
-    return asksForHelp ? helpOf(path, command) : command.execute(rest, language)
+    if (asked.length > 1 && !command.inLanguages) languageNamed(lang!)
+    return asksForHelp ? helpOf(path, command) : command.execute(rest, asked)
   }
   if (asksForHelp) return listOf(path, found)
   const [name] = rest

@@ -4,8 +4,10 @@ import type { Language } from './words.ts'
 /** One command: its options beside `--help` and `--lang`, and what it does with the rest of the call. */
 export interface Command {
   readonly options: Options
-  /** Gives what is printed on standard output. `language`: the one that the call asks for. @throws {CallError | FileError} */
-  execute(args: string[], language?: Language): string | Promise<string>
+  /** Does it take several languages, `--lang de,en`? */
+  readonly inLanguages?: true
+  /** Gives what is printed on standard output. `asked`: the languages that the call asks for. @throws {CallError | FileError} */
+  execute(args: string[], asked?: readonly Language[]): string | Promise<string>
 }
 
 export type Commands = { readonly [name: string]: (() => Command | Promise<Command>) | Commands }

@@ -79,7 +79,13 @@ export function languageIn(args: readonly string[]) {
   return { lang: lang ?? '', rest: args.toSpliced(at, alone ? 2 : 1) }
 }
 
+/** @throws CallError for what is no language */
 export function languageNamed(lang: string): Language {
   if (lang === '') throw new CallError('call.needsValue', { option: '--lang' })
   return oneOf('lang', lang, languages)
 }
+
+/** `de,en`: each once. @throws CallError for what is no language */
+export const languagesNamed = (lang: string): readonly Language[] => [
+  ...new Set(lang.split(',').map(languageNamed)),
+]

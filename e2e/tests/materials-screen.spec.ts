@@ -5,7 +5,7 @@ import { opensSettings, option } from '../child-cards.ts'
 import { expect, test } from '../house.ts'
 import { readPdf } from '../pdf.ts'
 import { givesVoice, heardOn, said } from '../voice.ts'
-import { languagesOf } from '../words.ts'
+import { cardMessage, languagesOf } from '../words.ts'
 
 /** A voice says a title first. */
 const starting = (title: string) => new RegExp(`^${title.replaceAll(/[.*+?^${}()|[\]\\]/g, '\\$&')}`)
@@ -148,11 +148,23 @@ for (const language of languagesOf(import.meta.filename))
       expect(await axeFindings(page)).toEqual([])
       await page.reload()
       await sum(1 + 11)
+      // Two sets, each in both languages.
+      await child.presses('materials.set.moreSets')
+      await mySet.getByRole('button', { name: 'Deutsch + English' }).click()
+      await sum(2 * 2 * (1 + 11))
       await mySet.getByRole('link', { name: child.word('materials.print'), exact: true }).click()
       await expect(page.locator('html[data-print=ready] .pack-cover')).toBeVisible()
       const { pages } = await readPdf(await page.pdf({ preferCSSPageSize: true, printBackground: true }))
-      expect(pages.map(({ width, height }) => `${width} × ${height}`)).toEqual(Array(4).fill('210 × 297'))
-      expect(pages[0]!.text).toContain(child.card('friendship'))
+      expect(pages.map(({ width, height }) => `${width} × ${height}`)).toEqual(Array(7).fill('210 × 297'))
+      const [cover, german, , english] = pages.map(({ text }) => text)
+      expect(cover).toContain(child.card('friendship'))
+      expect([german, english]).toEqual([
+        expect.stringContaining(cardMessage('de', 'friendship')),
+        expect.stringContaining(cardMessage('en', 'friendship')),
+      ])
+      // The page speaks its own language again, and remembers no other.
+      await page.reload()
+      await expect(page.locator('html')).toHaveAttribute('lang', language)
     })
   })
 

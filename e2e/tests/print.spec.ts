@@ -108,12 +108,22 @@ test('botgarten print: a questionnaire with numbers, and with faces', async () =
 
 test('botgarten print pack: what a lesson needs for 25 children, with a cover; answers in a file of their own', async () => {
   const out = fresh()
-  const call = botgarten(['pack', 'lesson-3', '--pupils', '25', '--lang', 'de', '--out', out])
+  const asked = ['--pupils', '25', '--sets', '2', '--lang', 'de', '--out', out]
+  const call = botgarten(['pack', 'lesson-3', ...asked])
   expect(call).toMatchObject({ status: 0, stderr: '' })
   expect(readdirSync(out).sort()).toEqual(['pack-lesson-3-answers-de-a4.pdf', 'pack-lesson-3-de-a4.pdf'])
   const { pages } = await readPdf(readFileSync(join(out, 'pack-lesson-3-de-a4.pdf')))
   const cover = pages[0]!.text
-  for (const said of ['Freundschaft und Angst', '25 Kinder', '13 Paare', 'NN 5', '3.1', '3.2', 'P 3'])
+  for (const said of [
+    'Freundschaft und Angst',
+    '25 Kinder',
+    '13 Paare',
+    '2 Sätze',
+    'NN 5',
+    '3.1',
+    '3.2',
+    'P 3',
+  ])
     expect(cover).toContain(said)
   // As many pages as the cover says there are.
   expect(cover).toContain(`${pages.length} Seiten in dieser Datei`)

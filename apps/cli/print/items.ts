@@ -46,10 +46,12 @@ const packs = (): ReadonlyMap<string, string> =>
 export interface Class {
   readonly pupils: number
   readonly grade: number | null
+  /** All of it so many times. */
+  readonly sets: number
 }
 
 /** A pack for so many pupils is two files: what is copied, and answers apart, where it has some. */
-function printablePack(name: string, id: string, { pupils, grade }: Class): readonly Printable[] {
+function printablePack(name: string, id: string, { pupils, grade, sets }: Class): readonly Printable[] {
   const plan = content.items.find((item) => item.id === id)?.plan
   const copied = new Set(plan?.copies.map(({ of }) => of))
   const hasAnswers =
@@ -59,7 +61,8 @@ function printablePack(name: string, id: string, { pupils, grade }: Class): read
         item.kind === 'solution' && (item.code === `A ${plan?.lesson}` || copied.has(`item:${item.id}`)),
     )
   const forGrade = grade === null ? '' : `&grade=${grade}`
-  const file = (answers: string) => `/materials/pack/${id}?children=${pupils}&answers=${answers}${forGrade}&`
+  const file = (answers: string) =>
+    `/materials/pack/${id}?children=${pupils}&sets=${sets}&answers=${answers}${forGrade}&`
   const pack = { id: name, file: `pack-${name}`, address: file('apart'), isCard: true }
   return hasAnswers
     ? [pack, { ...pack, id: `${name}-answers`, file: `pack-${name}-answers`, address: file('only') }]

@@ -14,6 +14,8 @@ describe('botgarten print refuses before a browser starts, and says in words', (
     [['all', '--address', 'nowhere'], /--address takes an address such as/],
     [['pack', 'lesson-33'], /There is no pack "lesson-33"\. Did you mean lesson-3/],
     [['pack', 'lesson-3', '--pupils', 'many'], /--pupils takes a number/],
+    [['pack', 'lesson-3', '--sets', '21'], /--sets takes a number/],
+    [['pack', 'lesson-3', '--lang', 'en,xx'], /--lang takes de or en, not "xx"/],
   ])('%j', async (args, said) => {
     const answer = await botgarten('print', ...args, '--out', out)
     expect(answer).toMatchObject({ status: 2, stdout: '', stderr: expect.stringMatching(said) as string })

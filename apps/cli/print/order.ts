@@ -11,6 +11,7 @@ export const known = {
   address: { type: 'string' },
   pupils: { type: 'string' },
   grade: { type: 'string' },
+  sets: { type: 'string' },
   grey: { type: 'boolean' },
   json: { type: 'boolean' },
 } as const
@@ -31,18 +32,19 @@ export interface Order {
 }
 
 /** Reads the call. @throws CallError */
-export function orderOf(args: string[], language?: Language): Order {
+export function orderOf(args: string[], asked: readonly Language[]): Order {
   const { values, positionals } = options(args, known)
   if (positionals.length === 0) throw new CallError('call.printWhat')
   return {
     items:
       positionals[0] === 'pack'
         ? packsNamed(packsAsked(positionals.slice(1)), {
-            pupils: pupilsOf(values.pupils),
-            grade: gradeOf(values.grade),
+            pupils: upTo(mostPupils, 'pupils', values.pupils) ?? usualPupils,
+            sets: upTo(mostSets, 'sets', values.sets) ?? 1,
+            grade: upTo(lastGrade, 'grade', values.grade),
           })
         : printablesNamed(positionals),
-    languages: language ? [language] : languages,
+    languages: asked.length > 0 ? asked : languages,
     paper: oneOf('paper', values.paper, ['a4', 'a5'] as const),
     turn: oneOf('turn', values.turn, ['short', 'long'] as const),
     out: resolve(values.out ?? '.'),
@@ -59,18 +61,15 @@ function packsAsked(names: readonly string[]): readonly string[] {
 
 const usualPupils = 24
 const mostPupils = 99
+const mostSets = 20
+const lastGrade = 13
 
-function pupilsOf(text: string | undefined): number {
-  const pupils = text === undefined ? usualPupils : Number(text)
-  if (Number.isInteger(pupils) && pupils >= 1 && pupils <= mostPupils) return pupils
-  throw new CallError('call.pupils', { text: text!, most: mostPupils })
-}
-
-function gradeOf(text: string | undefined): number | null {
+/** A whole number from 1 on; null where nothing is said. @throws CallError `call.<name>` for what is none */
+function upTo(most: number, name: 'pupils' | 'sets' | 'grade', text: string | undefined): number | null {
   if (text === undefined) return null
-  const grade = Number(text)
-  if (Number.isInteger(grade) && grade >= 1 && grade <= 13) return grade
-  throw new CallError('call.grade', { text })
+  const number = Number(text)
+  if (Number.isInteger(number) && number >= 1 && number <= most) return number
+  throw new CallError(`call.${name}`, { text, most })
 }
 
 function addressOf(text: string): string {

@@ -19,9 +19,9 @@ interface Written {
 const timeout = 60_000
 
 /** `botgarten print ITEM…|all …`: materials as PDF, by the very pages that the lab prints. */
-export const print: Command = { options: known, execute: printAll }
+export const print: Command = { options: known, inLanguages: true, execute: printAll }
 
-async function printAll(args: string[], asked?: Language): Promise<string> {
+async function printAll(args: string[], asked: readonly Language[] = []): Promise<string> {
   const order = orderOf(args, asked)
   makeFolder(order.out)
   const written = await printed(order)

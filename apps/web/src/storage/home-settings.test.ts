@@ -23,7 +23,7 @@ const all: HomeSettings = {
   'code-learner': true,
   language: 'de',
   'my-set': {
-    ...{ name: 'Tuesday', children: 24, paper: 'a4', grey: false },
+    ...{ name: 'Tuesday', children: 24, paper: 'a4', grey: false, sets: 3, languages: ['de', 'en'] },
     lines: [
       { of: 'item:my-knobs', for: 'pair' },
       { of: 'card:fear', for: 4, times: 6 },

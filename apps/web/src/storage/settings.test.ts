@@ -21,7 +21,7 @@ const good: { readonly [name in keyof typeof settings]: unknown } = {
   dialect: 'ev3dev2',
   language: 'de',
   'my-set': {
-    ...{ name: 'Tuesday', children: 24, paper: 'a4', grey: false },
+    ...{ name: 'Tuesday', children: 24, paper: 'a4', grey: false, sets: 3, languages: ['de', 'en'] },
     lines: [
       { of: 'item:my-knobs', for: 'pair' },
       { of: 'card:fear', for: 4, times: 6 },

@@ -35,6 +35,8 @@ export const settings = {
     ),
     paper: v.picklist(['a4', 'a5']),
     grey: v.boolean(),
+    sets: v.optional(v.pipe(v.number(), v.integer(), v.minValue(1), v.maxValue(20))),
+    languages: v.optional(v.pipe(v.array(v.picklist(languages)), v.maxLength(languages.length))),
   }),
   'network-level': level,
   'network-tens': v.boolean(),

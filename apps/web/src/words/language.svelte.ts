@@ -56,15 +56,21 @@ class Language {
 
   /** Speaks another language; where its words do not come, the page goes on in the one it has. */
   async speak(locale: Locale): Promise<void> {
+    if (await this.speakForNow(locale)) remember(locale)
+  }
+
+  /** As `speak`, and a later visit knows nothing of it. @returns false where the words did not come, or another was asked for since */
+  async speakForNow(locale: Locale): Promise<boolean> {
     this.#requested = locale
     try {
       await Promise.all([...this.#needs].map((load) => load(locale)))
     } catch (cause) {
-      return console.warn('The words of a language did not come.', cause)
+      console.warn('The words of a language did not come.', cause)
+      return false
     }
-    if (this.#requested !== locale) return
+    if (this.#requested !== locale) return false
     this.#locale = locale
-    remember(locale)
+    return true
   }
 }
 

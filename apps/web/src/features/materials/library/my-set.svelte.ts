@@ -9,14 +9,21 @@ interface KeptSet {
   readonly lines: readonly PackLine[]
   readonly paper: 'a4' | 'a5'
   readonly grey: boolean
+  /** All of it so many times. */
+  readonly sets: number
+  /** In these languages; none: in the one that the page speaks. */
+  readonly languages: readonly string[]
 }
 
-const empty: KeptSet = { name: '', children: 24, lines: [], paper: 'a4', grey: false }
-export const mostChildren = 99
+const empty: KeptSet = {
+  ...{ name: '', children: 24, lines: [], paper: 'a4', grey: false },
+  ...{ sets: 1, languages: [] },
+}
 
 /** The set of this device. */
 class MySet {
-  #kept = $state.raw<KeptSet>(readSetting('my-set', empty))
+  // An older version kept less of it.
+  #kept = $state.raw<KeptSet>({ ...empty, ...readSetting<Partial<KeptSet>>('my-set', empty) })
 
   get kept(): KeptSet {
     return this.#kept
@@ -59,9 +66,8 @@ class MySet {
 
   /** How many children there are: lines that somebody counted by hand are counted by children again. */
   count(children: number): void {
-    const within = Math.max(1, Math.min(mostChildren, Math.round(children)))
     const lines = this.lines.map(({ of, for: who }) => ({ of, for: who }))
-    this.change({ children: within, lines })
+    this.change({ children, lines })
   }
 
   timesOf(line: PackLine): number {

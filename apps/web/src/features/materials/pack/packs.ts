@@ -9,7 +9,7 @@ import {
   type PackLine,
   type Printing,
 } from '@botgarten/content/items'
-import { language } from '#words/language.svelte.ts'
+import { language, type Locale } from '#words/language.svelte.ts'
 import { m } from '#words/message.ts'
 import { allItems, itemNamed, targetItem, textOf } from '../library.ts'
 import { mySet } from '../library/my-set.svelte.ts'
@@ -116,33 +116,50 @@ export function ledTo(item: Item): readonly Item[] {
     .flatMap((href) => targetItem(href) ?? [])
 }
 
-/** A line of a pack with all that its cover says of it. */
+/** A line of a pack in a language, with all that its cover says of it. */
 export interface Printed extends Printing {
+  /** Of this line in this language. */
+  readonly key: string
   readonly line: PackLine
+  readonly locale: Locale
   readonly item: Item
   readonly title: string
   /** Is it for the teacher alone, in a file of its own where one is asked for? */
   readonly answers: boolean
   /** Its first page in the file, from 1. */
   readonly from: number
+  /** Copies in one set. */
   readonly times: number
 }
 
-export function printedOf(
-  { lines }: Pack,
-  children: number,
-  paper: 'a4' | 'a5',
-  firstPage: number,
-): readonly Printed[] {
+/** For whom a pack is printed, and on what. */
+interface Printer {
+  readonly children: number
+  readonly paper: 'a4' | 'a5'
+  /** All of it so many times. */
+  readonly sets: number
+  /** All of it in each of these, line by line. */
+  readonly locales: readonly Locale[]
+}
+
+/** Every line of a pack in every language; `firstPage`: the page of its file on which the first of them begins. */
+export function printedOf({ lines }: Pack, printer: Printer, firstPage = 2): readonly Printed[] {
   let from = firstPage
-  return lines.map((line) => {
-    const item = targetItem(line.of)!
-    const times = timesIn(line, children)
-    const printing = printingOf(item.paper, pagesOf(item), times, paper === 'a4')
-    const printed = { ...printing, line, item, times, from, title: textOf(item).title }
-    from += printing.pages
-    return { ...printed, answers: isAnswers(line.of) }
+  const all = lines.flatMap((line) => printer.locales.map((locale) => ({ line, locale })))
+  return all.map(({ line, locale }) => {
+    const printed = { ...oncePrinted(line, locale, printer), from }
+    from += printed.pages
+    return printed
   })
+}
+
+function oncePrinted(line: PackLine, locale: Locale, { children, paper, sets }: Printer) {
+  const item = targetItem(line.of)!
+  const times = timesIn(line, children)
+  const once = printingOf(item.paper, pagesOf(item, locale), times, paper === 'a4')
+  const printing = { pages: once.pages, prints: sets * once.prints, sheets: sets * once.sheets }
+  const named = { key: `${line.of} ${locale}`, title: textOf(item).title, answers: isAnswers(line.of) }
+  return { ...printing, ...named, line, locale, item, times }
 }
 
 export const sheetsOf = (printed: readonly Printed[]): number =>

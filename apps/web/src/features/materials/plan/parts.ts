@@ -9,7 +9,7 @@ import {
   type ItemNode,
   type PackLine,
 } from '@botgarten/content/items'
-import { language } from '#words/language.svelte.ts'
+import { language, type Locale } from '#words/language.svelte.ts'
 import { nameOfTarget } from '../addresses.ts'
 import { targetItem, textOf } from '../library.ts'
 import { slidesOf } from '../slides/deck.ts'
@@ -32,10 +32,10 @@ const planSides = 2
 /** So many small slides stand on a page. */
 export const slidesOnPage = 12
 
-/** Pages of an item as it is printed with others: of slides, as small pictures. */
-export function pagesOf(item: Item): number {
+/** Pages of an item as it is printed with others, in a language: of slides, as small pictures. */
+export function pagesOf(item: Item, locale: Locale = language.locale): number {
   if (item.plan) return planSides
-  if (item.paper !== '16:9') return sidesIn(item, textOf(item), language.locale)
+  if (item.paper !== '16:9') return sidesIn(item, textOf(item), locale)
   return Math.ceil(slidesOf(textOf(item)).length / slidesOnPage)
 }
 
