@@ -227,11 +227,14 @@ export class Child {
   async tabsTo(thing: Locator) {
     let element = await thing.elementHandle()
     for (let presses = 0; presses < 90; presses += 1) {
-      const at = await element!.evaluate((one) => [one === document.activeElement, one.isConnected])
-      if (at[0]) return
+      const { here, lost } = await element.evaluate((one) => ({
+        here: one === document.activeElement,
+        lost: !one.isConnected,
+      }))
+      if (here) return
       await this.page.keyboard.press('Tab')
       // To look for it by its name at every stop takes longer than all else.
-      if (!at[1] || presses % 10 === 9) element = await thing.elementHandle()
+      if (lost || presses % 10 === 9) element = await thing.elementHandle()
     }
     throw new Error(`The Tab key does not lead to ${String(thing)}`)
   }
