@@ -37,6 +37,10 @@ const oneOfEach = [
   ['worksheet', 'three-ways'],
 ] as const
 
+const decks = globSync('materials/slides/*/item.json', { cwd: content }).map(
+  (file) => (read(file) as { readonly id: string }).id,
+)
+
 const home = 'https://botgarten.example.org'
 
 async function opensPaper(page: Page, item: string, option = 'paper=a4', address = home) {
@@ -126,6 +130,28 @@ test.describe('in the longer of the languages', () => {
     expect(wrong).toEqual([])
   })
 })
+
+test.describe('in the longer of the languages, on slides', () => {
+  test.use({ language: 'de' })
+
+  test('nothing of a slide is cut, and no words of it are small', async ({ page }) => {
+    const wrong: string[] = []
+    for (const id of decks) {
+      await opensPaper(page, `slides/${id}`)
+      wrong.push(...(await page.evaluate(wrongOnSlides)).map((one) => `${id}: ${one}`))
+    }
+    expect(decks.length).toBeGreaterThan(5)
+    expect(wrong).toEqual([])
+  })
+})
+
+/** Slides that hold more than is seen, or are made so small to hold it that its words have less than 18 pt of 27. */
+function wrongOnSlides(): string[] {
+  return [...document.querySelectorAll<HTMLElement>('.leaf > .box')].flatMap((box, at) => [
+    ...(box.scrollHeight > box.clientHeight + 1 ? [`slide ${at + 1} is cut`] : []),
+    ...(Number(box.dataset['zoom']) < 18 / 27 ? [`slide ${at + 1} has ${box.dataset['zoom']}`] : []),
+  ])
+}
 
 /** Words on blocks, beside nodes and in boxes that have less pt than this, and boxes too small for theirs. */
 function smallerThan(least: number): string[] {
