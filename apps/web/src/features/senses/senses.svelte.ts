@@ -22,7 +22,7 @@ declare module '#lab/slots.ts' {
 }
 
 /**
- * Milliseconds between two looks at what is learned: each may draw the whole table anew. One of more cells than `many` is
+ * Milliseconds between two looks at what is learned: each may draw the whole table again. One of more cells than `many` is
  * looked at less often, and so is one that learns faster than an eye follows.
  */
 const often = 100
