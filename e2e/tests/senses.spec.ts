@@ -30,8 +30,6 @@ for (const language of languagesOf(import.meta.filename))
       await bo.time.runsUntil(20)
       const [numbers, untried] = [await bo.numbers(), await bo.untried()]
       expect(untried).toBeLessThan(30)
-      // Bumping is no mistake of whoever learns by trying.
-      await expect(child.words('session.bumped')).toHaveCount(0)
       await expect(bo.table.locator('tr[aria-current]')).toHaveCount(1)
       await expect(bo.lens).toContainText('× (')
       const tried = numbers.findIndex((text) => text.trim() !== '·')

@@ -54,7 +54,7 @@ export interface LearnClaim {
   readonly settings?: { readonly [name: string]: number }
 }
 
-/** A card's own examples (`file` as in embeds, else the solution's), practised anew from where they began. */
+/** A card's own examples (`file` as in embeds, else the solution's), practised again from where they began. */
 export interface PractiseClaim {
   readonly practises: string
   readonly file?: string

@@ -111,7 +111,7 @@ export class LabUi {
 
   /** Begins to let time pass and to listen to the page. Returns how to end it. */
   open(): () => void {
-    const { lab, autosave, opened } = this.#session
+    const { lab, autosave } = this.#session
     const stopFrames = lab.run()
     const stopWatching = $effect.root(() => {
       const { phase, heard, problem, succeeded, touching, green } = $derived(lab.facts)
@@ -132,8 +132,7 @@ export class LabUi {
         if (succeeded) untrack(() => this.#succeed())
       })
       $effect(() => {
-        // In the free lab pushing is no mistake; who learns by trying has to bump.
-        if (opened.card === null || this.#session.tries || phase !== 'running') return
+        if (phase !== 'running' || !this.bumpIsMistake) return
         if (touching) this.notice = 'bumped'
         else untrack(() => this.#soonOver())
       })
@@ -155,6 +154,11 @@ export class LabUi {
       this.speaker.close()
       autosave.close()
     }
+  }
+
+  /** In the free lab things are pushed, and who learns by trying has to bump. */
+  get bumpIsMistake(): boolean {
+    return this.#session.opened.card !== null && !this.#session.tries
   }
 
   /** Bo is free again: that it bumped can still be read for a while. */

@@ -1,3 +1,7 @@
+import { addBlocks } from '@botgarten/blocks'
+import { learning } from '@botgarten/blocks/packs/learning'
+import { cardProject } from '@botgarten/content'
+import { content } from '@botgarten/content/files'
 import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest'
 import { until } from '#storage/testing/device.ts'
 import { friendship } from '#storage/testing/sample.ts'
@@ -53,6 +57,15 @@ async function told() {
   }
 }
 const place = (x: number) => ({ kind: 'place', id: 'bo', after: { x, y: 300, heading: 0 } }) as const
+
+test('bumping is a mistake on a card, but not for who learns by trying, nor in the free lab', () => {
+  addBlocks(learning)
+  const { card, world } = content.card('try-dodge')!
+  const tries = cardProject(world, card, content.program('try-dodge', 'solution')!, 'try-dodge')
+  expect(opened().ui.bumpIsMistake).toBe(true)
+  expect(opened(friendship, { isCard: false }).ui.bumpIsMistake).toBe(false)
+  expect(opened(tries).ui.bumpIsMistake).toBe(false)
+})
 
 describe('a hidden page', () => {
   test('pauses a run, saves, and says so on return', async () => {
