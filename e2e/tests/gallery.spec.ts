@@ -217,15 +217,17 @@ for (const language of languagesOf(import.meta.filename)) {
       await expect(child.button('class.askMate')).toHaveCount(0)
       await page.keyboard.press('Escape')
 
+      await school.teacher.ask('PUT', `/classes/${school.id}/gallery`, { asking: true })
+      await pupil.opensMenu()
+      await child.presses('class.askMate')
+      await expect(child.words('class.askMateNobody', { card: child.card('friendship') })).toBeVisible()
+
+      // Who comes while the child is looking appears in the list.
       const context = await browser.newContext({ ...contextOptions, baseURL: house, locale })
       const there = await context.newPage()
       await signsIn(there, school, owl)
       await there.goto('/')
-      await school.teacher.ask('PUT', `/classes/${school.id}/gallery`, { asking: true })
-      await pupil.opensMenu()
-      await child.presses('class.askMate')
-      const dialog = page.getByRole('dialog')
-      await dialog.getByRole('button', { name: 'Eule' }).click()
+      await page.getByRole('dialog').getByRole('button', { name: 'Eule' }).click()
       const words = child.word('class.mateAsks', { name: 'Fuchs', card: child.card('friendship') })
       await expect(there.getByText(words)).toBeVisible()
       expect(await axeFindings(there)).toEqual([])
