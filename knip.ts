@@ -33,7 +33,7 @@ const config: KnipConfig = {
     },
     'apps/web': {
       project: ['src/**/*.{ts,svelte,css}'],
-      // Named by its path in project.inlang/settings.json; `content:…` is what vite.config makes of content/.
+      // Found by its path in src/words/message.test.ts; `content:…` is what vite.config makes of content/.
       ignoreDependencies: ['@inlang/plugin-message-format', 'content'],
     },
     // Of the system, for a small disk that fills up; the test says why where they are missing.

@@ -1,18 +1,7 @@
 // What is wrong in a folder of messages, each in a line that names it: for the test over content/words, and for one who adds a language.
+import { factsOf, placeholdersIn } from './facts.ts'
 import { filesIn, languagesIn, ownTableOf } from './folder.ts'
-import { formsOf, type Message } from './message.ts'
-
-const placeholdersIn = (message: Message) => [
-  ...new Set(
-    formsOf(message).flatMap((form) => [...form.matchAll(/(?<!\\)\{(\w+)\}/g)].map(([, name]) => name!)),
-  ),
-]
-
-/** Facts that a message may be given: a form may leave one out, "Last day". */
-const factsOf = (message: Message): readonly string[] =>
-  typeof message === 'string'
-    ? placeholdersIn(message).sort()
-    : message[0].declarations.flatMap((declaration) => /^input (\w+)$/.exec(declaration)?.[1] ?? []).sort()
+import type { Message } from './message.ts'
 
 /** Messages that some language has and another has not: "xx lacks home.title (app.json)". */
 export function missingIn(folder?: string): readonly string[] {

@@ -1,5 +1,5 @@
 // Messages in the inlang message format: https://inlang.com/m/reootnfj/plugin-inlang-messageFormat
-// Paraglide makes the types of the same files; a test holds `fill` to the functions that Paraglide compiles.
+// A test holds `fill` to the functions that Paraglide compiles of the same files.
 
 /** Values for a message's placeholders. */
 export type Facts = { readonly [name: string]: string | number }

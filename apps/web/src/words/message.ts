@@ -1,7 +1,7 @@
 import { files } from 'content:words'
 import { fill, type Facts, type Message } from '@botgarten/messages'
 import type { WordsFile } from './generated/files.ts'
-import type * as Messages from './generated/messages.js'
+import type { Messages } from './generated/messages.ts'
 import { language, type Locale } from './language.svelte.ts'
 
 /** Says a message key; unknown keys come back as they are, so that a missing word is seen, not a crash. */
@@ -78,8 +78,8 @@ export const wordsIn =
 /** Says a message in the language of now, also where its key is data (a check's, a finding's). */
 export const message: Words = (key, facts) => wordsIn(language.locale)(key, facts)
 
-/** Every message as a function of its facts; Paraglide has written their types from the words. */
+/** Every message as a function of its facts. */
 export const m = new Proxy(
   {},
   { get: (_messages, key: string) => (facts?: Facts) => message(key, facts) },
-) as typeof Messages
+) as Messages

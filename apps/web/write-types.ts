@@ -1,0 +1,19 @@
+// `npm run words`: the types of all messages, languages and files of messages, from the folder content/words.
+import { mkdirSync, writeFileSync } from 'node:fs'
+import { join } from 'node:path'
+import { typesOf } from '@botgarten/messages/facts'
+import { languagesIn, tableOf } from '@botgarten/messages/folder'
+import { filesOfScreens } from './words.ts'
+
+const folder = join(import.meta.dirname, 'src/words/generated')
+const files = filesOfScreens()
+// Every language says the same messages with the same facts, which a test holds.
+const table = Object.fromEntries(files.flatMap((file) => Object.entries(tableOf(file, 'en'))))
+const union = (names: readonly string[]) => names.map((name) => `'${name}'`).join(' | ')
+
+mkdirSync(folder, { recursive: true })
+writeFileSync(join(folder, 'messages.ts'), typesOf(table))
+writeFileSync(
+  join(folder, 'files.ts'),
+  `export type Locale = ${union(languagesIn())}\nexport type WordsFile = ${union(files)}\n`,
+)
