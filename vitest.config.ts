@@ -11,11 +11,9 @@ const resolve = {
  * name at every use, and comes to each test file by a question to another process. Tests and their helpers are Vite's.
  */
 const packages = /\/(packages|apps\/cli)\/(?!.*(\/testing\/|\/testing\.ts|\.test\.ts|node_modules)).*\.ts$/
-/** A module a message: some thousand. */
-const compiledMessages = /\/words\/generated\/.*\.js$/
 /** Who asks which tests import a file (`vitest related`, the mutants) needs all modules in Vite's graph. */
 const isRun = process.argv[2] === 'run'
-const server = { deps: { external: isRun ? [packages, compiledMessages] : [] } }
+const server = { deps: { external: isRun ? [packages] : [] } }
 /** What Node has compiled is kept for the next test file. */
 process.env['NODE_COMPILE_CACHE'] ??= `${import.meta.dirname}/node_modules/.cache/compiled`
 const keeping = `${import.meta.dirname}/scripts/testing/keep-compiled.ts`
