@@ -82,6 +82,8 @@ describe('a search', () => {
         expect(folded(words)).toHaveLength(words.length)
       }),
     )
+    // U+FAD0 is one unit, and two once it is taken apart.
+    expect(folded('\uFAD0')).toBe('\uFAD0')
   })
 })
 

@@ -27,7 +27,8 @@ export type Synonyms = readonly (readonly string[])[]
 export const folded = (text: string): string =>
   Array.from(text, (letter) => {
     const [bare = ''] = letter.toLowerCase().normalize('NFD')
-    return bare.padEnd(letter.length)
+    // Of a few rare signs the bare one is longer than they are: they stay.
+    return bare.length > letter.length ? letter : bare.padEnd(letter.length)
   }).join('')
 
 /** All that can be found of an item. `kind`: what its kind is called. */
