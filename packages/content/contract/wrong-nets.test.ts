@@ -41,7 +41,12 @@ const right: { readonly [card: string]: { readonly [wrong: string]: string } } =
   'loud-distance': { 'all 1': 'there is one link', mirrored: 'there is one link' },
   interest: { mirrored: 'each colour still has a word of its own' },
   'either-or': { mirrored: 'the hidden neurons change places' },
-  dodge: { mirrored: 'it still turns away before a wall' },
+  dodge: { mirrored: 'it still turns away before a wall, where it meets it from one side' },
+}
+
+/** Start poses from which what is right elsewhere is wrong. */
+const wrongFrom: { readonly [card: string]: { readonly [wrong: string]: readonly number[] } } = {
+  dodge: { mirrored: [1, 3] },
 }
 
 // Nets of the first robot: "if, then" has none.
@@ -54,7 +59,8 @@ describe.each(withNets)('%s', (id) => {
   it.each(wrongs)('%s is refused from some start pose, unless it is right', (name, change) => {
     const { failures } = solved(id, withBrain(change))
     const refused = starts.filter((start) => failures(start, 1, {}).length > 0)
-    if (right[card.id]?.[name]) expect(refused).toEqual([])
+    const asked = wrongFrom[card.id]?.[name] ?? []
+    if (right[card.id]?.[name]) expect(refused).toEqual(asked.filter((start) => starts.includes(start)))
     else expect(refused).toContain(0)
   })
 
