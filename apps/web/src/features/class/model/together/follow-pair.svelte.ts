@@ -28,6 +28,9 @@ export function followPair(
     together = new Together(live, session, pair, packs, end)
     joined(together)
   }
+  // The page goes: saving what was done in its last moment may not come to its end.
+  const leave = () => together?.note()
+  addEventListener('pagehide', leave)
   const stop = $effect.root(() => {
     $effect(() => {
       const { pair } = live
@@ -38,6 +41,7 @@ export function followPair(
   })
   return () => {
     isGone = true
+    removeEventListener('pagehide', leave)
     stop()
     end()
   }

@@ -48,7 +48,7 @@ export class Together {
   #noting: ReturnType<typeof setTimeout> | undefined
   #showing: ReturnType<typeof setTimeout> | undefined
   readonly #steps = new StepsOfOne({
-    settle: () => this.#note(),
+    settle: () => this.note(),
     takeBack: (step) => this.#takeBack(step),
   })
   #known = $state.raw<Pair | null>(null)
@@ -137,11 +137,11 @@ export class Together {
   }
 
   #soon(): void {
-    this.#noting ??= setTimeout(() => this.#note(), stepTime)
+    this.#noting ??= setTimeout(() => this.note(), stepTime)
   }
 
-  /** What was done here since the last time becomes operations. */
-  #note(): void {
+  /** What was done here since the last time becomes operations, which this browser keeps at once. */
+  note(): void {
     clearTimeout(this.#noting)
     this.#noting = undefined
     if (!this.#peer) return
@@ -245,7 +245,7 @@ export class Together {
       this.#showing = setTimeout(() => this.#show(), again)
       return
     }
-    this.#note()
+    this.note()
     this.#keepShown(this.#peer)
     const { shared } = this.#peer
     const floor = this.#floor?.world === shared.world ? this.#floor.painted : null
@@ -297,7 +297,7 @@ export class Together {
 
   /** Each goes on with a copy of its own. */
   async leave(): Promise<void> {
-    this.#note()
+    this.note()
     await this.#exchange()
     await this.#busy
     keep(null)

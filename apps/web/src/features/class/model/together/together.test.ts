@@ -185,6 +185,15 @@ describe('a page that is opened again', () => {
     same()
   })
 
+  test('has what it did in its last moment, also where the device has saved an earlier program', async () => {
+    const saved = fox.session.project
+    turn(fox, 0.6)
+    fox.together.note()
+    await reopens(fox, { saved })
+    expect([weight(fox), weight(owl)]).toEqual([0.6, 0.6])
+    same()
+  })
+
   test('takes nothing of the other one back where the device has saved an earlier program', async () => {
     const saved = fox.session.project
     turn(owl, 0.5)
