@@ -45,6 +45,7 @@ for (const language of languagesOf(import.meta.filename)) {
       await zoo.mends(spinner)
       await zoo.triesUntilMended()
       await zoo.leaves()
+      await expect(child.words('zoo.mended')).toBeVisible()
       await page.reload()
       await expect(child.words('zoo.mended')).toBeVisible()
       expect(await axeFindings(page)).toEqual([])
