@@ -74,6 +74,7 @@ test('two children on one program, one with a pulled cable: both end with the sa
     await one.seesAway()
     const id = (await owl.canvas.locator('.blocklyDraggable').nth(1).getAttribute('data-id'))!
     await new BlockHands(owl).chooses(id, 'DUPLICATE_BLOCK')
+    await expect.poll(async () => (await two.blocks()).length).toBeGreaterThan(before.length)
     await owl.typesWeight(leftEye, rightWheel, 0.2)
     await context.setOffline(false)
     await fox.seesWeight(leftEye, rightWheel, 0.2)
