@@ -2,7 +2,7 @@ import adapter from '@sveltejs/adapter-node'
 import { sveltekit } from '@sveltejs/kit/vite'
 import { defineConfig } from 'vite'
 import { contentPlugin } from '@botgarten/content/vite'
-import { allOfPagesAtOnce, chunks, pagesOfModules } from './chunks.ts'
+import { allOfPagesAtOnce, chunks, compiledAtOnce, pagesOfModules } from './chunks.ts'
 import { examples } from './examples.ts'
 import { notices } from './notices.ts'
 import { webSpace } from './web-space.ts'
@@ -23,6 +23,7 @@ export default defineConfig({
     notices,
     pagesOfModules,
     allOfPagesAtOnce,
+    compiledAtOnce,
     sveltekit({
       adapter: folder ? webSpace(folder) : adapter({ precompress: true }),
       // The sizes of the one build are not those of the other.

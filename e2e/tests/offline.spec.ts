@@ -187,7 +187,7 @@ test('the page of the lab is the same for every card but for what that card need
 }) => {
   const names = ['free', ...content.cards.map(({ id }) => id)]
   const ofItsCard =
-    /<link href="([^"]+)" rel="modulepreload">(?:<link href="[^"]+" rel="preload" as="fetch" crossorigin>)?(?=<\/head>)/
+    /<link href="([^"]+)" rel="modulepreload">(?:<link href="[^"]+" rel="preload" as="fetch" crossorigin><link href="[^"]+" rel="preload" as="image">)?(?=<\/head>)/
   const pages = await Promise.all(
     names.map(async (name) => {
       const answer = await fetch(`${house}/lab/${name}`)

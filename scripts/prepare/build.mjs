@@ -13,7 +13,7 @@ const sources = [
   'apps/web/src',
   'apps/web/static',
   'apps/web/package.json',
-  ...['data', 'examples', 'notices', 'vite.config', 'web-space', 'words'].map(
+  ...['chunks', 'data', 'examples', 'notices', 'vite.config', 'web-space', 'words'].map(
     (name) => `apps/web/${name}.ts`,
   ),
   'NOTICE',

@@ -9,29 +9,29 @@ const preload = ({ type, path }: { readonly type: string; readonly path: string 
 /** Where the build leaves which script holds what; a web space has a folder of its own (vite.config.ts). */
 const manifest = `.svelte-kit/${process.env['BOTGARTEN_WEB_SPACE'] ? 'web-space/' : ''}output/client/.vite/manifest.json`
 
-/** The world on whose picture a card is played. */
-const worldOf = (card: string) =>
-  allCards
-    .find(({ id }) => id === card)
-    ?.floor?.split('/')
-    .at(-2)
+/** The picture a card is played on, below `content/`; undefined where it is played on a colour. */
+const floorOf = (card: string) => allCards.find(({ id }) => id === card)?.floor?.replace('content:', '')
 
 /**
- * What says what a card is, and the pixels of its floor, are asked for by scripts that are long under way: its page names
- * them, and they travel beside these.
+ * What says what a card is, the picture of its floor and that picture's pixels are asked for by scripts that are long under
+ * way: its page names them, and they travel beside these.
  */
 async function linksToCard(card: string, { pathname }: URL): Promise<string> {
   const { readFile } = await import('node:fs/promises')
   const built = JSON.parse(await readFile(manifest, 'utf8')) as { [id: string]: { file: string } | undefined }
-  const files = Object.entries(built)
+  const floor = floorOf(card)
+  const world = floor?.split('/').at(-2)
   const script = built[`content:card/${card}`]?.file
-  const pixels = files.find(([id]) => id.startsWith(`_${worldOf(card)}.`) && id.endsWith('.pixels'))?.[1]
-    ?.file
+  const picture = floor && built[`../../content/${floor}`]?.file
+  const pixels = Object.entries(built).find(
+    ([id]) => id.startsWith(`_${world}.`) && id.endsWith('.pixels'),
+  )?.[1]?.file
   // A web space's pages are folders, a level deeper.
   const root = pathname.endsWith('/') ? '../../' : '../'
   return [
     script && `<link href="${root}${script}" rel="modulepreload">`,
     pixels && `<link href="${root}${pixels}" rel="preload" as="fetch" crossorigin>`,
+    picture && `<link href="${root}${picture}" rel="preload" as="image">`,
   ]
     .filter((link) => link)
     .join('')

@@ -1,23 +1,27 @@
+import { untrack } from 'svelte'
 import { devicePixelRatio } from 'svelte/reactivity/window'
 import type { World } from '@botgarten/simulation'
 import { paint, type Picture } from '#drawing/canvas.ts'
+import type { Command } from '#drawing/commands.ts'
 import { pictureOf } from '#drawing/picture.ts'
 import { drawFloor, drawGround, drawStations } from '#drawing/floor.ts'
 import type { Point } from '#drawing/points.ts'
+import type { Layer } from '#drawing/surface.ts'
 import { letters } from '../letters.svelte.ts'
 import type { Viewport } from './viewport.svelte.ts'
 
 /** In px: what is kept goes on so far beyond the pane, and is painted again so seldom. */
 const step = 256
 
-/** The floor as a picture, painted once for the part that is looked at. */
+/** The floor, as a picture that is painted once for the part that is looked at. */
 export class FloorPicture {
   readonly #world: () => World
   readonly #url: () => string | null
   readonly #stations: () => readonly Point[]
   readonly #viewport: Viewport
-  #image = $state.raw<ImageBitmap | null>(null)
-  #loaded: string | null = null
+  /** What lies on the ground, and from where it came; no image where none could be loaded. */
+  #loaded = $state.raw<{ readonly url: string; readonly image: ImageBitmap | null } | null>(null)
+  #asked: string | null = null
 
   /** @param stations middles of stations, by number, in cm, y up: their numbers stand on the floor */
   constructor(
@@ -35,19 +39,22 @@ export class FloorPicture {
   /** Loads the picture that lies on the ground; for an effect. */
   load(): void {
     const url = this.#url()
-    if (this.#loaded === url) return
-    this.#loaded = url
-    this.#image = null
+    if (this.#asked === url) return
+    this.#asked = url
     if (url === null) return
     const image = new Image()
     image.onload = () => void this.#flatten(image, url)
+    image.onerror = () => this.#take(null, url)
     image.src = url
   }
 
   /** A drawing is made pixels once, not whenever the floor is painted again. */
   async #flatten(image: HTMLImageElement, url: string): Promise<void> {
-    const pixels = await createImageBitmap(image)
-    if (this.#loaded === url) this.#image = pixels
+    this.#take(await createImageBitmap(image).catch(() => null), url)
+  }
+
+  #take(image: ImageBitmap | null, url: string): void {
+    if (this.#asked === url) this.#loaded = { url, image }
   }
 
   readonly #left = $derived.by(() => Math.floor(-this.#viewport.corner.x / step) * step)
@@ -64,22 +71,35 @@ export class FloorPicture {
   }))
 
   /** A new object whenever it has been painted again; in px of the floor's box. */
-  readonly picture: Picture = $derived.by(() => {
-    const world = this.#world()
-    const { scale } = this.#viewport
-    const ratio = devicePixelRatio.current ?? 1
+  readonly layer: Layer = $derived.by(() => {
+    const [world, url, { scale }] = [this.#world(), this.#url(), this.#viewport]
+    const ground = drawGround(world)
+    const over = [
+      ...drawFloor(world, scale, url !== null),
+      ...drawStations(this.#stations(), world.size.height, scale),
+    ]
+    // A large picture for the few frames until it comes would cost more than painting these anew.
+    if (url !== null && this.#loaded?.url !== url)
+      return { kind: 'group', scale, shapes: [...ground, ...over] }
+    return this.#pictureOf(ground, url === null ? null : this.#loaded!.image, over)
+  })
+
+  #pictureOf(ground: readonly Command[], image: ImageBitmap | null, over: readonly Command[]): Picture {
     const { place } = this
-    const { families } = letters
+    const { scale } = this.#viewport
+    const { width: acrossInCm, height: downInCm } = this.#world().size
+    const ratio = devicePixelRatio.current ?? 1
+    // Only what is written is painted again when letters come.
+    const families = this.#stations().length > 0 ? letters.families : untrack(() => letters.families)
     const [width, height] = [place.width, place.height].map((length) => Math.round(length * ratio))
     const source = pictureOf(width!, height!, (context) => {
       context.scale(ratio, ratio)
       context.translate(-place.x, -place.y)
       context.scale(scale, scale)
-      paint(context, drawGround(world), families)
-      if (this.#image) context.drawImage(this.#image, 0, 0, world.size.width, world.size.height)
-      paint(context, drawFloor(world, scale, this.#url() !== null), families)
-      paint(context, drawStations(this.#stations(), world.size.height, scale), families)
+      paint(context, ground, families)
+      if (image) context.drawImage(image, 0, 0, acrossInCm, downInCm)
+      paint(context, over, families)
     })
     return { source, ...place }
-  })
+  }
 }

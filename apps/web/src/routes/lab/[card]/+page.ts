@@ -15,15 +15,13 @@ export const entries: EntryGenerator = () => [{ card: 'free' }, ...allCards.map(
 export const load: PageLoad = async ({ params, url }) => {
   // The heaviest part travels while the screen is made. The screen asks for it too, and says so where it cannot come.
   editor.load().catch(() => undefined)
-  const words = fetchBlocklyWords()
-  // Who needs them hears of it.
-  words.catch(() => undefined)
+  fetchBlocklyWords().catch(() => undefined)
   const place = await studyPlace(params.card)
   if (place === null) redirect(307, resolve('/study'))
   // A child of a study has projects of its own, and sees no other's.
   const project = place?.project ?? url.searchParams.get('p')
   await bringClassWork(project ?? params.card)
-  const [opened] = await Promise.all([openLab(params.card, project, packs), words])
+  const opened = await openLab(params.card, project, packs)
   if (!opened) error(404, params.card)
   return { opened, startAtOnce: url.searchParams.has('start') }
 }
