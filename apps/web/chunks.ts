@@ -103,8 +103,11 @@ interface Built {
   dynamicImports?: string[]
 }
 
-/** Scripts of pages that wait for a part before they are of use: they need most of both. */
-const heavy = new Set<string>()
+/**
+ * Scripts of which a page that waits for a part needs most before it is of use: those that only such pages have, and those of
+ * all pages. Others are shared for the sake of a library that is needed later, as the physics is.
+ */
+let heavy: readonly string[] = []
 
 /** The chunk of a page or of its frame. */
 const isNode = ({ type, fileName }: Built) => type === 'chunk' && /[\\/]nodes[\\/]/.test(fileName)
@@ -119,6 +122,7 @@ export const allOfPagesAtOnce: Plugin = {
     const built = bundle as unknown as { readonly [file: string]: Built }
     const nodes = Object.values(built).filter(isNode)
     const shared = new Set<Built>()
+    const pagesWith = new Map<string, readonly { readonly waits: boolean }[]>()
     for (const node of nodes) {
       const all = new Map<string, Built>()
       const add = (file: string) => {
@@ -134,12 +138,16 @@ export const allOfPagesAtOnce: Plugin = {
       Object.values(built)
         .filter(({ modules = {} }) => asked.some((id) => id in modules))
         .forEach(({ fileName }) => add(fileName))
-      if (asked.length > 0) [node.fileName, ...all.keys()].forEach((file) => heavy.add(file))
       node.imports = [...all.keys()]
+      for (const file of [node.fileName, ...node.imports])
+        pagesWith.set(file, [...(pagesWith.get(file) ?? []), { waits: asked.length > 0 }])
       const later = [node, ...all.values()].flatMap(({ dynamicImports = [] }) => dynamicImports)
       node.dynamicImports = [...new Set(later)]
     }
     for (const chunk of shared) if (!isNode(chunk)) chunk.dynamicImports = []
+    heavy = [...pagesWith]
+      .filter(([, pages]) => pages.length === nodes.length || pages.every(({ waits }) => waits))
+      .map(([file]) => file)
   },
 }
 
