@@ -1,10 +1,10 @@
 // `npm run test:changed`: what a change asks for before it is shown to anyone. Types, lint and the unit tests that import
-// a changed file, side by side; when all are good, the browser tests of the rooms that were changed.
+// a changed file, side by side with the build; when all are good, the browser tests of the rooms that were changed.
 import { mkdtempSync, rmSync } from 'node:fs'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import { ensureChromium } from '../e2e/chromium.mjs'
-import { buildWhenNeeded } from './prepare/build.mjs'
+import { isToBeBuilt } from './prepare/build.mjs'
 import { changedFiles, specsOf } from './prepare/changed.mjs'
 import { installWhenNeeded } from './prepare/install.mjs'
 import { asScript } from './prepare/run.mjs'
@@ -52,15 +52,15 @@ function checksOf(changed) {
 }
 
 async function takeAll(changed) {
+  const specs = specsOf(changed)
   const environment = { CHROMIUM: await ensureChromium(), NODE_COMPILE_CACHE: join(folder, 'compiled') }
   const counts = [await take({ name: 'generated files', script: 'generate' }, environment)]
   if (counts.every(good)) {
-    const lanes = checksOf(changed).map((steps) => takeInOrder(steps, environment, true))
+    const built = specs.length > 0 && isToBeBuilt() ? [[{ name: 'build', script: 'build' }]] : []
+    const lanes = [...built, ...checksOf(changed)].map((steps) => takeInOrder(steps, environment, true))
     counts.push(...(await Promise.all(lanes)).flat())
   }
-  const specs = specsOf(changed)
   if (counts.every(good) && specs.length > 0) {
-    await buildWhenNeeded()
     const tests = browserTests(join(folder, 'browser.json'))
     const names = specs.map((file) => file.replace('e2e/', ''))
     counts.push(await take({ ...tests, args: [...tests.args, ...names] }, environment))

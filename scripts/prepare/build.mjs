@@ -82,9 +82,12 @@ export async function buildStaticWhenNeeded() {
   await buildStatic(runQuietly)
 }
 
+/** Is a source not the one that was built? */
+export const isToBeBuilt = () => !existsSync(stamp) || readFileSync(stamp, 'utf8') !== hashOfSources()
+
 /** Builds the web app when a source is not the one that was built. */
 export async function buildWhenNeeded() {
-  if (existsSync(stamp) && readFileSync(stamp, 'utf8') === hashOfSources()) return
+  if (!isToBeBuilt()) return
   console.log('Building the lab (once after every change) …')
   await build(runQuietly)
 }
