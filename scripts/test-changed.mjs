@@ -35,7 +35,7 @@ function checksOf(changed) {
   const files = changed.filter((file) => code.test(file))
   const lint = [
     files.length > 0 && { name: 'lint', script: 'lint', args: ['--no-warn-ignored', ...files] },
-    files.length > 0 && { name: 'lint by types', script: 'lint:types' },
+    files.length > 0 && { name: 'lint by types', script: 'lint:types', args: files },
     { name: 'format', script: 'formatted', args: ['--ignore-unknown', ...changed] },
   ].filter(Boolean)
   const tests = changed.filter((file) => code.test(file) && !file.startsWith('e2e/tests/'))
