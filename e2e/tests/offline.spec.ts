@@ -202,6 +202,19 @@ test('the page of the lab is the same for every card but for what that card need
   expect([script.status, await script.text()]).toEqual([200, expect.stringContaining(names[1]!)])
 })
 
+test('a browser is told in the first line of the blocks and of the page of the lab to compile them while they travel', async ({
+  house,
+}) => {
+  const page = await (await fetch(`${house}/lab/friendship`)).text()
+  const files = [...page.matchAll(/<link href="([^"]+)" rel="modulepreload">/g)].map(([, file]) => file!)
+  const scripts = await Promise.all(
+    files.map(async (file) => (await fetch(new URL(file, `${house}/lab/friendship`))).text()),
+  )
+  const largest = scripts.toSorted((a, b) => b.length - a.length)[0]!
+  const own = scripts[files.findIndex((file) => /\/nodes\/(?!0\.)/.test(file))]!
+  for (const script of [largest, own]) expect(script.split('\n', 1)).toEqual(['//# allFunctionsCalledOnLoad'])
+})
+
 test('what is kept for times without a network comes after the page, and is at most 2.75 MB on the wire', async ({
   child,
   page,

@@ -78,7 +78,7 @@ export class FloorPicture {
       ...drawFloor(world, scale, url !== null),
       ...drawStations(this.#stations(), world.size.height, scale),
     ]
-    // A large picture for the few frames until it comes would cost more than painting these anew.
+    // Until its picture is loaded: a bitmap for so few frames would cost more than to paint these shapes.
     if (url !== null && this.#loaded?.url !== url)
       return { kind: 'group', scale, shapes: [...ground, ...over] }
     return this.#pictureOf(ground, url === null ? null : this.#loaded!.image, over)
