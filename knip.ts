@@ -12,6 +12,7 @@ const config: KnipConfig = {
         'scripts/*.{mjs,ts}',
         'scripts/image/pi/{prepare,screen,stick,trial}.ts',
         'scripts/testing/fast-check.ts',
+        'scripts/gate/file-results.mjs',
       ],
       project: ['scripts/**/*.{mjs,ts}'],
       ignoreBinaries: [
@@ -47,7 +48,7 @@ const config: KnipConfig = {
     // A process of its own, and a function of a test.
     'packages/programs': { entry: ['python/testing/worker.ts'] },
     benchmarks: { entry: ['*.bench.ts'] },
-    e2e: { entry: ['saved-work.ts', 'tests/**/*.{spec,touch}.ts', 'walk/*.walk.ts'] },
+    e2e: { entry: ['saved-work.ts', 'file-results.mjs', 'tests/**/*.{spec,touch}.ts', 'walk/*.walk.ts'] },
   },
 }
 

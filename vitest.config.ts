@@ -1,4 +1,6 @@
+import { readFileSync } from 'node:fs'
 import { availableParallelism } from 'node:os'
+import { relative } from 'node:path'
 import { defineConfig } from 'vitest/config'
 
 /** Tests find the same cases on every run. */
@@ -18,6 +20,42 @@ const server = { deps: { external: isRun ? [packages] : [] } }
 process.env['NODE_COMPILE_CACHE'] ??= `${import.meta.dirname}/node_modules/.cache/compiled`
 const keeping = `${import.meta.dirname}/scripts/testing/keep-compiled.ts`
 
+/** A step of `npm test` lists the files that it runs, one a line (scripts/gate/suite.mjs). */
+const listed = process.env['BOTGARTEN_TEST_FILES']
+const files = listed === undefined ? null : readFileSync(listed, 'utf8').split('\n')
+
+/**
+ * The test files of a project: the listed ones, or all that match its patterns.
+ * @param folder the project's root
+ */
+const included = (
+  isOurs: (file: string) => boolean,
+  folder: string,
+  patterns: readonly string[],
+): string[] => (files === null ? [...patterns] : files.filter(isOurs).map((file) => relative(folder, file)))
+
+/** Packages without state of their own: one process runs all of their tests, which saves a third of the time. */
+const shared = [
+  'answers',
+  'blocks',
+  'experiments',
+  'lab',
+  'learning',
+  'maps',
+  'messages',
+  'numbers',
+  'simulation',
+]
+const isShared = (file: string) => shared.some((name) => file.startsWith(`packages/${name}/`))
+const isWeb = (file: string) => file.startsWith('apps/web/')
+const testsOf = (...folders: readonly string[]) => folders.map((folder) => `${folder}/**/*.test.ts`)
+
+const limits = {
+  // A slow machine may take its time; what hangs is still found.
+  testTimeout: 60_000,
+  hookTimeout: 60_000,
+}
+
 export default defineConfig({
   test: {
     // On two cores one worker leaves the other idle once the code has been read.
@@ -26,21 +64,27 @@ export default defineConfig({
       {
         resolve,
         test: {
+          ...limits,
+          name: 'shared',
+          server,
+          setupFiles: [keeping],
+          isolate: false,
+          include: included(isShared, '', testsOf(...shared.map((name) => `packages/${name}`))),
+        },
+      },
+      {
+        resolve,
+        test: {
+          ...limits,
           name: 'packages',
           server,
           setupFiles: [keeping],
           globalSetup: [`${import.meta.dirname}/packages/classroom/testing/no-postgres-left.ts`],
-          // A slow machine may take its time; what hangs is still found.
-          testTimeout: 60_000,
-          hookTimeout: 60_000,
-          include: [
-            'packages/**/*.test.ts',
-            'content/**/*.test.ts',
-            'apps/cli/**/*.test.ts',
-            'scripts/**/*.test.ts',
+          include: included((file) => !isWeb(file) && !isShared(file), '', [
+            ...testsOf('packages', 'content', 'apps/cli', 'scripts', 'benchmarks'),
             'e2e/*.test.ts',
-            'benchmarks/**/*.test.ts',
-          ],
+          ]),
+          exclude: ['**/node_modules/**', ...testsOf(...shared.map((name) => `packages/${name}`))],
         },
       },
       {
@@ -48,11 +92,10 @@ export default defineConfig({
         root: 'apps/web',
         resolve,
         test: {
+          ...limits,
           name: 'web',
           server,
-          testTimeout: 60_000,
-          hookTimeout: 60_000,
-          include: ['src/**/*.test.ts'],
+          include: included(isWeb, 'apps/web', testsOf('src')),
           setupFiles: [keeping, `${import.meta.dirname}/apps/web/src/words/all-languages.ts`],
         },
       },

@@ -20,11 +20,12 @@ const unused = ['journey', 'kept', 'late-parts', 'offline', 'own-house', 'said',
 export default defineConfig<{ hand: 'mouse' | 'finger' }>({
   testDir: 'tests',
   outputDir: 'test-results',
-  // Tests wait longer than they compute: three keep two cores busy for two thirds of the time.
+  // Tests wait longer than they compute: four keep two cores busy.
   workers: 4,
   fullyParallel: true,
   forbidOnly: true,
-  retries: 0,
+  // A test that needs a further try is listed as flaky. Tests of what must not be lost allow themselves none.
+  retries: 2,
   timeout: 120_000,
   expect: { timeout: 30_000 },
   reporter: 'list',

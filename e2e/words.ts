@@ -8,14 +8,16 @@ export type Language = 'en' | 'de'
 export const languages = languagesIn().toSorted((one) => (one === 'en' ? -1 : 1)) as readonly Language[]
 
 /**
- * The languages in which the tests of a file run: one of them, the same at every run, or all where
- * `BOTGARTEN_LANGUAGES` is `all`. Behaviour does not depend on the language; that words fit on every screen in every
- * language has a test of its own. Files of one language follow each other: a page is used again only in its language.
+ * The languages in which the tests of a file run: one of them, or all where `BOTGARTEN_LANGUAGES` is `all`. Which one hangs on
+ * the sample of `npm run test:full`: the next part takes the next language. Behaviour does not depend on the language; that
+ * words fit on every screen in every language has a test of its own. Files of one language follow each other: a page is
+ * used again only in its language.
  */
 export function languagesOf(file: string): readonly Language[] {
   if (process.env['BOTGARTEN_LANGUAGES'] === 'all') return languages
   const letter = basename(file).charCodeAt(0) - 'a'.charCodeAt(0)
-  return [languages[Math.floor((letter / 26) * languages.length)]!]
+  const turn = Number(process.env['BOTGARTEN_SAMPLE'] ?? 0)
+  return [languages[(Math.floor((letter / 26) * languages.length) + turn) % languages.length]!]
 }
 
 const words = new Map(languages.map((language) => [language, wordsOf(language)]))

@@ -1,22 +1,26 @@
-// `npm test`. Every step is an npm script that can be run alone. Types and lint run side by side and both say what
-// they found; after that the first step that fails ends it.
-import { mkdtempSync, rmSync } from 'node:fs'
-import { tmpdir } from 'node:os'
-import { join } from 'node:path'
+// `npm test`: types, lint, format, arrows, unused code, build, sizes, unit tests, and a walk through every feature in a
+// browser. Every step is an npm script that can be run alone. What was green in this clone and depends on no file that has
+// changed since is not run again; `npm test -- --fresh` runs everything.
+import { parseArgs } from 'node:util'
 import { ensureChromium } from '../e2e/chromium.mjs'
+import { readKeys } from './gate/keys.mjs'
+import { addRecord, readRecords, recordsFile } from './gate/records.mjs'
+import { browserSuite, runSuite, unitSuite } from './gate/suite.mjs'
+import { summarize } from './gate/summary.mjs'
+import { isSlow, listFiles, listUnitTests } from './gate/tree.mjs'
+import { isToBeBuilt } from './prepare/build.mjs'
+import { inHouse as inRepo } from './prepare/house.mjs'
 import { installWhenNeeded } from './prepare/install.mjs'
 import { asScript } from './prepare/run.mjs'
 import { runtime } from './prepare/runtime.mjs'
-import { browserTests, good, take, takeInOrder, unitTests } from './prepare/steps.mjs'
-
-const folder = mkdtempSync(join(tmpdir(), 'botgarten-test-'))
-const unit = join(folder, 'unit.json')
-const browser = join(folder, 'browser.json')
+import { good, take, takeInOrder } from './prepare/steps.mjs'
 
 /** Writes what the other steps read: messages and the types of pages. @type {import('./prepare/steps.mjs').Step} */
 const generate = { name: 'generated files', script: 'generate' }
+const build = { name: 'build', script: 'build' }
+const sizes = { name: 'sizes', script: 'check:sizes' }
 
-/** What only reads the code, in two lanes that take equally long on two cores. @type {import('./prepare/steps.mjs').Step[][]} */
+/** Checks that only read the code, in two lanes that take equally long on two cores. @type {import('./prepare/steps.mjs').Step[][]} */
 const checks = [
   [
     { name: 'types', script: 'types' },
@@ -27,34 +31,59 @@ const checks = [
     { name: 'lint by types', script: 'lint:types' },
     { name: 'arrows between rooms', script: 'check:arrows' },
     { name: 'unused code', script: 'check:unused' },
-    { name: 'build', script: 'build' },
-    { name: 'sizes', script: 'check:sizes' },
   ],
 ]
 
-async function takeAll() {
-  // Programs that are started many times are compiled once.
-  const environment = { CHROMIUM: await ensureChromium(), NODE_COMPILE_CACHE: join(folder, 'compiled') }
-  const counts = [await take(generate, environment)]
-  if (counts.every(good)) {
-    const lanes = checks.map((steps) => takeInOrder(steps, environment, true))
-    counts.push(...(await Promise.all(lanes)).flat())
-  }
-  if (counts.every(good))
-    counts.push(...(await takeInOrder([unitTests(unit), browserTests(browser)], environment)))
-  return {
-    passed: counts.reduce((sum, { passed }) => sum + passed, 0),
-    failed: counts.reduce((sum, { failed }) => sum + failed, 0),
-  }
+/** Runs the checks of which no record says that they were good for the tree as it is, and the build when it is due. */
+async function runChecks({ keys, greens, records, environment }) {
+  const keyOf = ({ name }) => keys.ofStep(name)
+  const isKnown = (step) => greens.has(keyOf(step) ?? '')
+  const lanes = checks.map((steps) => steps.filter((step) => !isKnown(step)))
+  lanes[1].push(...(isToBeBuilt() ? [build] : []), sizes)
+  const counts = await Promise.all(
+    lanes.map(async (steps) => {
+      const taken = await takeInOrder(steps, environment, true)
+      taken.forEach((count, index) => {
+        const key = keyOf(steps[index])
+        if (good(count) && key !== null) addRecord(records, { key, passed: 1, flaky: [] })
+      })
+      return taken
+    }),
+  )
+  const known = checks.flat().filter(isKnown).length
+  return [...counts.flat(), { passed: known, failed: 0, known }]
+}
+
+async function runAll(context) {
+  const { keys } = context
+  const outcomes = [await take(generate, context.environment)]
+  if (outcomes.every(good)) outcomes.push(...(await runChecks(context)))
+  const units = unitSuite({ files: listUnitTests().filter((file) => !isSlow(file)), keyOf: keys.ofTest })
+  const walk = browserSuite({
+    ...{ name: 'walk through every feature', script: 'test:gate', keyOf: keys.ofSpec },
+    files: listFiles('e2e/gate', '.spec.ts', '.touch.ts'),
+  })
+  for (const suite of [units, walk]) if (outcomes.every(good)) outcomes.push(await runSuite(suite, context))
+  return outcomes
 }
 
 await asScript(async () => {
+  const { values } = parseArgs({ options: { fresh: { type: 'boolean', default: false } } })
   await installWhenNeeded()
-  // Says what to do where there is no Node new enough for the steps.
+  // Reports what to do where there is no Node new enough for the steps.
   runtime()
   const began = Date.now()
-  const { passed, failed } = await takeAll()
-  rmSync(folder, { recursive: true, force: true })
-  console.log(`\n${passed} passed, ${failed} failed (${Math.round((Date.now() - began) / 1000)} s)`)
-  return failed === 0 ? 0 : 1
+  const records = recordsFile()
+  const context = {
+    records,
+    greens: readRecords(values.fresh ? null : records),
+    keys: readKeys(),
+    run: 'npm test',
+    // Programs that are started many times are compiled once.
+    environment: {
+      CHROMIUM: await ensureChromium(),
+      NODE_COMPILE_CACHE: inRepo('node_modules', '.cache', 'compiled'),
+    },
+  }
+  return summarize(await runAll(context), began)
 })

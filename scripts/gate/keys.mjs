@@ -1,0 +1,46 @@
+import { execFileSync } from 'node:child_process'
+import { createRequire } from 'node:module'
+import { join } from 'node:path'
+import { house as repoRoot, inHouse as inRepo } from '../prepare/house.mjs'
+import { runtime } from '../prepare/runtime.mjs'
+import { importsOf, keyOfTest } from './graph.mjs'
+import { hashOf, hashOfTree, readTree } from './tree.mjs'
+
+const folders = ['packages', 'apps', 'content', 'e2e', 'benchmarks', 'scripts']
+const cache = join('node_modules', '.cache', 'arrows')
+
+/** What every module of the repository imports, read by dependency-cruiser. */
+function readImports() {
+  const require = createRequire(inRepo('package.json'))
+  const bin = join(require.resolve('dependency-cruiser/package.json'), '..', 'bin', 'dependency-cruise.mjs')
+  const args = [bin, ...folders, '--output-type', 'json', '--cache', cache]
+  const options = { cwd: repoRoot, encoding: 'utf8', maxBuffer: 2 ** 28 }
+  return importsOf(JSON.parse(execFileSync(runtime(), args, options)).modules)
+}
+
+const isDocument = (path) => /\.md$|^benchmarks\/|^docs\//.test(path) && !path.startsWith('content/')
+const isUnitTest = (path) => path.endsWith('.test.ts')
+const isSpec = (path) => /^e2e\/(tests|gate|walk)\//.test(path)
+
+/**
+ * Keys of steps and test files: a key is a hash of everything that decides how it ends. `whole` is a hash of all files. No key is
+ * given where there is no git.
+ * @param {string} [mode] what else decides, such as the sample
+ */
+export function readKeys(mode = '') {
+  const tree = readTree()
+  if (tree === null) return { whole: '', ofStep: () => null, ofTest: () => null, ofSpec: () => null }
+  const imports = readImports()
+  const whole = hashOfTree(tree)
+  // Browser tests see the whole product, so that any file of it may decide.
+  const product = hashOfTree(tree, (path) => !isDocument(path) && !isUnitTest(path) && !isSpec(path))
+  return {
+    whole,
+    /** @param {string} name */
+    ofStep: (name) => hashOf([`step ${name}`, whole]),
+    /** @param {string} file */
+    ofTest: (file) => keyOfTest(tree, imports, file),
+    /** @param {string} file */
+    ofSpec: (file) => hashOf([`spec ${file}`, `mode ${mode}`, tree.get(file) ?? '', product]),
+  }
+}

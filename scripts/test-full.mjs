@@ -1,0 +1,87 @@
+// `npm run test:full`: what `npm test` leaves out. Slow unit tests, all browser tests, and a quarter of the walks to the end
+// of every card and map: the commit's id says which quarter and which language, `--sample ID` repeats one. `--shard 1/3` runs
+// a part of each, `--rooms sorting,network` only the browser tests of some rooms. A run that was stopped goes on where it
+// was; `--fresh` begins anew.
+import { parseArgs } from 'node:util'
+import { ensureChromium } from '../e2e/chromium.mjs'
+import { readKeys } from './gate/keys.mjs'
+import { flakyOf, forgetRun, readRecords, recordsFile } from './gate/records.mjs'
+import { specsOf } from './gate/rooms.mjs'
+import { commitId, partOf } from './gate/sample.mjs'
+import { browserSuite, runSuite, unitSuite } from './gate/suite.mjs'
+import { summarize } from './gate/summary.mjs'
+import { isSlow, listFiles, listUnitTests } from './gate/tree.mjs'
+import { isToBeBuilt } from './prepare/build.mjs'
+import { inHouse as inRepo } from './prepare/house.mjs'
+import { installWhenNeeded } from './prepare/install.mjs'
+import { asScript, Trouble } from './prepare/run.mjs'
+import { runtime } from './prepare/runtime.mjs'
+import { good, takeInOrder } from './prepare/steps.mjs'
+
+const options = {
+  sample: { type: 'string' },
+  shard: { type: 'string' },
+  rooms: { type: 'string', default: '' },
+  fresh: { type: 'boolean', default: false },
+}
+
+/** @param {string | undefined} text `1/3` */
+function readShard(text) {
+  if (text === undefined) return null
+  const [, index, count] = /^([1-9]\d*)\/([1-9]\d*)$/.exec(text) ?? []
+  if (Number(index) <= Number(count)) return text
+  throw new Trouble('--shard needs a part and a number of parts, such as 1/3.')
+}
+
+/** @param {{ shard: string | null, rooms: readonly string[], keys: ReturnType<typeof readKeys> }} what */
+function suitesOf({ shard, rooms, keys }) {
+  const browser = browserSuite({
+    ...{ name: 'browser tests', script: 'test:browser', keyOf: keys.ofSpec, shard },
+    files: specsOf(rooms),
+  })
+  if (rooms.length > 0) return [browser]
+  const slow = unitSuite({
+    ...{ name: 'slow unit tests', keyOf: keys.ofTest, shard },
+    files: listUnitTests().filter(isSlow),
+  })
+  const walks = browserSuite({
+    ...{ name: 'walks to the end', script: 'walk', keyOf: keys.ofSpec, shard, isPart: true },
+    files: listFiles('e2e/walk', '.walk.ts'),
+  })
+  return [slow, browser, walks]
+}
+
+async function runAll(suites, context) {
+  const before = [
+    { name: 'generated files', script: 'generate' },
+    ...(isToBeBuilt() ? [{ name: 'build', script: 'build' }] : []),
+  ]
+  const outcomes = await takeInOrder(before, context.environment)
+  if (!outcomes.every(good)) return outcomes
+  // A failure in one suite hides nothing in the others.
+  for (const suite of suites) outcomes.push(await runSuite(suite, context))
+  return outcomes
+}
+
+await asScript(async () => {
+  const { values } = parseArgs({ options })
+  await installWhenNeeded()
+  runtime()
+  const [began, shard, sample] = [Date.now(), readShard(values.shard), values.sample ?? commitId()]
+  const part = partOf(sample)
+  console.log(`Sample ${sample}: part ${part}. The same again: npm run test:full -- --sample ${sample}`)
+  const [records, rooms] = [recordsFile(), values.rooms.split(',').filter(Boolean)]
+  const keys = readKeys(`sample ${part}, shard ${shard ?? 'all'}`)
+  const run = `full, ${keys.whole}, ${part}`
+  if (values.fresh) forgetRun(records, run)
+  const context = {
+    ...{ records, run, greens: readRecords(records) },
+    environment: {
+      CHROMIUM: await ensureChromium(),
+      NODE_COMPILE_CACHE: inRepo('node_modules', '.cache', 'compiled'),
+      BOTGARTEN_SAMPLE: String(part),
+    },
+  }
+  const outcomes = await runAll(suitesOf({ shard, rooms, keys }), context)
+  return summarize(outcomes, began, flakyOf(records, run))
+})
