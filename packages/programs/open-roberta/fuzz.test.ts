@@ -1,6 +1,7 @@
 import { addBlocks } from '@botgarten/blocks'
 import { expert } from '@botgarten/blocks/packs/expert'
 import { isLong } from '@botgarten/numbers/testing'
+import { timed } from '@botgarten/numbers/testing/processor'
 import { expect, it } from 'vitest'
 import { languagesIn, wordsOf } from '../../messages/folder.ts'
 import { ProjectError } from '../index.ts'
@@ -17,10 +18,8 @@ it(`${copies} mutated copies are opened, or refused with a clear word, each with
   const counts = { opened: 0, refused: 0 }
   for (let number = 1; number <= copies; number++) {
     const { what, text } = mutated(files, number)
-    const before = process.cpuUsage()
-    const outcome = opened(text)
-    const { user, system } = process.cpuUsage(before)
-    expect((user + system) / 1e6, what).toBeLessThan(1)
+    const { result: outcome, seconds } = timed(() => opened(text))
+    expect(seconds, what).toBeLessThan(1)
     if (outcome instanceof ProjectError) {
       counts.refused++
       for (const said of words) expect(Object.keys(said), what).toContain(`problem.${outcome.reason}.title`)

@@ -1,6 +1,7 @@
 import { describe, expect, it } from 'vitest'
 import { addBlocks, blockFrom, type Template } from '@botgarten/blocks'
 import { expert } from '@botgarten/blocks/packs/expert'
+import { timed } from '@botgarten/numbers/testing/processor'
 import { check, indexProgram, runThread, startThread, type Program } from '../index.ts'
 import { block, calculate, number, repeat, forever } from '../testing/build.ts'
 import { nextTick, recordingRobot } from '../testing/recording-robot.ts'
@@ -20,10 +21,8 @@ function run(program: Program, ticks = 300) {
   const thread = startThread(index)
   let slowest = 0
   while (!thread.ended && recording.tick < ticks) {
-    const before = process.cpuUsage()
-    runThread(thread, index, recording.context)
-    const { user, system } = process.cpuUsage(before)
-    slowest = Math.max(slowest, (user + system) / 1e6)
+    const { seconds } = timed(() => runThread(thread, index, recording.context))
+    slowest = Math.max(slowest, seconds)
     nextTick(recording)
   }
   return { thread, slowest }
