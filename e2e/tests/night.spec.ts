@@ -5,6 +5,9 @@ import { parseProject } from '@botgarten/programs'
 import { axeFindings } from '../axe.ts'
 import { expect, test } from '../house.ts'
 
+/** The script that learns. */
+const worker = /\/night-worker[^/]*\.js$/
+
 test('Bo learns overnight what Node learns, bit for bit, keeps it, and drives by it', async ({
   child,
   page,
@@ -15,9 +18,12 @@ test('Bo learns overnight what Node learns, bit for bit, keeps it, and drives by
   await child.opensLab('try-dodge')
   await child.opensProject('Night', JSON.stringify(project))
 
+  // A fast machine would be through before the button is pressed: this night waits for its worker.
+  await page.route(worker, () => {})
   await child.presses('night.begin')
   await child.presses('night.stop')
   await expect(page.getByText(child.word('night.stopped'))).toBeVisible()
+  await page.unroute(worker)
   await child.presses('night.begin')
   await expect(page.getByRole('figure', { name: child.word('night.curves') }).getByRole('row')).toHaveCount(
     9,
