@@ -5,6 +5,7 @@ import { knobOf, node } from './child-cards.ts'
 import { Learner } from './child-learning.ts'
 import { SortingHands } from './child-sorting.ts'
 import { leftEye, leftWheel, rightEye, rightWheel, type Child, type Motor, type Sensor } from './child.ts'
+import { fixesDice } from './navigation.ts'
 import { finds, type Way } from './ways.ts'
 
 /** A card, and what a child does to solve it. */
@@ -150,9 +151,9 @@ export async function walks(child: Child, way: Way, { card: id, solve }: Task) {
   const { card } = content.card(id)!
   const learns = card.playground === 'q-learning'
   await child.opensHome()
+  if (learns) await fixesDice(child)
   await way.press(child.page.locator(`a[href$="/lab/${id}"]`).first())
   await child.seesLab()
-  if (learns) await new Learner(child).pinsDice(1)
   await solve(child, way)
   await drives(child, way, card, learns)
   expect(await axeFindings(child.page)).toEqual([])

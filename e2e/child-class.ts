@@ -1,5 +1,6 @@
 import { expect } from '@playwright/test'
 import type { Child } from './child.ts'
+import { opensFromHome } from './navigation.ts'
 
 /** A child of a class: on its way in, and in it. */
 export class Pupil {
@@ -22,12 +23,13 @@ export class Pupil {
 
   /** Types a code on the page of the class. @param code null: nothing is typed */
   async opens(code: string | null = this.#code) {
-    await this.#page.goto('/join')
-    await this.child.seesTitle()
+    await opensFromHome(this.child, 'home.joinClass')
+    await expect(this.child.words('class.joinTitle')).toBeVisible()
     for (const word of code?.split(' ') ?? []) await this.#page.keyboard.type(`${word} `)
   }
 
   async opensByLink() {
+    // By address: a class's link or QR code leads here.
     await this.#page.goto(`/join#${this.#code.replaceAll(' ', '-')}`)
     await expect(this.nickname).toBeFocused()
   }

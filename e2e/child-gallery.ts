@@ -1,6 +1,7 @@
 import { expect, type Locator, type Page } from '@playwright/test'
 import type { Child } from './child.ts'
 import type { Asker } from './class-server.ts'
+import { opensFromHome } from './navigation.ts'
 import { projectFile } from './projects.ts'
 
 let shares = 0
@@ -29,7 +30,7 @@ export class GalleryHands {
   }
 
   async opens() {
-    await this.#page.goto('/gallery')
+    await opensFromHome(this.child, 'class.gallery')
     await expect(this.child.button('gallery.shareOne')).toBeVisible()
   }
 

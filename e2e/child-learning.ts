@@ -3,6 +3,7 @@ import { readFile } from 'node:fs/promises'
 import { expect, type Locator } from '@playwright/test'
 import { cardProject, readCard, type CardProgram, type WorldFile } from '@botgarten/content'
 import type { Child } from './child.ts'
+import { fixesDice, goesHome } from './navigation.ts'
 
 /** What a child does and sees in the playground for learning by trying. */
 export class Learner {
@@ -12,17 +13,11 @@ export class Learner {
     this.child = child
   }
 
-  /** Opens what is open once more, by a link with these dice. */
-  async pinsDice(seed: number) {
-    const address = new URL(this.child.page.url())
-    address.searchParams.set('dice', String(seed))
-    await this.child.page.goto(address.href)
-    await this.child.seesLab()
-  }
-
-  /** With dice that are pinned by the link: what is learned is the same every time. */
+  /** With fixed dice: what is learned is the same every time. */
   async opens(card: 'mars' | 'railway' | 'forest' | 'city') {
-    await this.child.opensLab(`${card}?dice=1`)
+    await goesHome(this.child)
+    await fixesDice(this.child)
+    await this.child.opensLab(card)
     await this.sees()
   }
 

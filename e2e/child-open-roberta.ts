@@ -4,6 +4,7 @@ import { readFile } from 'node:fs/promises'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import type { Child } from './child.ts'
+import { goesHome } from './navigation.ts'
 
 const folder = new URL('../packages/programs/testing/open-roberta/', import.meta.url)
 
@@ -22,11 +23,22 @@ export class Comer {
     return this.#child.page
   }
 
-  /** Chooses a file in the lab's menu. Large ones go by way of the disk. */
+  /** Chooses a file in the lab's menu. */
   async opens(name: string, text: string) {
+    await this.#child.presses('lab.menu')
+    await this.#chooses(name, text)
+  }
+
+  /** Chooses a file on the home page. */
+  async opensAtHome(name: string, text: string) {
+    await goesHome(this.#child)
+    await this.#chooses(name, text)
+  }
+
+  /** Large files are passed as paths. */
+  async #chooses(name: string, text: string) {
     const path = join(mkdtempSync(join(tmpdir(), 'open-roberta-')), name)
     writeFileSync(path, text)
-    await this.#child.presses('lab.menu')
     await this.#page.locator('input[type=file]').setInputFiles(path)
   }
 

@@ -1,6 +1,7 @@
 import { expect, type Download, type Locator } from '@playwright/test'
 import { readFile } from 'node:fs/promises'
 import type { Child } from './child.ts'
+import { opensFromHome } from './navigation.ts'
 
 type Action = 'rename' | 'duplicate' | 'saveFile' | 'throw' | 'share'
 
@@ -17,7 +18,7 @@ export class ProjectList {
   }
 
   async opens() {
-    await this.#page.goto('/projects')
+    await opensFromHome(this.#child, 'parts.myProjects')
     await this.isSeen()
   }
 
@@ -85,7 +86,9 @@ export class ProjectList {
   }
 
   async goesToBin() {
-    await this.#page.goto('/projects/bin')
+    const bin = this.#page.locator('a[href$="/projects/bin"]')
+    if (!(await bin.isVisible())) await this.opens()
+    await bin.click()
     await expect(this.#page.getByRole('heading', { level: 1 })).toHaveText(
       this.#child.word('projects.binTitle'),
     )

@@ -2,6 +2,7 @@ import { expect, type Locator } from '@playwright/test'
 import { content } from '@botgarten/content/files'
 import type { FormItem } from '@botgarten/content/questionnaires'
 import type { Child } from './child.ts'
+import { opensFromHome } from './navigation.ts'
 
 /** What a teacher and children do with questionnaires on one device. */
 export class Asker {
@@ -34,7 +35,7 @@ export class Asker {
 
   /** From all materials on to all questionnaires. */
   async comes() {
-    await this.#page.goto('/materials')
+    await opensFromHome(this.child, 'home.materials')
     await this.#page.getByRole('link', { name: this.child.word('materials.questionnaires') }).click()
     await expect(this.#card('after')).toBeVisible()
   }

@@ -2,6 +2,7 @@ import { content } from '@botgarten/content/files'
 import { expect, type Locator } from '@playwright/test'
 import type { Child } from './child.ts'
 import type { Spot } from './hand.ts'
+import { opensFromHome } from './navigation.ts'
 
 /** What a child does in the sorting playground. */
 export class SortingHands {
@@ -16,7 +17,7 @@ export class SortingHands {
   presses = (key: string, facts = {}) => this.#child.presses(`sorting.${key}`, facts)
 
   async opens(source: 'things' | 'points' | 'readings' = 'things') {
-    await this.#child.page.goto('/sorting')
+    await opensFromHome(this.#child, 'home.sorting')
     await expect(this.plane).toBeVisible()
     // Its size follows from the lines around it.
     await this.#child.page.evaluate(() => document.fonts.ready.then(() => null))

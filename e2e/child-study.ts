@@ -4,6 +4,7 @@ import { expect } from '@playwright/test'
 import { pseudonymOf } from '../packages/experiments/study/index.ts'
 import { inHouse } from '../scripts/prepare/house.mjs'
 import type { Child } from './child.ts'
+import { opensFromHome } from './navigation.ts'
 
 /** A study of two modules, as its file. */
 export const studyFile = (change = {}) =>
@@ -31,7 +32,7 @@ export class StudyHands {
 
   /** From all materials on to the page of study mode. */
   async comes() {
-    await this.#page.goto('/materials')
+    await opensFromHome(this.child, 'home.materials')
     await this.#page.getByRole('link', { name: this.child.word('materials.study') }).click()
     await expect(this.child.words('study.lead')).toBeVisible()
   }
@@ -60,13 +61,19 @@ export class StudyHands {
   }
 
   async opensCard(card: string) {
-    await this.#page.getByRole('link', { name: this.child.card(card), exact: true }).click()
+    await this.#page.locator(`a[href$="/lab/${card}"]`).click()
     await this.child.seesLab()
+  }
+
+  /** From a card back to the page of the study: the link home leads there. */
+  async goesBack() {
+    await this.#page.locator('a[href$="/"]:visible').first().click()
+    await expect(this.child.button('study.end').first()).toBeVisible()
   }
 
   /** The child is done; the next one can come. */
   async ends() {
-    await this.#page.goto('/study')
+    await this.goesBack()
     await this.child.presses('study.end')
     await this.#page
       .getByRole('dialog')

@@ -1,8 +1,10 @@
+import { TICKS_PER_SECOND } from '@botgarten/simulation'
 import { expect, type Locator, type Page } from '@playwright/test'
 import { readFile } from 'node:fs/promises'
 import { finger, mouse, type Hand, type Spot } from './hand.ts'
+import { bedsOf, findsCard, goesHome, opensCard, opensFreeLab } from './navigation.ts'
 import { Painted } from './painted.ts'
-import { message, cardMessage, chapterOf, checkMessage, type Language } from './words.ts'
+import { message, cardMessage, checkMessage, type Language } from './words.ts'
 
 /** A neuron as a child would point at it: what it is, where it is plugged in and where it sits. */
 export interface Sensor {
@@ -53,33 +55,33 @@ export class Child {
 
   // ---- going somewhere ----
 
+  /** Goes home by the link of the page; what is at home already is loaded again. */
   async opensHome() {
-    await this.page.goto('/')
+    if (await bedsOf(this).isVisible()) await this.page.reload()
+    await goesHome(this)
     await this.seesTitle()
   }
 
   /** The link to a card on the home page, in its chapter. */
-  async findsCard(card: string): Promise<Locator> {
-    const link = this.page.locator(`a[href$="/lab/${card}"]`).first()
-    const chapter = chapterOf(card)
-    if (chapter) await this.presses(chapter === 'examples' ? 'home.fromExamples' : 'home.byTrying')
-    return link
+  findsCard(card: string): Promise<Locator> {
+    return findsCard(this, card)
   }
 
-  /** Opens a card or the free lab by its address, and waits for the blocks. */
+  /** Opens a card or the free lab from the home page by clicks, and waits for the blocks. */
   async opensLab(card: string) {
+    await (card === 'free' ? opensFreeLab(this) : opensCard(this, card))
+    await this.seesLab()
+  }
+
+  /** For tests of links, reloads and first loads: a card or the free lab by its address. */
+  async opensLabByAddress(card: string) {
+    // By address: each test that calls this says why.
     await this.page.goto(`/lab/${card}`)
     await this.seesLab()
   }
 
   async reloads() {
     await this.page.reload()
-    await this.seesLab()
-  }
-
-  /** Chooses a card or the free lab on the home page. */
-  async chooses(card: 'friendship' | 'fear' | 'free') {
-    await this.page.locator(`a[href*="/lab/${card}"]`).first().click()
     await this.seesLab()
   }
 
@@ -134,6 +136,14 @@ export class Child {
   /** Opens a project file, and waits until the lab shows the project. */
   async opensProject(name: string, text: string) {
     await this.opensFile(`${name}.botgarten.json`, text)
+    await expect(this.page.getByRole('heading', { level: 1 })).toHaveText(name)
+    await this.seesLab()
+  }
+
+  /** Opens a project file on the home page, and waits until the lab shows the project. */
+  async opensProjectAtHome(name: string, text: string) {
+    await goesHome(this)
+    await this.opensFileAtHome(`${name}.botgarten.json`, text)
     await expect(this.page.getByRole('heading', { level: 1 })).toHaveText(name)
     await this.seesLab()
   }
@@ -287,6 +297,12 @@ export class Child {
   async seesDriving() {
     const before = await this.boStands()
     await expect.poll(() => this.boStands()).not.toBe(before)
+  }
+
+  /** Waits until so many seconds of the robot's time have passed since the program began. */
+  async seesSeconds(seconds: number) {
+    const tick = () => this.page.evaluate(() => globalThis.botgarten!.view()!.tick)
+    await expect.poll(tick).toBeGreaterThan(seconds * TICKS_PER_SECOND)
   }
 
   /** Looks for as long as it takes the screen to draw thirty times. */

@@ -21,6 +21,7 @@ declare global {
   var botgarten:
     | {
         view(): {
+          readonly tick: number
           readonly robots: readonly Placed[]
           readonly obstacles: readonly Placed[]
           readonly brains: { readonly [network: string]: Brain }

@@ -31,7 +31,7 @@ if (!folder) throw new Error('Which folder?')
 
 /** Friendship, solved from its first place, with a hint. */
 async function solvesFriendship(child: Child) {
-  await child.opensLab('friendship')
+  await child.opensLabByAddress('friendship')
   await child.presses('lab.hint')
   await child.typesWeight(leftEye, leftWheel, 0.8)
   await child.typesWeight(rightEye, rightWheel, 0.8)
@@ -44,7 +44,7 @@ async function solvesFriendship(child: Child) {
 /** Fear: two sets of weights with names, and a second robot with a program and weights of its own. */
 async function namesWeights(child: Child): Promise<string> {
   const [net, robots] = [new NetHands(child), new TimeHands(child)]
-  await child.opensLab('fear')
+  await child.opensLabByAddress('fear')
   await child.typesWeight(leftEye, rightWheel, 0.8)
   await child.typesWeight(rightEye, leftWheel, 0.75)
   await net.opensShelf()
@@ -66,7 +66,7 @@ async function namesWeights(child: Child): Promise<string> {
 /** A network with a hidden layer, with a bias set by hand. */
 async function buildsDeepNet(child: Child) {
   const net = new NetHands(child)
-  await child.opensLab('free')
+  await child.opensLabByAddress('free')
   const file = projectFile('friendship', 'start').replace('"name":"Friendship"', '"name":"Deep"')
   await child.opensProject('Deep', file)
   await net.chooses('explorer')
@@ -85,7 +85,7 @@ async function buildsDeepNet(child: Child) {
 
 /** The free lab on a floor of the child's own, with a wall. */
 async function buildsWorld(child: Child): Promise<string> {
-  await child.opensLab('free')
+  await child.opensLabByAddress('free')
   const builder = new Builder(child)
   await builder.begins()
   await builder.choosesFile('build.ownPicture', 'map.png', picture(300, 200), 'image/png')
@@ -113,7 +113,7 @@ async function learns(child: Child) {
 /** Colours that the robot has collected, sorted, one group with a name; and points of a table on the device. */
 async function sorts(child: Child) {
   const sorting = new SortingHands(child)
-  await child.opensLab('new-colours')
+  await child.opensLabByAddress('new-colours')
   await child.opensProject('Mine', sortingProject('new-colours', 'solution'))
   await child.pressesStart()
   await new TimeHands(child).hurries()
@@ -134,7 +134,7 @@ async function sorts(child: Child) {
 /** A file of Open Roberta with a block that no lab knows. */
 async function comesFromOpenRoberta(child: Child) {
   const comer = new Comer(child)
-  await child.opensLab('free')
+  await child.opensLabByAddress('free')
   const unknown = '<block type="robActions_fromTomorrow" id="x1"><field name="A">b</field></block>'
   await comer.opens('Roberta.xml', bigFile(2, 2).replace(/<\/instance><\/block_set>/, `${unknown}$&`))
   await comer.seesProgram('Roberta')
@@ -160,7 +160,7 @@ async function fillsBin(child: Child) {
 }
 
 async function setsUp(child: Child) {
-  await child.opensLab('friendship')
+  await child.opensLabByAddress('friendship')
   await child.presses('lab.soundOff')
   const border = child.page.getByRole('separator', { name: child.word('lab.borderProgram') })
   await border.focus()

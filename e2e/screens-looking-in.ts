@@ -150,7 +150,7 @@ const trying: readonly Screen[] = [
     async show(child) {
       await child.opensLab('tidy-up')
       await child.pressesStart()
-      await child.page.waitForTimeout(6000)
+      await child.seesSeconds(6)
       await child.presses('lab.pause')
     },
   },

@@ -34,7 +34,7 @@ async function setsFriendlyWeights(child: Child, phone: boolean) {
 /** Drives for some seconds of the robot's time, then holds it. */
 async function drives(child: Child, seconds: number) {
   await child.pressesStart()
-  await child.page.waitForTimeout(seconds * 1000)
+  await child.seesSeconds(seconds)
   await child.presses('lab.pause')
 }
 
@@ -43,7 +43,7 @@ async function misses(child: Child, card: string, seconds?: number) {
   await child.opensLab(card)
   await child.pressesStart()
   if (seconds !== undefined) {
-    await child.page.waitForTimeout(seconds * 1000)
+    await child.seesSeconds(seconds)
     await child.pressesStop()
   }
   await expect(child.page.getByText(child.word('missed.ask'))).toBeAttached()
@@ -114,8 +114,7 @@ export const screens: readonly Screen[] = [
   {
     name: 'loose',
     async show(child, phone) {
-      await child.opensLab('free')
-      await child.opensProject('Loose', looseNet('Loose'))
+      await child.opensProjectAtHome('Loose', looseNet('Loose'))
       if (phone) await child.turnsTo('networkTab')
       await new LooseHands(child).seesLoose()
     },
@@ -174,8 +173,7 @@ export const screens: readonly Screen[] = [
   {
     name: 'badges',
     async show(child, phone) {
-      await child.opensLab('free')
-      await child.opensProject('Hallo', sayingProject('Hallo'))
+      await child.opensProjectAtHome('Hallo', sayingProject('Hallo'))
       if (phone) await child.turnsTo('world')
       await child.pressesStart()
       const hello = child.word('world.badge.word', { text: 'Hallo!' })

@@ -39,6 +39,9 @@ export function checkMessage(language: Language, card: string, id: string): stri
 /** In which part of its bed a card lies; undefined for the first, by hand. */
 export const chapterOf = (card: string) => content.cards.find(({ id }) => id === card)?.chapter
 
+/** The bed of a card on the home page; undefined for no card, such as the free lab. */
+export const bedOf = (card: string) => content.cards.find(({ id }) => id === card)?.bed
+
 /** What a card is called in a language. Throws where there is no such card. */
 export function cardMessage(language: Language, id: string): string {
   const card = content.cards.find((one) => one.id === id)

@@ -112,9 +112,11 @@ for (const language of languagesOf(import.meta.filename))
           page.getByRole('link', { name: child.word('home.continue', { name: child.card('fear') }) }),
         ).toBeVisible()
         await findsNothing(page, 'home on the second visit')
+        // By address: links that lead nowhere.
         await page.goto('/lab/nosuchcard')
         await expect(child.words('lab.unknownCardText')).toBeVisible()
         await findsNothing(page, 'a card that is not there')
+        // By address: links that lead nowhere.
         await page.goto('/no/such/page')
         await expect(child.words('parts.lostText')).toBeVisible()
         await findsNothing(page, 'a page that is not there')

@@ -1,4 +1,5 @@
 // Rooms: address, class, storage, server
+// By address: the same server under two addresses, which old links and bookmarks still have.
 import { once } from 'node:events'
 import { mkdtempSync, readFileSync, rmSync } from 'node:fs'
 import { createServer, type AddressInfo } from 'node:net'
@@ -159,14 +160,14 @@ test('three saves that did not come to the class are sent from the old address; 
     await expect(later.words('class.workIsHere')).toBeVisible()
     await later.presses('class.toGarden')
     for (const card of cards) {
-      await later.page.goto(`${room.there}/lab/${card}`)
+      await later.opensLab(card)
       await seesKnob(later)
     }
   })
 })
 
 test('without a class what is under the old address goes along as a file', async ({ child, page, room }) => {
-  await child.opensLab('friendship')
+  await child.opensLabByAddress('friendship')
   await leads(child, 'nothing')
   await child.presses('address.stay')
   await works(child, () => child.seesSaved())

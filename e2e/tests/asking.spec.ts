@@ -35,8 +35,7 @@ for (const language of languagesOf(import.meta.filename))
 
     test('asks a network without sensors, and one without motors', async ({ child }) => {
       const asker = new Asker(child)
-      await child.opensLab('free')
-      await child.opensProject('Nothing', emptyNet('Nothing', '3', []))
+      await child.opensProjectAtHome('Nothing', emptyNet('Nothing', '3', []))
       await asker.asksWhy()
       await expect(asker.panel).toContainText(child.word('inside.noInputs'))
       await child.presses('inside.curve')

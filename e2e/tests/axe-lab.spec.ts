@@ -101,6 +101,7 @@ const pageFaces: Faces = {
     await expect(child.dialog('projects.mergedTitle')).toBeVisible()
   },
   'a link that is cut': async (child) => {
+    // By address: a link that was cut.
     await child.page.goto('/open#v1.abc')
     await child.seesTitle()
   },

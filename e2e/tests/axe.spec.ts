@@ -1,7 +1,9 @@
 // Rooms: parts, projects, about, share
 import { axeFindings } from '../axe.ts'
+import { ProjectList } from '../child-projects.ts'
 import type { Child } from '../child.ts'
 import { expect, test } from '../house.ts'
+import { opensFromHome } from '../navigation.ts'
 import { languagesOf } from '../words.ts'
 
 const sizes = [
@@ -15,7 +17,7 @@ const screens: { readonly [name: string]: (child: Child) => Promise<void> } = {
     await child.opensLab('friendship')
     await child.presses('lab.hint')
     await child.seesSaved()
-    await child.page.goto('/projects')
+    await new ProjectList(child).opens()
     await expect(child.page.getByRole('article').first()).toBeVisible()
     const name = child.card('friendship')
     await child.presses('projects.more', { name })
@@ -25,12 +27,13 @@ const screens: { readonly [name: string]: (child: Child) => Promise<void> } = {
     await expect(child.page.getByRole('dialog')).toBeVisible()
   },
   'the bin': async (child) => {
-    await child.page.goto('/projects/bin')
+    await child.types('Escape')
+    await new ProjectList(child).goesToBin()
     await expect(child.words('projects.binEmpty')).toBeVisible()
   },
   'the page about': async (child) => {
-    await child.page.goto('/about')
-    await child.seesTitle()
+    await opensFromHome(child, 'parts.about')
+    await expect(child.page.getByRole('heading', { level: 1 })).toHaveText(child.word('parts.about'))
   },
 }
 

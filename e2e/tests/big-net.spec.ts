@@ -13,8 +13,7 @@ for (const { name, size } of [
       child,
     }) => {
       const phone = size.width < 640
-      await child.opensLab('free')
-      await child.opensProject('Big', bigNet('Big'))
+      await child.opensProjectAtHome('Big', bigNet('Big'))
       if (phone) await child.turnsTo('networkTab')
       await expect(child.knobs).toHaveCount(48)
 

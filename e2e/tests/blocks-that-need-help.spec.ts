@@ -51,8 +51,7 @@ for (const language of languagesOf(import.meta.filename)) {
         const driving = [make.motor('C', make.number(40)), make.wait(200)]
         return [...driving, make.forever(make.motor('B', division))]
       })
-      await child.opensLab('free')
-      await child.opensProject('Null', divides)
+      await child.opensProjectAtHome('Null', divides)
       await child.presses('lab.start')
       await expect(panel(child, 'divisionByZero')).toContainText(child.word('problem.divisionByZero.text'))
       await expect(badge(child, ids.division, 'divisionByZero')).toBeVisible()

@@ -3,6 +3,7 @@ import type { Locator, Page } from '@playwright/test'
 import { axeFindings } from '../axe.ts'
 import { BlockHands } from '../child-blocks.ts'
 import { Comer } from '../child-open-roberta.ts'
+import { ProjectList } from '../child-projects.ts'
 import { expect, test } from '../house.ts'
 import { freeProgram } from '../projects.ts'
 import { languagesOf } from '../words.ts'
@@ -57,15 +58,16 @@ for (const language of languagesOf(import.meta.filename)) {
       await child.opensLab('friendship')
       await expect(hands.all).not.toBeChecked()
       await expect(hands.row('lists')).toHaveCount(0)
-      await child.opensLab('free')
+      const list = new ProjectList(child)
+      await list.opens()
+      await list.opensProject(child.word('home.free'))
       await hands.all.click()
       await expect(hands.row('lists')).toHaveCount(0)
     })
 
     test('a block is found by its words and put in by the keyboard alone', async ({ child, page }) => {
       const hands = new BlockHands(child)
-      await child.opensLab('free')
-      await child.opensProject('Waits', waits)
+      await child.opensProjectAtHome('Waits', waits)
       await hands.goesTo('b2')
       const before = await child.canvas.locator('.blocklyDraggable').count()
       await child.tabsAndPresses('editor.search')
@@ -93,8 +95,7 @@ for (const language of languagesOf(import.meta.filename)) {
 
     test('a block that is found is pulled to where it belongs, in one step', async ({ child, page }) => {
       const hands = new BlockHands(child)
-      await child.opensLab('free')
-      await child.opensProject('Waits', waits)
+      await child.opensProjectAtHome('Waits', waits)
       const blocks = child.canvas.locator('.blocklyDraggable')
       const before = await blocks.count()
       const first = child.block('b1')
@@ -147,8 +148,7 @@ for (const language of languagesOf(import.meta.filename)) {
     }) => {
       const hands = new BlockHands(child)
       const comer = new Comer(child)
-      await child.opensLab('free')
-      await child.opensProject('Waits', waits)
+      await child.opensProjectAtHome('Waits', waits)
       await hands.chooses('b2', 'ADD_COMMENT')
       await hands.writes('Ha < & >')
       const note = page.locator('.blocklyTextInputBubble')
@@ -188,8 +188,7 @@ for (const language of languagesOf(import.meta.filename)) {
 
     test('the same by the keyboard; what is switched off is skipped', async ({ child, page }) => {
       const hands = new BlockHands(child)
-      await child.opensLab('free')
-      await child.opensProject('Waits', waits)
+      await child.opensProjectAtHome('Waits', waits)
       await hands.goesTo('b4')
       await hands.choosesByKeys('DISABLE_BLOCK')
       await hands.choosesByKeys('COLLAPSE_BLOCK')
@@ -223,8 +222,7 @@ for (const language of languagesOf(import.meta.filename)) {
 
     test('copies go from project to project, by keys and by menu', async ({ child, page }) => {
       const hands = new BlockHands(child)
-      await child.opensLab('free')
-      await child.opensProject('Waits', waits)
+      await child.opensProjectAtHome('Waits', waits)
       await hands.goesTo('b4')
       await page.keyboard.press('Control+c')
       await child.opensLab('friendship')

@@ -9,8 +9,7 @@ import { languagesOf } from '../words.ts'
 const waits = freeProgram('Waits', (make) => [make.wait(100), make.wait(200)])
 /** A program to put blocks into, and how many it has. */
 async function opensWaits(child: Child) {
-  await child.opensLab('free')
-  await child.opensProject('Waits', waits)
+  await child.opensProjectAtHome('Waits', waits)
   const blocks = child.canvas.locator('.blocklyDraggable')
   return { hands: new BlockHands(child), blocks, before: await blocks.count() }
 }

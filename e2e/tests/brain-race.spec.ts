@@ -3,13 +3,15 @@ import { readFile } from 'node:fs/promises'
 import { axeFindings } from '../axe.ts'
 import { racesFour } from '../child-racing.ts'
 import { expect, test } from '../house.ts'
+import { opensFromHome } from '../navigation.ts'
 
 test('four brains race in the garden by keys: starts open, the bill is read and taken along', async ({
   child,
   page,
 }) => {
   await page.emulateMedia({ reducedMotion: 'reduce' })
-  await page.goto('/race?brains=garden')
+  await opensFromHome(child, 'home.race')
+  await page.getByRole('link', { name: child.word('race.brains.title'), exact: true }).click()
   await expect(child.button('race.brains.startSealed', { number: 3 })).toBeVisible()
   expect(await axeFindings(page)).toEqual([])
   await racesFour(child)

@@ -291,8 +291,7 @@ test('things inside each other and in Bo come to stand side by side, and the fil
   const heap = Array.from({ length: 6 }, (_, i) => ({
     ...{ id: `box${i}`, shape, pose, fixed: false, colour: '#F7D117' },
   }))
-  await child.opensLab('free')
-  await child.opensProject(
+  await child.opensProjectAtHome(
     'Heap',
     JSON.stringify({ ...project, world: { ...project.world, obstacles: heap } }),
   )

@@ -7,7 +7,6 @@ import { joins, signsIn, type MadeClass } from '../made-class.ts'
 import { languagesOf } from '../words.ts'
 
 const test = testInClass()
-
 const isAccessible = async (child: Child) => expect(await axeFindings(child.page)).toEqual([])
 
 /** What the teacher's page knows of the one pupil. */
@@ -105,7 +104,7 @@ for (const language of languagesOf(import.meta.filename)) {
         await child.seesTitle()
         await expect(page.locator('a[href*="/lab/friendship"]:not(.tile)')).toHaveCount(0)
         await isAccessible(child)
-        await child.chooses('fear')
+        await child.opensLab('fear')
         await expect(page.getByText(child.word('editor.all'), { exact: true })).toHaveCount(0)
       })
 

@@ -47,6 +47,7 @@ test('a class of thirty: some answer on their devices, results come when the tea
   const options = { ...contextOptions, baseURL: house, locale: 'en-GB' }
   const teacher = new Child(await (await browser.newContext(options)).newPage(), 'en')
   await teaches(teacher.page, school)
+  // By address: a teacher comes by a bookmark.
   await teacher.page.goto(`/teacher?class=${school.id}&view=questionnaires`)
   const card = teacher.page
     .getByRole('article')

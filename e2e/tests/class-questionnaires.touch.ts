@@ -8,7 +8,6 @@ import { joins, signsIn } from '../made-class.ts'
 import { givesVoice, said } from '../voice.ts'
 
 const test = testInClass('de')
-
 test.use({ language: 'de' })
 
 test('a child of grade 3 answers by finger what is read aloud, and it comes to the class', async ({

@@ -30,6 +30,7 @@ for (const language of languagesOf(import.meta.filename))
       await shares(owl, 'try-dodge', 'My coins')
       await shares(fox, 'four-brains', 'My rules')
       await teaches(page, school)
+      // By address: a teacher comes by a bookmark.
       await page.goto(`/teacher/projector?class=${school.id}`)
       await page.getByRole('link', { name: child.word('teacher.brainRace'), exact: true }).click()
       const lane = (kind: string) =>

@@ -38,7 +38,7 @@ for (const language of languagesOf(import.meta.filename)) {
       await first.remembers()
 
       await test.step('what it changes goes to the class', async () => {
-        await child.chooses('friendship')
+        await child.opensLab('friendship')
         await child.typesWeight(leftEye, leftWheel, 0.8)
         await expect(first.chip('chipClass')).toBeVisible()
         await first.leaves()
@@ -49,7 +49,7 @@ for (const language of languagesOf(import.meta.filename)) {
         await other.opens()
         await other.joins('Kiwi')
         await other.remembers()
-        await child.chooses('friendship')
+        await child.opensLab('friendship')
         await child.seesWeight(leftEye, leftWheel, 0)
         const projects = new ProjectList(child)
         await projects.opens()
@@ -69,7 +69,7 @@ for (const language of languagesOf(import.meta.filename)) {
         await expect(there.words('class.workIsHere')).toBeVisible()
         await isAccessible(there)
         await there.presses('class.toGarden')
-        await there.chooses('friendship')
+        await there.opensLab('friendship')
         await there.seesWeight(leftEye, leftWheel, 0.8)
         await context.close()
       })
@@ -100,7 +100,7 @@ for (const language of languagesOf(import.meta.filename)) {
       })
 
       await test.step('a raised hand is seen by the teacher', async () => {
-        await child.chooses('friendship')
+        await child.opensLab('friendship')
         await pupil.opensMenu()
         await child.presses('class.raiseHand')
         const handOf = async () => {

@@ -5,7 +5,6 @@ import { expect } from '../house.ts'
 import { joins, signsIn } from '../made-class.ts'
 
 const test = testInClass('de')
-
 test.use({ language: 'de' })
 
 test('a child with nothing but a finger joins, and comes back by its pictures', async ({

@@ -14,8 +14,7 @@ for (const language of languagesOf(import.meta.filename)) {
       child,
       page,
     }) => {
-      await child.opensLab('free')
-      await child.opensProject('Steps', steps)
+      await child.opensProjectAtHome('Steps', steps)
       await child.presses('lab.closely')
       const here = child.button('debug.stopHere')
       await expect(here).toHaveAttribute('aria-disabled', 'true')
@@ -38,8 +37,7 @@ for (const language of languagesOf(import.meta.filename)) {
     })
 
     test('a run does not stop where nobody looks closely any more', async ({ child, page }) => {
-      await child.opensLab('free')
-      await child.opensProject('Steps', steps)
+      await child.opensProjectAtHome('Steps', steps)
       await child.presses('lab.closely')
       await child.block('b4').click({ position: { x: 28, y: 20 } })
       await child.presses('debug.stopHere')
@@ -58,8 +56,7 @@ for (const language of languagesOf(import.meta.filename)) {
     })
 
     test('step by step, by the keyboard', async ({ child, page }) => {
-      await child.opensLab('free')
-      await child.opensProject('Steps', steps)
+      await child.opensProjectAtHome('Steps', steps)
       await child.button('lab.closely').focus()
       await page.keyboard.press('Enter')
       const next = child.button('lab.stepBlock').first()

@@ -135,8 +135,7 @@ for (const language of languagesOf(import.meta.filename))
     })
 
     test('is told what is wrong with a net of no inputs, and with one of 300 neurons', async ({ child }) => {
-      await child.opensLab('free')
-      await child.opensProject('Nothing', emptyNet('Nothing', '3', []))
+      await child.opensProjectAtHome('Nothing', emptyNet('Nothing', '3', []))
       await child.presses('lab.start')
       await expect(child.words('problem.noInputs.title').first()).toBeVisible()
       await child.opensProject('Giant', emptyNet('Giant', '300', ['2']))

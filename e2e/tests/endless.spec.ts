@@ -105,8 +105,7 @@ for (const language of languagesOf(import.meta.filename)) {
       }) => {
         const title = child.word(`problem.${problem}.title`, facts)
         const said = page.getByRole('status').filter({ hasText: title })
-        await child.opensLab('free')
-        await child.opensProject(name, text)
+        await child.opensProjectAtHome(name, text)
         const before = JSON.parse(await child.savesFile()) as Project
         await page.keyboard.press('Escape')
         await child.presses('lab.start')

@@ -29,8 +29,7 @@ for (const language of languagesOf(import.meta.filename)) {
       page,
     }) => {
       const hands = new AskingHands(child)
-      await child.opensLab('free')
-      await child.opensProject('Waits', waits)
+      await child.opensProjectAtHome('Waits', waits)
       await hands.asksByMenu(child.block('b2'))
       await hands.isTold('robControls_wait_time')
       const words =
@@ -51,8 +50,7 @@ for (const language of languagesOf(import.meta.filename)) {
 
     test('so does the button beside a chosen block, and all of it goes by keys', async ({ child, page }) => {
       const hands = new AskingHands(child)
-      await child.opensLab('free')
-      await child.opensProject('Waits', waits)
+      await child.opensProjectAtHome('Waits', waits)
       await expect(child.button('editor.what')).toHaveCount(0)
       await child.block('b4').click(hands.blocks.corner)
       await child.presses('editor.what')
@@ -82,8 +80,7 @@ for (const language of languagesOf(import.meta.filename)) {
       child,
     }) => {
       const hands = new AskingHands(child)
-      await child.opensLab('free')
-      await child.opensProject('Waits', waits)
+      await child.opensProjectAtHome('Waits', waits)
       await hands.blocks.all.click()
       for (const _ of [1, 2]) {
         await hands.blocks.row('functions').click()

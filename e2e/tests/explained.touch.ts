@@ -14,8 +14,7 @@ for (const language of languagesOf(import.meta.filename)) {
       child,
     }) => {
       const hands = new AskingHands(child)
-      await child.opensLab('free')
-      await child.opensProject('Waits', waits)
+      await child.opensProjectAtHome('Waits', waits)
       const blocks = child.canvas.locator('> .blocklyDraggable')
       const before = await blocks.count()
       await hands.blocks.row('control').tap()

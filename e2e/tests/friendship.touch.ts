@@ -9,7 +9,7 @@ for (const language of languagesOf(import.meta.filename)) {
 
     test('teaches Bo friendship with a finger, and finds all again after a reload', async ({ child }) => {
       await child.opensHome()
-      await child.chooses('friendship')
+      await child.opensLab('friendship')
       await child.dragsKnob(leftEye, leftWheel, 0.8)
       await child.dragsKnob(rightEye, rightWheel, 0.8)
       await child.pressesStart()

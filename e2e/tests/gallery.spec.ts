@@ -13,7 +13,6 @@ import { anotherClass, joins, saves, signsIn, teaches } from '../made-class.ts'
 import { languagesOf } from '../words.ts'
 
 const test = testInClass()
-
 for (const language of languagesOf(import.meta.filename)) {
   test.describe(`the gallery of a class, in ${language}`, () => {
     test.use({ language })
@@ -172,6 +171,7 @@ for (const language of languagesOf(import.meta.filename)) {
       }
       expect(await seen()).toEqual(['Shy Bo'])
       await teaches(page, school)
+      // By address: a teacher comes by a bookmark.
       await page.goto(`/teacher?class=${school.id}&view=gallery`)
       await expect(page.locator('article h2')).toHaveText(['Shy Bo'])
       expect(await axeFindings(page)).toEqual([])

@@ -6,7 +6,6 @@ import { expect } from '../house.ts'
 import { joins, signsIn } from '../made-class.ts'
 
 const test = testInClass('de')
-
 test.use({ language: 'de' })
 
 test('a finger gives a heart, watches and remixes', async ({ child, page, school }) => {

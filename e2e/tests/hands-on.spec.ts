@@ -136,6 +136,7 @@ test('who wants little motion gets none: no pulses, nothing that moves by itself
   await expect.poll(() => movements(child)).toBe(0)
   await child.seesDriving()
   for (const path of ['/', '/lab/fear']) {
+    // By address: the first load of a page must not move either.
     await page.goto(path)
     await child.seesTitle()
     await child.watches(10)

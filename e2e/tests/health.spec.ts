@@ -1,4 +1,5 @@
 // Rooms: teacher, server
+// By address: a teacher comes by a bookmark of the own page.
 import { axeFindings } from '../axe.ts'
 import { Asker, classOfTest } from '../class-server.ts'
 import { expect, test as base } from '../house.ts'
@@ -17,7 +18,6 @@ const test = base.extend<{ school: School }>({
   baseURL: ({ school }, use) => use(school.url),
   complaints: [/^A request to http:\/\/localhost:\d+\//],
 })
-
 for (const language of languagesOf(import.meta.filename))
   test.describe(`the health of the server, in ${language}`, () => {
     test.use({ language })

@@ -1,4 +1,5 @@
 // Rooms: here, server
+// By address: the first start opens this page.
 import { axeFindings } from '../axe.ts'
 import { expect, test } from '../house.ts'
 import { languagesOf } from '../words.ts'

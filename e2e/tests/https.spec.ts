@@ -1,4 +1,5 @@
 // Rooms: service-worker, server
+// By address: what a browser opens by itself when the server does not answer, and the page of the certificate.
 import { createHash, X509Certificate } from 'node:crypto'
 import { mkdtempSync } from 'node:fs'
 import { tmpdir } from 'node:os'
@@ -52,7 +53,7 @@ test('with the authority trusted, the lab starts after one visit with the cable 
   await isKept(page)
   await room.close()
 
-  await child.opensLab('friendship')
+  await child.opensLabByAddress('friendship')
   await setsDrivesAndSaves(child)
 })
 

@@ -15,7 +15,7 @@ for (const language of languagesOf(import.meta.filename)) {
 
       await test.step('home, Friendship, start and pause, two knobs, on', async () => {
         await child.opensHome()
-        await child.chooses('friendship')
+        await child.opensLab('friendship')
         await child.pressesStart()
         await child.presses('lab.pause')
         await child.dragsKnob(leftEye, leftWheel, 0.8)
@@ -48,7 +48,7 @@ for (const language of languagesOf(import.meta.filename)) {
         await expect(
           child.page.getByRole('img', { name: child.word('home.level', { passed: 1, of: 3 }) }),
         ).toBeVisible()
-        await child.chooses('fear')
+        await child.opensLab('fear')
       })
 
       await test.step('Fear: the same blocks, other weights', async () => {

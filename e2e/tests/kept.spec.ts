@@ -69,7 +69,7 @@ for (const language of languagesOf(import.meta.filename)) {
         Object.defineProperty(window, 'localStorage', { get: refuse })
       })
       await child.opensHome()
-      await child.chooses('friendship')
+      await child.opensLab('friendship')
       const chip = page.getByRole('button', { name: child.word('lab.notSaved') })
       await expect(chip).toBeVisible()
       await chip.click()
@@ -95,7 +95,7 @@ for (const language of languagesOf(import.meta.filename)) {
 
       const again = new Child(await context.newPage(), language)
       await again.opensHome()
-      await again.chooses('friendship')
+      await again.opensLab('friendship')
       await again.seesWeight(leftEye, leftWheel, 0.35)
       await expect(again.knobs).toHaveCount(6)
       expect(await again.blockWords()).toEqual(words)

@@ -15,8 +15,7 @@ for (const language of languagesOf(import.meta.filename)) {
         child,
       }) => {
         const hands = new BlockHands(child)
-        await child.opensLab('free')
-        await child.opensProject('Beside', besides())
+        await child.opensProjectAtHome('Beside', besides())
         const inWait = child.block('b4').locator('[data-id]')
         await expect(inWait).toHaveAttribute('data-id', 'b3')
         await hands.joins(by, 'b1', 'b3')
@@ -31,8 +30,7 @@ for (const language of languagesOf(import.meta.filename)) {
       }) => {
         const robots = new TimeHands(child)
         const bo = new RobotHands(child)
-        await child.opensLab('free')
-        await child.opensProject('Friends', friends())
+        await child.opensProjectAtHome('Friends', friends())
         await new BlockHands(child).joins(by, 'b1', 'b2')
         if (by === 'hand') await robots.chip(2).click()
         else {

@@ -14,8 +14,7 @@ for (const language of languagesOf(import.meta.filename)) {
       child,
     }) => {
       const hands = new BlockHands(child)
-      await child.opensLab('free')
-      await child.opensProject('Beside', besides())
+      await child.opensProjectAtHome('Beside', besides())
       const inWait = child.block('b4').locator('[data-id]')
       await hands.joins('hand', 'b1', 'b3')
       await expect(inWait).toHaveAttribute('data-id', 'b3')
@@ -25,8 +24,7 @@ for (const language of languagesOf(import.meta.filename)) {
 
     test('a robot reads on its display what another has sent it', async ({ child }) => {
       const bo = new RobotHands(child)
-      await child.opensLab('free')
-      await child.opensProject('Friends', friends())
+      await child.opensProjectAtHome('Friends', friends())
       await new BlockHands(child).joins('hand', 'b1', 'b2')
       await new TimeHands(child).chip(2).tap()
       await bo.opens('panel')

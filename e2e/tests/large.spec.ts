@@ -24,8 +24,7 @@ for (const language of languagesOf(import.meta.filename)) {
       page,
     }) => {
       const comer = new Comer(child)
-      await child.opensLab('free')
-      await comer.opens('Big.xml', big)
+      await comer.opensAtHome('Big.xml', big)
       await comer.seesProgram('Big')
       const start = child.block('start')
       const box = (await start.boundingBox())!
@@ -45,8 +44,7 @@ for (const language of languagesOf(import.meta.filename)) {
     }) => {
       const comer = new Comer(child)
       const made = () => page.locator('.blocklyBlockCanvas .blocklyDraggable').count()
-      await child.opensLab('free')
-      await comer.opens('Big.xml', big)
+      await comer.opensAtHome('Big.xml', big)
       await comer.seesProgram('Big')
       expect(await made()).toBeLessThan(2010)
       await child.block('b0-0-').click({ position: { x: 12, y: 12 } })
@@ -74,8 +72,7 @@ test('the keyboard goes where nothing is drawn yet, deletes there and takes it b
   page,
 }) => {
   const comer = new Comer(child)
-  await child.opensLab('free')
-  await comer.opens('Loop.xml', looped)
+  await comer.opensAtHome('Loop.xml', looped)
   await comer.seesProgram('Loop')
   await child.block('start').click({ position: { x: 12, y: 12 } })
   const here = page.locator('.blocklyPath.blocklyActiveFocus')
@@ -94,8 +91,7 @@ test('the keyboard goes where nothing is drawn yet, deletes there and takes it b
 
 test('what is scrolled to is drawn, and the loop reaches round all its blocks', async ({ child, page }) => {
   const comer = new Comer(child)
-  await child.opensLab('free')
-  await comer.opens('Loop.xml', looped)
+  await comer.opensAtHome('Loop.xml', looped)
   await comer.seesProgram('Loop')
   await expect(page.locator('[data-id="b0-99-c"]')).toHaveCount(1)
   const last = child.block('b0-99-c')

@@ -2,6 +2,7 @@
 import { axeFindings } from '../axe.ts'
 import { Learner, learningProject } from '../child-learning.ts'
 import { RobotHands } from '../child-robot.ts'
+import { Child } from '../child.ts'
 import { expect, test } from '../house.ts'
 import { languagesOf } from '../words.ts'
 
@@ -149,7 +150,13 @@ for (const language of languagesOf(import.meta.filename)) {
       }
     })
 
-    test('a link carries the dice to another device, which learns the same', async ({ child, page }) => {
+    test('a link carries the dice to another device, which learns the same', async ({
+      browser,
+      child,
+      contextOptions,
+      locale,
+      page,
+    }) => {
       const learner = new Learner(child)
       await learner.opens('railway')
       await learner.learnsToTheEnd()
@@ -160,6 +167,16 @@ for (const language of languagesOf(import.meta.filename)) {
       await expect(page.locator('.drawer tbody tr')).toHaveCount(2)
       const [, first, second] = (await learner.savesTable()).split('\r\n')
       expect(second).toBe(first)
+
+      const device = await browser.newContext({ ...contextOptions, locale })
+      const there = new Learner(new Child(await device.newPage(), language))
+      // By address: the link itself.
+      await there.child.page.goto(await link.evaluate(({ href }: HTMLAnchorElement) => href))
+      await there.sees()
+      await there.learnsToTheEnd()
+      await there.turnsTo('trials')
+      expect((await there.savesTable()).split('\r\n')[1]).toBe(first)
+      await device.close()
     })
 
     test('each move is said as a sentence while it is played', async ({ child, page }) => {

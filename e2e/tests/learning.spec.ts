@@ -93,7 +93,6 @@ for (const language of languagesOf(import.meta.filename)) {
       const learner = new Learner(child)
       await learner.opens('railway')
       await child.opensProject('One try', learningProject('One try', {}, 1))
-      await learner.pinsDice(1)
       await learner.sees()
       await learner.learnsToTheEnd()
       await expect(page.locator('.best').getByText(child.word('q.alike', { station: 3 }))).toBeVisible()

@@ -1,4 +1,5 @@
 // Rooms: share
+// By address: links are what is tested.
 import type { Block } from '@botgarten/blocks'
 import type { Project } from '@botgarten/programs'
 import { reads } from '../camera.ts'

@@ -15,8 +15,7 @@ for (const language of languagesOf(import.meta.filename)) {
       child,
     }) => {
       const hands = new LooseHands(child)
-      await child.opensLab('free')
-      await child.opensProject('Loop', loop)
+      await child.opensProjectAtHome('Loop', loop)
       await hands.dropsNetwork()
       await hands.seesNumbers()
       await child.presses('lab.undo')
@@ -27,8 +26,7 @@ for (const language of languagesOf(import.meta.filename)) {
 
     test('by keys alone one comes in, and one that hangs loose too', async ({ child, page }) => {
       const hands = new LooseHands(child)
-      await child.opensLab('free')
-      await child.opensProject('Loop', loop)
+      await child.opensProjectAtHome('Loop', loop)
       await expect(child.words('network.empty')).toBeHidden()
       await child.tabsAndPresses('lab.unfoldNetwork')
       await child.tabsAndPresses('network.putOne')

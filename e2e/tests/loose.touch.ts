@@ -5,8 +5,7 @@ import { freeProgram, looseNet } from '../projects.ts'
 
 test('a finger pulls a network to its place, and puts a loose one into the loop', async ({ child }) => {
   const hands = new LooseHands(child)
-  await child.opensLab('free')
-  await child.opensProject(
+  await child.opensProjectAtHome(
     'Loop',
     freeProgram('Loop', (make) => [make.forever()]),
   )

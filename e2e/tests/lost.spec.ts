@@ -1,4 +1,5 @@
 // Rooms: app
+// By address: links that lead nowhere.
 import { expect, test } from '../house.ts'
 import { languagesOf } from '../words.ts'
 

@@ -1,8 +1,10 @@
 // Rooms: materials
+// By address: codes on paper and links of a plan lead to a page of its own.
 import { axeFindings } from '../axe.ts'
 import { leftEye, leftWheel } from '../child.ts'
 import { opensSettings, option } from '../child-cards.ts'
 import { expect, test } from '../house.ts'
+import { opensFromHome } from '../navigation.ts'
 import { readPdf } from '../pdf.ts'
 import { givesVoice, heardOn, said } from '../voice.ts'
 import { cardMessage, languagesOf } from '../words.ts'
@@ -104,7 +106,7 @@ for (const language of languagesOf(import.meta.filename))
       child,
       page,
     }) => {
-      await page.goto('/materials')
+      await opensFromHome(child, 'home.materials')
       const name = child.card('city')
       await page.getByRole('searchbox').fill('Q3')
       await child.presses('materials.look', { title: name })
@@ -127,7 +129,7 @@ for (const language of languagesOf(import.meta.filename))
       child,
       page,
     }) => {
-      await page.goto('/materials')
+      await opensFromHome(child, 'home.materials')
       await page.getByRole('searchbox').fill('NN 5')
       await child.presses('materials.set.put', { title: child.card('friendship') })
       await page.getByRole('searchbox').fill('3.1')

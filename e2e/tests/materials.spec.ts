@@ -1,8 +1,10 @@
 // Rooms: materials
+// By address: codes on paper and links of a plan lead to a page of its own.
 import { content } from '@botgarten/content/files'
 import { sample } from '@botgarten/numbers/testing'
 import { axeFindings } from '../axe.ts'
 import { expect, test } from '../house.ts'
+import { opensFromHome } from '../navigation.ts'
 import { languagesOf } from '../words.ts'
 
 const { items } = content
@@ -53,7 +55,7 @@ for (const language of languagesOf(import.meta.filename)) {
       })
 
     test('the library finds by grade, way and words, and a tile opens its item', async ({ child, page }) => {
-      await page.goto('/materials')
+      await opensFromHome(child, 'home.materials')
       const count = page.locator('.library').getByRole('status')
       const told = (some: number) => child.word('materials.fit', { count: some, of: offered })
       await expect(count).toHaveText(told(offered))

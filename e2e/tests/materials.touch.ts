@@ -1,6 +1,8 @@
 // Rooms: materials
+// By address: codes on paper and links of a plan lead to a page of its own.
 import { axeFindings } from '../axe.ts'
 import { expect, test } from '../house.ts'
+import { opensFromHome } from '../navigation.ts'
 
 test('slides are turned by drawing a finger across, and not by moving it down', async ({ child, page }) => {
   await page.goto('/materials/slides/can-robots-learn-alone?slide=3')
@@ -17,7 +19,7 @@ test('where nothing fits beside the library, what is looked at lies over it and 
   child,
   page,
 }) => {
-  await page.goto('/materials')
+  await opensFromHome(child, 'home.materials')
   const name = child.card('city')
   const look = child.button('materials.look', { title: name })
   await look.tap()

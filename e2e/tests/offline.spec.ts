@@ -1,4 +1,5 @@
 // Rooms: service-worker
+// By address: what a browser opens by itself when the server does not answer.
 import { content } from '@botgarten/content/files'
 import { flags } from '../browser.ts'
 import { findChromium } from '../chromium.mjs'
@@ -46,7 +47,7 @@ for (const language of languagesOf(import.meta.filename)) {
       await isKept(page)
       await door.shut()
 
-      await child.opensLab('friendship')
+      await child.opensLabByAddress('friendship')
       await setsDrivesAndSaves(child)
       await child.reloads()
       await child.seesWeight(leftEye, leftWheel, 0.8)
@@ -57,13 +58,13 @@ for (const language of languagesOf(import.meta.filename)) {
       page,
       door,
     }) => {
-      await child.opensLab('friendship')
+      await child.opensLabByAddress('friendship')
       await child.typesWeight(leftEye, leftWheel, 0.8)
       await child.seesSaved()
       await isKept(page)
       await door.shut()
       const list = new ProjectList(child)
-      await list.opens()
+      await page.goto('/projects')
       await list.seesNames(child.card('friendship'))
       await page.goto('/about')
       await expect(page.getByRole('heading', { level: 1 })).toHaveText(child.word('parts.about'))
@@ -75,7 +76,7 @@ for (const language of languagesOf(import.meta.filename)) {
     })
 
     test('a link opens without a network', async ({ child, page, door }) => {
-      await child.opensLab('friendship')
+      await child.opensLabByAddress('friendship')
       await child.typesWeight(leftEye, leftWheel, 0.6)
       await child.seesSaved()
       await child.presses('lab.menu')
@@ -134,7 +135,7 @@ for (const language of languagesOf(import.meta.filename)) {
       await expect(child.button('offline.newVersionTake')).toBeHidden()
       expect(await page.evaluate(() => caches.keys())).toContain(`botgarten-${next}`)
       await door.shut()
-      await child.opensLab('friendship')
+      await child.opensLabByAddress('friendship')
       await child.seesWeight(leftEye, leftWheel, 0.3)
     })
   })
@@ -156,7 +157,7 @@ for (const language of languagesOf(import.meta.filename)) {
       await expect(page.getByRole('status').filter({ hasText: child.word('offline.cutOff') })).toBeVisible()
       const asked = door.asked.length
 
-      await child.chooses('friendship')
+      await child.opensLab('friendship')
       await setsDrivesAndSaves(child)
       await child.presses('lab.menu')
       await child.presses('parts.share')
@@ -220,7 +221,7 @@ test('what is kept for times without a network comes after the page, and is at m
   page,
   door,
 }) => {
-  await child.opensLab('friendship')
+  await child.opensLabByAddress('friendship')
   const [requests, bytes] = [door.asked.length, door.bytes]
   expect(door.asked).not.toContain('/service-worker.js')
   await isKept(page)

@@ -92,8 +92,7 @@ test('one press tidies the stacks up, one takes it back, and the file is as it c
 }) => {
   const comer = new Comer(child)
   const heap = openRobertaFile('programs/fork__progOriginals__ev3BasicFunctions')
-  await child.opensLab('free')
-  await comer.opens('Heap.xml', heap)
+  await comer.opensAtHome('Heap.xml', heap)
   await comer.seesProgram('Heap')
   const before = await drawn(page)
   const tidy = child.button('lab.tidy')

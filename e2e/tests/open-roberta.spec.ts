@@ -4,6 +4,7 @@ import { strFromU8, unzipSync } from 'fflate'
 import { xmlTree } from '../../packages/programs/testing/xml-tree.ts'
 import { leftEye, leftWheel, type Child } from '../child.ts'
 import { Comer, openRobertaFile } from '../child-open-roberta.ts'
+import { ProjectList } from '../child-projects.ts'
 import { RobotHands } from '../child-robot.ts'
 import { expect, test } from '../house.ts'
 import { freeProgram } from '../projects.ts'
@@ -52,8 +53,7 @@ const ahead = () =>
 async function rebuildsPlugs(child: Child) {
   const comer = new Comer(child)
   const bo = new RobotHands(child)
-  await child.opensLab('free')
-  await comer.opens('Plugs.xml', plugs)
+  await comer.opensAtHome('Plugs.xml', plugs)
   await comer.seesProgram('Plugs')
   await bo.opens('build')
   return { comer, bo }
@@ -98,8 +98,7 @@ for (const language of languagesOf(import.meta.filename)) {
       child,
     }) => {
       const comer = new Comer(child)
-      await child.opensLab('free')
-      await comer.opens('Freundschaft.xml', friendship)
+      await comer.opensAtHome('Freundschaft.xml', friendship)
       await comer.seesProgram('Freundschaft')
       await child.typesWeight(leftEye, leftWheel, 0.8)
       await child.pressesStart()
@@ -117,8 +116,7 @@ for (const language of languagesOf(import.meta.filename)) {
       page,
     }) => {
       const comer = new Comer(child)
-      await child.opensLab('free')
-      await comer.opens('Far.xml', far)
+      await comer.opensAtHome('Far.xml', far)
       await comer.seesProgram('Far')
       const start = page.locator('.blocklyBlockCanvas > .blocklyDraggable').getByText(/^(when|wenn)$/)
       await expect(start.first()).toBeInViewport()
@@ -175,8 +173,7 @@ for (const language of languagesOf(import.meta.filename)) {
 
     test('a left motor that turns backwards lets Bo drive the other way', async ({ child }) => {
       const bo = new RobotHands(child)
-      await child.opensLab('free')
-      await child.opensProject('Ahead', ahead())
+      await child.opensProjectAtHome('Ahead', ahead())
       await bo.opens('build')
       await bo.sets('C', 'turns', 'backwards')
       await expect(bo.dialog).toContainText(bo.word('otherWay'))
@@ -215,7 +212,7 @@ test('a file is let go over the blocks, over the world, at home, over the projec
   await child.opensHome()
   await comer.drops('Three.xml', friendship)
   await comer.seesProgram('Three')
-  await page.goto('/projects')
+  await new ProjectList(child).opens()
   await comer.drops('Four.xml', friendship)
   await comer.seesProgram('Four')
   await comer.drops('odd.xml', 'no')
@@ -227,8 +224,7 @@ test('a program of 195 blocks comes back out as it went in, by the keyboard alon
   page,
 }) => {
   const comer = new Comer(child)
-  await child.opensLab('free')
-  await comer.opens('Action.xml', action)
+  await comer.opensAtHome('Action.xml', action)
   await comer.seesProgram('Action')
   const menu = child.button('lab.menu')
   await menu.focus()
@@ -249,8 +245,7 @@ test('blocks that nobody knows here are grey with their name, and are written ba
     '</instance>',
     '<block type="robActions_fly" id="odd"><field name="HEIGHT">3</field><comment w="1" h="2" pinned="false">hui</comment><value name="TO"><block type="math_number" id="n"><field name="NUM">1</field></block></value></block></instance>',
   )
-  await child.opensLab('free')
-  await comer.opens('Odd.xml', odd)
+  await comer.opensAtHome('Odd.xml', odd)
   await comer.seesProgram('Odd')
   await expect(page.locator('.blocklyBlockCanvas').last()).toContainText('robActions_fly')
   await child.pressesStart()
@@ -272,8 +267,7 @@ test('a block that nobody knows is told at its block; Bo runs up to it, and the 
   ).join('')
   const start = /(<block type="robControls_start"[^>]*>.*?<\/block>)/s
   const odd = friendship.replace(start, `$1${waits}<block type="robActions_fly" id="odd"></block>`)
-  await child.opensLab('free')
-  await comer.opens('Odd.xml', odd)
+  await comer.opensAtHome('Odd.xml', odd)
   await comer.seesProgram('Odd')
   const block = page.locator('.blocklyDraggable[data-id="odd"]')
   await expect(block).not.toBeInViewport()
@@ -293,8 +287,7 @@ test('what Open Roberta does not know is named, and the network can be said in i
   child,
 }) => {
   const comer = new Comer(child)
-  await child.opensLab('free')
-  await comer.opens('Friends.xml', friendship)
+  await comer.opensAtHome('Friends.xml', friendship)
   await comer.seesProgram('Friends')
   await child.typesWeight(leftEye, leftWheel, 0.8)
   const { text } = await comer.saves('asSteps')
@@ -309,12 +302,11 @@ test('what Open Roberta does not know is named, and the network can be said in i
 
 test('all programs of this device are taken to Open Roberta in one archive', async ({ child, page }) => {
   const comer = new Comer(child)
-  await child.opensLab('free')
-  await comer.opens('Friends.xml', friendship)
+  await comer.opensAtHome('Friends.xml', friendship)
   await comer.seesProgram('Friends')
   await comer.opens('Action.xml', action)
   await comer.seesProgram('Action')
-  await page.goto('/projects')
+  await new ProjectList(child).opens()
   const [archive] = await Promise.all([page.waitForEvent('download'), child.presses('openRoberta.takeAll')])
   expect(archive.suggestedFilename()).toBe('Botgarten for Open Roberta.zip')
   const files = unzipSync(readFileSync(await archive.path()))
@@ -328,8 +320,7 @@ test('what may end a program here and not in Open Roberta is said when it is ope
   page,
 }) => {
   const comer = new Comer(child)
-  await child.opensLab('free')
-  await comer.opens('Lists.xml', openRobertaFile('programs/composed__common__listOperationsBasic'))
+  await comer.opensAtHome('Lists.xml', openRobertaFile('programs/composed__common__listOperationsBasic'))
   await comer.seesProgram('Lists')
   const panel = page.getByRole('status').filter({ hasText: child.word('openRoberta.ends.title') })
   await expect(panel).toContainText(child.word('openRoberta.ends.place'))
@@ -352,8 +343,10 @@ test('a robot is kept by name, used again in another project, left out and broug
   await bo.dialog.getByRole('textbox', { name: bo.word('keptName') }).fill('Rex')
   await page.keyboard.press('Enter')
   await expect(named).toBeVisible()
-  await page.goto('/lab/free?p=another')
-  await child.seesLab()
+  await bo.closes()
+  const projects = new ProjectList(child)
+  await projects.opens()
+  await projects.begins('Another')
   await bo.opens('build')
   await bo.dialog.getByRole('button', { name: bo.word('leaveOut', { name: 'Rex' }) }).click()
   await expect(named).toHaveCount(0)

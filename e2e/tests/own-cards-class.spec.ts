@@ -14,7 +14,6 @@ const friendship = tasks.find(({ card }) => card.id === 'friendship')!
 
 for (const language of languagesOf(import.meta.filename)) {
   const test = testInClass(language)
-
   test.describe(`a card of one's own in a class, in ${language}`, () => {
     test.use({ language })
 
@@ -48,6 +47,7 @@ for (const language of languagesOf(import.meta.filename)) {
       await child.presses('cards.shareLink')
       const link = await new ProjectList(child).link()
 
+      // By address: a teacher comes by a bookmark.
       await page.goto(`/teacher?class=${school.id}&view=live`)
       await child.presses('teacher.sendProgram')
       await page
@@ -63,6 +63,7 @@ for (const language of languagesOf(import.meta.filename)) {
       await new TimeHands(pupil).hurries()
       await expect(pupil.words('lab.successTitle').first()).toBeVisible({ timeout: 60_000 })
 
+      // By address: the link that the teacher shares.
       await pupil.page.goto(link)
       await seesCard(pupil, maker.title)
       await pupil.page.context().close()

@@ -5,6 +5,7 @@ import { solves, tasks } from '../child-solving.ts'
 import { TimeHands } from '../child-time.ts'
 import { Child } from '../child.ts'
 import { expect, test } from '../house.ts'
+import { opensFromHome } from '../navigation.ts'
 import { languagesOf } from '../words.ts'
 
 const friendship = tasks.find(({ card }) => card.id === 'friendship')!
@@ -52,7 +53,8 @@ for (const language of languagesOf(import.meta.filename)) {
     })
 
     test('a hostile card is refused, and the child is told why', async ({ child, page }) => {
-      await page.goto('/cards')
+      await opensFromHome(child, 'home.materials')
+      await page.getByRole('link', { name: child.word('parts.myCards'), exact: true }).click()
       const card = { text: { en: { title: '<script>', story: 'x', task: 'x', hints: ['x', 'x', 'x'] } } }
       await child.opensFileAtHome(
         'card.botgarten.json',

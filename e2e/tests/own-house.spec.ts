@@ -1,4 +1,5 @@
 // Rooms: app
+// By address: the first load of a page.
 import { expect, test } from '../house.ts'
 
 for (const path of ['/', '/lab/friendship']) {

@@ -1,4 +1,5 @@
 // Rooms: materials
+// By address: a window that is printed is opened by its address.
 import { content } from '@botgarten/content/files'
 import type { Item } from '@botgarten/content/items'
 import type { Page } from '@playwright/test'

@@ -1,4 +1,5 @@
 // Rooms: materials
+// By address: a window that is printed is opened by its address.
 import { spawn } from 'node:child_process'
 import { once } from 'node:events'
 import { globSync, mkdtempSync, readdirSync, readFileSync, rmSync } from 'node:fs'
@@ -276,9 +277,7 @@ test('printing that is stopped leaves nothing in the temporary folder', async ()
         env: { ...process.env, TMPDIR: folder },
       },
     )
-    await expect
-      .poll(() => readdirSync(folder), { timeout: 20_000 })
-      .toContainEqual(expect.stringMatching(/^botgarten-browser/))
+    await expect.poll(() => readdirSync(folder)).toContainEqual(expect.stringMatching(/^botgarten-browser/))
     printing.kill('SIGINT')
     await once(printing, 'exit')
     expect(readdirSync(folder)).toEqual(['out'])

@@ -1,4 +1,5 @@
 // Rooms: teacher, parts
+// By address: every page as its link opens it.
 import { globSync } from 'node:fs'
 import { flags } from '../browser.ts'
 import { findChromium } from '../chromium.mjs'

@@ -164,6 +164,7 @@ test('the table of trials is printed filled, and nothing else of the lab', async
 test('a card printed by hand from its page is as large as its paper, without what is around it', async ({
   page,
 }) => {
+  // By address: a code on paper.
   await page.goto('/materials/card/meet-bo')
   await expect(page.locator('.material[aria-busy=false]')).toBeVisible()
   const { pages } = await readPdf(await page.pdf({ preferCSSPageSize: true, printBackground: true }))

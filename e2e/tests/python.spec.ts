@@ -33,8 +33,7 @@ for (const language of languagesOf(import.meta.filename)) {
       child,
       page,
     }) => {
-      await child.opensLab('free')
-      await child.opensProject('Steps', steps)
+      await child.opensProjectAtHome('Steps', steps)
       await child.presses('lab.code')
       const line = (text: string) => page.getByRole('option').filter({ hasText: text })
       await expect(line('wait(200)')).toBeVisible()
@@ -48,8 +47,7 @@ for (const language of languagesOf(import.meta.filename)) {
 
     test('what is saved is what is shown, and what the command line makes', async ({ child, page }) => {
       const project = projectFile('friendship', 'solution')
-      await child.opensLab('free')
-      await child.opensProject('Friendship', project)
+      await child.opensProjectAtHome('Friendship', project)
       await child.presses('lab.code')
       const rows = page.locator('[role=option]')
       await expect(rows.first()).toBeVisible()
@@ -63,8 +61,7 @@ for (const language of languagesOf(import.meta.filename)) {
     })
 
     test('what has a gap is an error or a comment, as the child likes', async ({ child, page }) => {
-      await child.opensLab('free')
-      await child.opensProject('Talks', lacking)
+      await child.opensProjectAtHome('Talks', lacking)
       await child.presses('lab.code')
       const error = page.getByRole('option').filter({ hasText: 'raise NotImplementedError' })
       await expect(error).toBeVisible()
@@ -76,8 +73,7 @@ for (const language of languagesOf(import.meta.filename)) {
       child,
       page,
     }) => {
-      await child.opensLab('free')
-      await child.opensProject('Talks', lacking)
+      await child.opensProjectAtHome('Talks', lacking)
       await child.presses('lab.code')
       const badge = page.locator('.editor-badge:has(.robot)')
       await badge.click()

@@ -22,10 +22,10 @@ for (const language of languagesOf(import.meta.filename))
       await asker.choosesCode('owl', 200)
       await asker.begins()
       await asker.fillsIn('after', false, nth(0))
-      await page.goto('/questionnaires')
+      await asker.comes()
       await asker.takesFile('after', 5, [1, 2, 3, 4])
       await expect(child.words('form.takenAnswers', { count: 4 })).toBeVisible()
-      await page.goto('/questionnaires?form=after&show=results')
+      await asker.opens('after', 'form.results')
       await expect(child.words('form.stillOpenText')).toBeVisible()
       await child.presses('form.close')
       const row = page
@@ -62,14 +62,14 @@ test('four answers are shown nowhere, and a fifth from a file opens them', async
   await child.presses('form.nextChild')
   await asker.choosesCode('robin', 300)
   await expect(child.words('form.codeTaken')).toBeVisible()
-  await page.goto('/questionnaires')
+  await asker.comes()
   await asker.takesFile('before', 8, [1, 2, 3])
   await child.presses('form.close')
   await expect(child.words('form.few')).toBeVisible()
   await asker.opens('before', 'form.results')
   await expect(child.words('form.fewText')).toBeVisible()
 
-  await page.goto('/questionnaires')
+  await asker.comes()
   const [saved] = await Promise.all([page.waitForEvent('download'), child.presses('form.saveFile')])
   const file = JSON.parse(readFileSync(await saved.path(), 'utf8')) as { answers: object[] }
   const fifth = { ...file.answers[0], id: 'f'.repeat(32), code: null }
@@ -154,6 +154,7 @@ test('every page of a questionnaire can be used by everybody', async ({ child, p
   await child.presses('form.codeForgot')
   expect(await axeFindings(page), 'older').toEqual([])
   for (const show of ['type', 'change', 'paper']) {
+    // By address: each page as its link opens it.
     await page.goto(`/questionnaires?form=after&show=${show}`)
     await expect(page.getByRole('heading', { level: 1 }).first()).toBeVisible()
     expect(await axeFindings(page), show).toEqual([])

@@ -1,9 +1,11 @@
 // Rooms: races, q-learning
+import { mapField } from '@botgarten/blocks'
 import { axeFindings } from '../axe.ts'
 import { expect, test } from '../house.ts'
+import { opensFromHome } from '../navigation.ts'
 
 test('four learners race on the cliff, by keys, and their curve is a table too', async ({ child, page }) => {
-  await page.goto('/race?map=cliff')
+  await opensFromHome(child, 'home.race')
   await expect(child.button('race.start')).toHaveAttribute('aria-disabled', 'true')
   await page.getByRole('radio', { name: child.word('race.criterion.falls') }).focus()
   await page.keyboard.press('Space')
@@ -32,7 +34,11 @@ test.describe('with a finger', () => {
     child,
     page,
   }) => {
-    await page.goto('/race?map=railway&you')
+    await opensFromHome(child, 'home.race')
+    await child.button('race.map').tap()
+    const railway = child.word(`choice.${mapField('railway')}`)
+    await page.getByRole('dialog').getByRole('button', { name: railway, exact: true }).tap()
+    await child.button('race.toYou').tap()
     const through = (room: number) =>
       page.getByRole('button', { name: new RegExp(`^${child.word('race.doorTo')} ${room} `) }).tap()
     for (const round of [1, 2, 3]) {

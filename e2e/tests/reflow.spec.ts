@@ -1,7 +1,10 @@
 // Rooms: words, parts
 import { opensSettings } from '../child-cards.ts'
+import { ProjectList } from '../child-projects.ts'
+import { SortingHands } from '../child-sorting.ts'
 import type { Child } from '../child.ts'
 import { expect, test } from '../house.ts'
+import { opensFromHome } from '../navigation.ts'
 import { outOfReach } from '../reach.ts'
 import { languages } from '../words.ts'
 
@@ -18,6 +21,7 @@ const sizes = [
 type Faces = { readonly [name: string]: (child: Child) => Promise<unknown> }
 
 const goes = (path: string) => async (child: Child) => {
+  // By address: what links and printed codes lead to.
   await child.page.goto(path)
   await expect(child.page.locator('main')).toHaveCount(1)
   await expect(child.page.locator('.material[aria-busy="true"]')).toHaveCount(0)
@@ -26,10 +30,10 @@ const goes = (path: string) => async (child: Child) => {
 /** One page load each. */
 const pages: Faces = {
   home: (child) => child.opensHome(),
-  sorting: goes('/sorting'),
-  about: goes('/about'),
+  sorting: (child) => new SortingHands(child).opens(),
+  about: (child) => opensFromHome(child, 'parts.about'),
   'a link that is cut': goes('/open#v1.abc'),
-  'all materials': goes('/materials'),
+  'all materials': (child) => opensFromHome(child, 'home.materials'),
   cards: goes('/materials/card/network-cards'),
   'a worksheet': goes('/materials/worksheet/how-do-i-learn'),
   'questions of a module': goes('/materials/questions/1'),
@@ -80,10 +84,10 @@ const lab: Faces = {
     await expect(child.button('q.turbo')).toBeVisible()
   },
   'my projects': async (child) => {
-    await child.page.goto('/projects')
+    await new ProjectList(child).opens()
     await expect(child.page.getByRole('article').first()).toBeVisible()
   },
-  'the bin': goes('/projects/bin'),
+  'the bin': (child) => new ProjectList(child).goesToBin(),
 }
 
 for (const language of languages)

@@ -180,8 +180,7 @@ for (const language of languagesOf(import.meta.filename)) {
 
     test('has keys of its own, by mouse and by keyboard, a lamp and a display', async ({ child }) => {
       const bo = new RobotHands(child)
-      await child.opensLab('free')
-      await child.opensProject('Keys', keyProgram())
+      await child.opensProjectAtHome('Keys', keyProgram())
       await bo.opens('panel')
       await child.pressesStart()
       await expect(bo.lamp('red')).toBeVisible()

@@ -1,6 +1,7 @@
 // Rooms: parts
 import { leftEye, leftWheel, rightEye, rightWheel } from '../child.ts'
 import { expect, test } from '../house.ts'
+import { opensCard } from '../navigation.ts'
 import { wordNet } from '../projects.ts'
 import { languagesOf } from '../words.ts'
 
@@ -32,7 +33,7 @@ for (const language of languagesOf(import.meta.filename)) {
         })
       await kept()
 
-      await page.goto('/lab/friendship')
+      await opensCard(child, 'friendship')
       const dialog = child.dialog('session.brokenHere')
       await expect(dialog).toContainText(child.word('session.brokenHereText'))
       await dialog.getByRole('button', { name: child.word('parts.ok') }).click()
@@ -63,8 +64,7 @@ for (const language of languagesOf(import.meta.filename)) {
     })
 
     test('for a word neuron that is not above 0', async ({ child, page }) => {
-      await child.opensLab('free')
-      await child.opensProject('Word', wordNet('Word', 'Hurra'))
+      await child.opensProjectAtHome('Word', wordNet('Word', 'Hurra'))
       await child.pressesStart()
       const display = async () => (await child.painted.place('bo badge display')).text
       await expect.poll(display).toContain(child.word('neuron.empty'))

@@ -1,4 +1,5 @@
 // Rooms: server
+// By address: what the server answers to an address.
 import { classOfTest } from '../class-server.ts'
 import { expect, test } from '../house.ts'
 

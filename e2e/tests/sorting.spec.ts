@@ -282,6 +282,7 @@ for (const language of languagesOf(import.meta.filename)) {
 
     test('a project that is not there is not opened, and that is said', async ({ child, page }) => {
       const sorting = new SortingHands(child)
+      // By address: a link to a project of another device.
       await page.goto('/sorting?p=nobody')
       await expect(page.getByText(sorting.word('say.missing'))).toBeVisible()
       await sorting.sorts()

@@ -1,4 +1,5 @@
 // Rooms: scripts, service-worker
+// By address: what a web space answers to an address.
 import { buildStaticWhenNeeded, webSpace } from '../../scripts/prepare/build.mjs'
 import { Child, leftEye, leftWheel, rightEye, rightWheel } from '../child.ts'
 import { isKept, setsDrivesAndSaves } from '../child-offline.ts'
@@ -39,7 +40,7 @@ for (const language of languagesOf(import.meta.filename)) {
       const before = space.outside.length
       await page.goto(space.url)
       await child.seesTitle()
-      await child.chooses('friendship')
+      await child.opensLab('friendship')
       await setsDrivesAndSaves(child)
       await child.reloads()
       await child.seesWeight(leftEye, leftWheel, 0.8)

@@ -67,17 +67,19 @@ test('cards, blocks, maps and the order of parts are locked until the researcher
   await hands.handsOut()
   await hands.begins(2, 3, 'no')
   for (const closed of ['/lab/fear', '/lab/free', '/zoo', '/projects', '/']) {
+    // By address: links to what a study locks.
     await page.goto(closed)
     await expect(page).toHaveURL(/\/study$/)
   }
   await hands.opensCard('friendship')
   await expect(child.words('study.nothing')).toBeVisible()
-  await page.goto('/study')
+  await hands.goesBack()
   await child.presses('study.next')
   await page
     .getByRole('dialog')
     .getByRole('button', { name: child.word('study.sure') })
     .click()
+  // By address: links to what a study locks.
   await page.goto('/lab/friendship')
   await expect(page).toHaveURL(/\/study$/)
   await hands.opensCard('fear')
@@ -159,9 +161,10 @@ test('a study is planned by keys alone, saved as a file, and opened again; slips
   await expect(page.getByText('0101D').first()).toBeVisible()
   await expect(page.getByRole('listitem')).toHaveCount(30)
   expect(await axeFindings(page)).toEqual([])
-  await page.goto('/study')
+  await hands.comes()
   await page.locator('input[type=file]').setInputFiles(await download.path())
   await expect(page.getByRole('heading', { name: 'Winter' })).toBeVisible()
+  // By address: another day the device opens the study again.
   await page.goto('/study')
   await child.presses('study.endStudy')
   await page

@@ -22,7 +22,6 @@ const test = base.extend<object, { server: Server }>({
   ],
   house: [({ server }, use) => use(server.url), { scope: 'worker' }],
 })
-
 const password = 'kastanie im regen'
 /** The cable is pulled for a moment. */
 test.use({ complaints: [/ERR_INTERNET_DISCONNECTED/] })
@@ -68,6 +67,7 @@ test('a teacher starts a server, leads a lesson and deletes the class', async ({
   const teacher = new Teacher(page)
 
   await test.step('the one-time link makes the account by keys alone, then class, Wi-Fi, rehearsal and backup', async () => {
+    // By address: the link that the server prints.
     await page.goto(`/teacher/start#${await server.classServer.firstTeacher()}`)
     await teacher.field('username').fill('m.weber')
     await page.keyboard.press('Tab')

@@ -4,6 +4,7 @@ import { axeFindings } from '../axe.ts'
 import { node } from '../child-cards.ts'
 import { leftWheel, type Child } from '../child.ts'
 import { expect, test } from '../house.ts'
+import { opensCard } from '../navigation.ts'
 import { languagesOf } from '../words.ts'
 
 const tour = ({ page, word }: { page: Child['page']; word: (key: string) => string }) =>
@@ -167,7 +168,7 @@ for (const language of languagesOf(import.meta.filename)) {
         }) => {
           await page.setViewportSize(size)
           await page.emulateMedia({ reducedMotion: 'reduce' })
-          await page.goto('/lab/friendship')
+          await opensCard(child, 'friendship')
           await expect(tourOf(child)).toContainText(child.word('tour.offer'))
           await seesWhole(child, child.button('tour.yes'))
           await child.presses('tour.yes')

@@ -44,6 +44,7 @@ test('without a class or a study nothing of it travels, and the lab has not a by
   const of = (url: string) => trafficOf(page, `${url}/lab/friendship`, () => child.seesBlocks())
   const [first, second] = [await of(alone.url), await of(beside.url)]
   expect(second).toEqual(first)
+  // By address: the first load of home.
   await page.goto(`${beside.url}/`, { waitUntil: 'networkidle' })
 
   const travelled = new Set(asked)

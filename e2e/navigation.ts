@@ -1,0 +1,69 @@
+import { expect, type Locator } from '@playwright/test'
+import type { Child } from './child.ts'
+import { bedOf, chapterOf } from './words.ts'
+
+/** The three beds of cards: on the home page alone. */
+export const bedsOf = (child: Child): Locator =>
+  child.page.getByRole('region', { name: child.word('home.beds'), exact: true })
+
+/** Goes to the home page by the link that every page has; a browser that shows nothing yet opens its address. */
+export async function goesHome(child: Child) {
+  const { page } = child
+  const beds = bedsOf(child)
+  if (await beds.isVisible()) return
+  // The pictures may come later: nothing here needs them.
+  if (page.url() === 'about:blank') await page.goto('/', { waitUntil: 'commit' })
+  else await page.locator('a[href$="/"]:visible').first().click()
+  await expect(beds).toBeVisible()
+}
+
+const chapters = { examples: 'home.fromExamples', trying: 'home.byTrying' } as const
+
+/** The link to a card on the home page; the chapter that contains it is opened. */
+export async function findsCard(child: Child, card: string): Promise<Locator> {
+  const chapter = chapterOf(card)
+  // Only this bed has chapters. The one that was open last stays open.
+  if (bedOf(card) === 'network') await child.presses(chapter ? chapters[chapter] : 'home.byHand')
+  return child.page.locator(`a[href$="/lab/${card}"]`).first()
+}
+
+/** Opens a card from the home page. */
+export async function opensCard(child: Child, card: string) {
+  await goesHome(child)
+  await (await findsCard(child, card)).click()
+}
+
+/** Opens the free lab from the home page of a device without projects: Bo drives at once, and is put back to its start. */
+export async function opensFreeLab(child: Child) {
+  await goesHome(child)
+  await child.page.getByRole('link', { name: child.word('home.drive') }).click()
+  await child.pressesStop()
+  await child.presses('lab.resetWorld')
+}
+
+/** A page that the home page leads to, by the words of its link. */
+export async function opensFromHome(child: Child, key: string) {
+  await goesHome(child)
+  await child.page.getByRole('link', { name: child.word(key), exact: true }).click()
+}
+
+/**
+ * From now on this device draws 0 whenever it needs one random number: its dice are those of a link with `?dice=1`, and
+ * what is learned is the same in every run.
+ */
+export async function fixesDice({ page }: Child) {
+  const fix = () => {
+    const { getRandomValues } = Crypto.prototype
+    Crypto.prototype.getRandomValues = function <T extends ArrayBufferView | null>(
+      this: Crypto,
+      numbers: T,
+    ): T {
+      if (!(numbers instanceof Uint32Array) || numbers.length > 1)
+        return getRandomValues.call(this, numbers as Uint32Array<ArrayBuffer>) as T
+      numbers.fill(0)
+      return numbers
+    }
+  }
+  await page.addInitScript(fix)
+  await page.evaluate(fix)
+}
