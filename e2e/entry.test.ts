@@ -32,3 +32,35 @@ describe('entering as a child does', () => {
     expect(unexplained("await child.opensLabByAddress('fear')")).toHaveLength(1)
   })
 })
+
+/** Rooms whose faults lose work. */
+const careful = new Set(['storage', 'class'])
+/** Tests of what must not be lost whose files belong to other rooms. */
+const alsoCareful: { readonly [spec: string]: string } = {
+  'tests/undo.spec.ts': 'undo and redo',
+  'tests/projects.spec.ts': 'the list of projects, its bin and the home file',
+  'tests/said.spec.ts': 'saved work that cannot be read',
+  'tests/links.spec.ts': 'a project as a link',
+  'tests/offline.spec.ts': 'work without a network',
+  'tests/health.spec.ts': 'backup and restore',
+  'tests/teacher.spec.ts': 'the data of a class',
+}
+
+const roomsOf = (text: string): readonly string[] =>
+  /^\/\/ Rooms: (.*)$/m
+    .exec(text)?.[1]
+    ?.split(',')
+    .map((room) => room.trim()) ?? []
+
+const isCareful = (path: string) =>
+  path in alsoCareful || roomsOf(read(path)).some((room) => careful.has(room))
+
+describe('what must not be lost', () => {
+  test('the files of other rooms that are named here exist', () => {
+    expect(specs).toEqual(expect.arrayContaining(Object.keys(alsoCareful)))
+  })
+
+  test.each(specs.filter(isCareful))('%s gets no further try', (path) => {
+    expect(read(path)).toMatch(/^ *test\.describe\.configure\(\{ retries: 0 \}\)$/m)
+  })
+})

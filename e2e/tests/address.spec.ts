@@ -53,6 +53,8 @@ const test = base.extend<{ room: Awaited<ReturnType<typeof roomOfTest>> }>({
   },
   baseURL: ({ room }, use) => use(room.here),
 })
+// Work must not be lost: a fault here gets no further try.
+test.describe.configure({ retries: 0 })
 test.use({
   complaints: [/^A request to http:\/\/(garden|laptop)\.test:\d+\/|net::ERR_FAILED/],
   launchOptions: {

@@ -7,6 +7,9 @@ import { joins, signsIn, type MadeClass } from '../made-class.ts'
 import { languagesOf } from '../words.ts'
 
 const test = testInClass()
+// Work must not be lost: a fault here gets no further try.
+test.describe.configure({ retries: 0 })
+
 const isAccessible = async (child: Child) => expect(await axeFindings(child.page)).toEqual([])
 
 /** What the teacher's page knows of the one pupil. */

@@ -12,6 +12,8 @@ import { expect } from '../house.ts'
 import { joins, signsIn, teaches } from '../made-class.ts'
 
 const test = testInClass()
+// Work must not be lost: a fault here gets no further try.
+test.describe.configure({ retries: 0 })
 test.use({ complaints: [/net::ERR_/] })
 
 const minutes = 60_000

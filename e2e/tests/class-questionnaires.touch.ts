@@ -8,6 +8,9 @@ import { joins, signsIn } from '../made-class.ts'
 import { givesVoice, said } from '../voice.ts'
 
 const test = testInClass('de')
+// Work must not be lost: a fault here gets no further try.
+test.describe.configure({ retries: 0 })
+
 test.use({ language: 'de' })
 
 test('a child of grade 3 answers by finger what is read aloud, and it comes to the class', async ({

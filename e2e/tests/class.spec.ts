@@ -9,6 +9,8 @@ import { anotherClass, joins, saves, signsIn } from '../made-class.ts'
 import { languagesOf } from '../words.ts'
 
 const test = testInClass()
+// Work must not be lost: a fault here gets no further try.
+test.describe.configure({ retries: 0 })
 // What the class answers to two devices, and when it has ended: a browser complains of it.
 test.use({ complaints: [/409 \(Conflict\)|410 \(Gone\)/] })
 

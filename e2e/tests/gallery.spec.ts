@@ -13,6 +13,9 @@ import { anotherClass, joins, saves, signsIn, teaches } from '../made-class.ts'
 import { languagesOf } from '../words.ts'
 
 const test = testInClass()
+// Work must not be lost: a fault here gets no further try.
+test.describe.configure({ retries: 0 })
+
 for (const language of languagesOf(import.meta.filename)) {
   test.describe(`the gallery of a class, in ${language}`, () => {
     test.use({ language })

@@ -6,6 +6,9 @@ import { expect } from '../house.ts'
 import { joins, signsIn } from '../made-class.ts'
 
 const test = testInClass('de')
+// Work must not be lost: a fault here gets no further try.
+test.describe.configure({ retries: 0 })
+
 test.use({ language: 'de' })
 
 test('a finger gives a heart, watches and remixes', async ({ child, page, school }) => {

@@ -18,6 +18,9 @@ const test = base.extend<{ school: School }>({
   baseURL: ({ school }, use) => use(school.url),
   complaints: [/^A request to http:\/\/localhost:\d+\//],
 })
+// Work must not be lost: a fault here gets no further try.
+test.describe.configure({ retries: 0 })
+
 for (const language of languagesOf(import.meta.filename))
   test.describe(`the health of the server, in ${language}`, () => {
     test.use({ language })

@@ -4,6 +4,9 @@ import { Child, leftEye, leftWheel, rightEye, rightWheel } from '../child.ts'
 import { expect, test } from '../house.ts'
 import { languagesOf } from '../words.ts'
 
+// Work must not be lost: a fault here gets no further try.
+test.describe.configure({ retries: 0 })
+
 /** Lets the browser believe that the disk has room for so many bytes; undefined: as much as there is. */
 async function roomFor(session: CDPSession, origin: string, quotaSize?: number) {
   await session.send('Storage.overrideQuotaForOrigin', { origin, quotaSize })

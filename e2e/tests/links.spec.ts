@@ -9,6 +9,9 @@ import { expect, test } from '../house.ts'
 import { freeProgram } from '../projects.ts'
 import { languagesOf } from '../words.ts'
 
+// Work must not be lost: a fault here gets no further try.
+test.describe.configure({ retries: 0 })
+
 /** A text of a project that does not become smaller by compressing. */
 function noise(length: number): string {
   let seed = 1

@@ -22,6 +22,8 @@ const test = base.extend<{ door: Guard; at: string }>({
   },
   baseURL: async ({ door, at }, use) => use(`http://${at}:${door.port}`),
 })
+// Work must not be lost: a fault here gets no further try.
+test.describe.configure({ retries: 0 })
 test.use({
   serviceWorkers: 'allow',
   // What the browser itself says about a server that is gone, and addresses of this machine.

@@ -14,6 +14,9 @@ const friendship = tasks.find(({ card }) => card.id === 'friendship')!
 
 for (const language of languagesOf(import.meta.filename)) {
   const test = testInClass(language)
+  // Work must not be lost: a fault here gets no further try.
+  test.describe.configure({ retries: 0 })
+
   test.describe(`a card of one's own in a class, in ${language}`, () => {
     test.use({ language })
 

@@ -5,6 +5,9 @@ import { expect, test } from '../house.ts'
 import { freeProgram, projectFile } from '../projects.ts'
 import { languagesOf } from '../words.ts'
 
+// Work must not be lost: a fault here gets no further try.
+test.describe.configure({ retries: 0 })
+
 const good = projectFile('friendship', 'start')
 const read = (text: string) => JSON.parse(text) as Project
 

@@ -7,6 +7,9 @@ import { expect, test } from '../house.ts'
 import { freeProgram } from '../projects.ts'
 import { languagesOf, type Language } from '../words.ts'
 
+// Work must not be lost: a fault here gets no further try.
+test.describe.configure({ retries: 0 })
+
 /** Puts projects of these names on the device, the last one changed last. */
 async function keeps(child: Child, ...names: readonly string[]) {
   const list = new ProjectList(child)

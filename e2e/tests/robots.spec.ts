@@ -4,6 +4,9 @@ import { TimeHands } from '../child-time.ts'
 import { expect, test } from '../house.ts'
 import { languagesOf } from '../words.ts'
 
+// Work must not be lost: a fault here gets no further try.
+test.describe.configure({ retries: 0 })
+
 for (const language of languagesOf(import.meta.filename)) {
   test.describe(`several robots, in ${language}`, () => {
     test.use({ language })

@@ -5,6 +5,9 @@ import { opensCard } from '../navigation.ts'
 import { wordNet } from '../projects.ts'
 import { languagesOf } from '../words.ts'
 
+// Work must not be lost: a fault here gets no further try.
+test.describe.configure({ retries: 0 })
+
 for (const language of languagesOf(import.meta.filename)) {
   test.describe(`what Botgarten says in ${language}`, () => {
     test.use({ language })

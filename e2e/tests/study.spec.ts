@@ -5,6 +5,9 @@ import { StudyHands, replayed, studyFile } from '../child-study.ts'
 import { expect, test } from '../house.ts'
 import { languagesOf } from '../words.ts'
 
+// Work must not be lost: a fault here gets no further try.
+test.describe.configure({ retries: 0 })
+
 for (const language of languagesOf(import.meta.filename))
   test.describe(`a study in ${language}`, () => {
     test.use({ language })

@@ -22,6 +22,9 @@ const test = base.extend<object, { server: Server }>({
   ],
   house: [({ server }, use) => use(server.url), { scope: 'worker' }],
 })
+// Work must not be lost: a fault here gets no further try.
+test.describe.configure({ retries: 0 })
+
 const password = 'kastanie im regen'
 /** The cable is pulled for a moment. */
 test.use({ complaints: [/ERR_INTERNET_DISCONNECTED/] })

@@ -8,6 +8,8 @@ import { expect } from '../house.ts'
 import { joins, signsIn } from '../made-class.ts'
 
 const test = testInClass()
+// Work must not be lost: a fault here gets no further try.
+test.describe.configure({ retries: 0 })
 // A request through a pulled cable fails, and a browser complains of it.
 test.use({ complaints: [/net::ERR_/] })
 

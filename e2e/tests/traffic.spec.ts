@@ -5,6 +5,9 @@ import { classOfTest } from '../class-server.ts'
 import { expect, test } from '../house.ts'
 import { trafficOf } from '../traffic.ts'
 
+// Work must not be lost: a fault here gets no further try.
+test.describe.configure({ retries: 0 })
+
 test.use({ serviceWorkers: 'allow', complaints: [/^A request to http:\/\/localhost:\d+\//] })
 
 const built = new URL('../../apps/web/.svelte-kit/output/client/.vite/manifest.json', import.meta.url)

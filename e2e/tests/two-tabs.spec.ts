@@ -4,6 +4,9 @@ import { Child, leftEye, leftWheel, rightEye, rightWheel } from '../child.ts'
 import { expect, test } from '../house.ts'
 import { languagesOf, type Language } from '../words.ts'
 
+// Work must not be lost: a fault here gets no further try.
+test.describe.configure({ retries: 0 })
+
 /** A second tab on the same project. `deaf`: it does not hear what other tabs save. */
 async function secondTab(context: BrowserContext, language: Language, deaf: boolean): Promise<Child> {
   const page = await context.newPage()

@@ -3,6 +3,9 @@ import { leftEye, leftWheel, rightEye, rightWheel, type Child } from '../child.t
 import { expect, test } from '../house.ts'
 import { languagesOf } from '../words.ts'
 
+// Work must not be lost: a fault here gets no further try.
+test.describe.configure({ retries: 0 })
+
 /** Where the square is said to be, in cm. */
 const squareAt = async (child: Child) =>
   (await child.thing('block').getAttribute('aria-label'))?.match(/\d+/g)
