@@ -25,7 +25,7 @@ export class Proof {
   #tasks = $state.raw<readonly Task[]>([])
   #project = $state.raw<(Project & { readonly ownCard: OwnCard }) | null>(null)
   #frame = 0
-  #timer = 0
+  #timer: ReturnType<typeof setTimeout> | undefined
   /** Programs are frozen data: each has a number. */
   readonly #numbers = new WeakMap<object, number>()
   #count = 0
@@ -40,7 +40,7 @@ export class Proof {
     clearTimeout(this.#timer)
     this.#project = project
     this.#tasks = this.#canRun(project) ? this.#tasksOf(project) : []
-    this.#timer = window.setTimeout(() => this.#go(), calm)
+    this.#timer = setTimeout(() => this.#go(), calm)
   }
 
   #canRun({ programs, world, ownCard }: Project & { readonly ownCard: OwnCard }): boolean {
