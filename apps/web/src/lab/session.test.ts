@@ -347,6 +347,22 @@ describe('in a moment of the past (rule 9)', () => {
     expect(weight(session)).toBe(0)
   })
 
+  test('a weight that was turned at the very tick that is gone back to is not turned there', () => {
+    const { session } = sessionOf()
+    runs(session, 60)
+    const { tick } = session.lab.view
+    turn(session, 0.5)
+    const draw = screen()
+    const stop = session.lab.run()
+    session.resume()
+    for (let frame = 0; frame < 5; frame += 1) draw()
+    stop()
+    expect(session.lab.view.tick).toBeGreaterThan(tick)
+    session.lab.goTo(tick)
+    session.goOn()
+    expect([weight(session), session.undo.canUndo]).toEqual([0, false])
+  })
+
   test('what was done before a run does not belong to a moment of it', () => {
     const { session } = sessionOf()
     turn(session, 0.5)

@@ -67,6 +67,16 @@ test('rule 9: after going on from the past the other future is the one thing tha
   expect(asked).toEqual(['future', 'future', 'place box 1'])
 })
 
+test('rule 9: what was done at the very tick that is gone back to belongs to the other future', () => {
+  const { undo, asked, at, branch } = stack()
+  at(199, moved('box'))
+  at(200, turned(0.5))
+  branch(200)
+  undo.undo()
+  undo.undo()
+  expect(asked).toEqual(['place box 1'])
+})
+
 test('rule 9: what is done in the new future does not lose the other one', () => {
   const { undo, asked, at, branch } = stack()
   branch(200)
