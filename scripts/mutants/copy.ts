@@ -1,13 +1,18 @@
 import { execFileSync } from 'node:child_process'
-import { cpSync, existsSync, mkdirSync, mkdtempSync, writeFileSync } from 'node:fs'
+import { cpSync, existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
 import { tmpdir } from 'node:os'
 import { dirname, join } from 'node:path'
+import { Trouble } from '../prepare/run.mjs'
+import type { Mutant } from './mutations.ts'
+import type { Outcome } from './report.ts'
+import type { Room } from './rooms.ts'
+import { Warm } from './warm.ts'
 
 const generated = ['apps/web/.svelte-kit', 'apps/web/src/words/generated', 'apps/web/project.inlang']
 const modules = ['node_modules', 'apps/web/node_modules', 'apps/cli/node_modules']
 
-/** A copy of the tree as it is now, in which anything may be changed. Packages from elsewhere are linked, not copied. */
-export function copyTree(from: string): string {
+/** A copy of the tree as it is now, in which anything may be changed. Packages of others are linked, not copied. */
+function copyTree(from: string): string {
   const to = mkdtempSync(join(tmpdir(), 'botgarten-mutants-'))
   const files = execFileSync('git', ['ls-files', '-co', '--exclude-standard'], {
     cwd: from,
@@ -25,3 +30,68 @@ export function copyTree(from: string): string {
   writeFileSync(join(to, '.mutants'), '')
   return to
 }
+
+/** A copy of the tree with a warm Vitest in it. It is made when it is first needed. */
+export class Copy {
+  readonly #house: string
+  #folder: string | null = null
+  #warm: Warm | null = null
+  /** The file whose tests have passed without any fault. */
+  #trusted: string | null = null
+
+  private constructor(house: string) {
+    this.#house = house
+  }
+
+  /** Removes the copy after `work`, also where the process is asked to end. */
+  static async use(house: string, work: (copy: Copy) => Promise<void>): Promise<void> {
+    const copy = new Copy(house)
+    const stop = () => {
+      copy.#remove()
+      process.exit(130)
+    }
+    process.once('SIGINT', stop).once('SIGTERM', stop)
+    try {
+      await work(copy)
+    } finally {
+      process.off('SIGINT', stop).off('SIGTERM', stop)
+      copy.#remove()
+    }
+  }
+
+  #remove(): void {
+    this.#warm?.close()
+    if (this.#folder !== null) rmSync(this.#folder, { recursive: true, force: true })
+    this.#folder = null
+  }
+
+  get #vitest(): Warm {
+    this.#folder ??= copyTree(this.#house)
+    return (this.#warm ??= new Warm(this.#folder))
+  }
+
+  /** @throws Trouble where the tests fail without the fault */
+  async outcomeOf({ file, text }: Mutant, room: Room): Promise<Outcome> {
+    if (this.#trusted !== file) await this.#refuseFailing(file, room)
+    this.#trusted = file
+    const { kind } = await this.#vitest.ask({ file, text, ...asked(room) })
+    if (kind === 'ready') throw new Error('Vitest has started again.')
+    return kind
+  }
+
+  /** Tests that fail without any fault would kill every mutant. */
+  async #refuseFailing(file: string, room: Room): Promise<void> {
+    const text = readFileSync(join(this.#house, file), 'utf8')
+    for (let left = 1; ; left--) {
+      const answer = await this.#vitest.askFirst({ file, text, ...asked(room) })
+      if (answer.kind !== 'killed' && answer.kind !== 'timeout') return
+      const why = `The tests of ${file} fail as it is: ${'by' in answer ? answer.by : answer.kind}`
+      if (left === 0) throw new Trouble(why)
+      // A machine that is busy with something else may have kept them waiting.
+      console.log(why)
+      this.#vitest.close()
+    }
+  }
+}
+
+const asked = ({ tests, walking }: Room) => ({ tests, walking })

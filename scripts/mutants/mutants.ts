@@ -1,85 +1,117 @@
-// `npm run mutants`: changes one line at a time in a copy of the tree, and asks the unit tests whether they see it.
-import { readFileSync, rmSync, writeFileSync } from 'node:fs'
+// `npm run mutants`: changes one place at a time in a copy of the tree, and runs the unit tests to see whether they find it.
+import { readFileSync, writeFileSync } from 'node:fs'
 import { parseArgs } from 'node:util'
 import { inHouse } from '../prepare/house.mjs'
 import { asScript, Trouble } from '../prepare/run.mjs'
-import { copyTree } from './copy.ts'
-import { reportOf, shareOf, type RoomReport, type Tried } from './report.ts'
-import { rooms, type Room } from './rooms.ts'
+import { Copy } from './copy.ts'
+import type { Mutant } from './mutations.ts'
+import { Records, recordsFile, testsHash } from './records.ts'
+import { reachesGoals, reportOf, type RoomReport, type Tried } from './report.ts'
+import { roomsIn, type Room } from './rooms.ts'
 import { filesOf, sampleOf, type Equivalent } from './sample.ts'
-import { Warm } from './warm.ts'
 
 const house = inHouse('.')
 const equivalent = JSON.parse(
   readFileSync(inHouse('scripts/mutants/equivalent.json'), 'utf8'),
 ) as readonly Equivalent[]
 
-async function tryRoom(
-  name: string,
-  warm: Warm,
-  options: { count: number; seed: number; only: string },
-): Promise<RoomReport> {
-  const room = rooms[name]!
-  const { mutants, among } = sampleOf(house, room, { ...options, equivalent })
-  const own = mutants.filter(({ file }) => new RegExp(options.only).test(file))
-  const files = filesOf(house, room)
-  const known = equivalent.filter(({ file }) => files.includes(file)).length
-  const tried: Tried[] = []
-  // Mutants of one file follow each other, since their tests are warm then.
-  for (const mutant of own.toSorted((a, b) => a.file.localeCompare(b.file) || a.line - b.line)) {
-    const { file, text } = mutant
-    if (tried.at(-1)?.mutant.file !== file) await refuseFailing(file, room, warm)
-    const { kind: outcome } = await warm.ask({ file, text, ...asked(room) })
-    if (outcome === 'ready') throw new Error('Vitest has started again.')
-    tried.push({ mutant, outcome })
-    console.log(
-      `${name} ${tried.length}/${own.length} ${outcome.padEnd(8)} ${file}:${mutant.line}  ${mutant.change}`,
-    )
-  }
-  return { name, room, among, equivalent: known, tried }
+interface Options {
+  /** Mutants a room; null: as many as the room says. */
+  readonly count: number | null
+  readonly seed: number
+  /** Only in files whose path matches. */
+  readonly only: RegExp
 }
 
-const asked = ({ tests, walking = [] }: Room) => ({ tests, walking })
+/** A room's mutants, and what is known of them. */
+class Sample {
+  readonly room: Room
+  readonly #mutants: readonly Mutant[]
+  readonly #among: number
+  readonly #records: Records
+  readonly #tests: string
 
-/** Tests that fail without any fault would kill every mutant. */
-async function refuseFailing(file: string, room: Room, warm: Warm): Promise<void> {
-  for (let left = 1; ; left--) {
-    const answer = await warm.askFirst({ file, text: readFileSync(inHouse(file), 'utf8'), ...asked(room) })
-    if (answer.kind !== 'killed' && answer.kind !== 'timeout') return
-    const why = `The tests of ${file} fail as it is: ${'by' in answer ? answer.by : answer.kind}`
-    if (left === 0) throw new Trouble(why)
-    // A machine that is busy with something else may have kept them waiting.
-    console.log(why)
-    warm.close()
+  constructor(room: Room, records: Records, { count, seed, only }: Options) {
+    const { mutants, among } = sampleOf(house, room, { count: count ?? room.sample, seed, equivalent })
+    // Mutants of one file follow each other, since their tests are warm then.
+    this.#mutants = mutants
+      .filter(({ file }) => only.test(file))
+      .toSorted((a, b) => a.file.localeCompare(b.file) || a.line - b.line)
+    this.room = room
+    this.#among = among
+    this.#records = records
+    this.#tests = testsHash(house, room)
   }
+
+  /** Tries those that were not tried yet, in the copy. Returns whether the room's tests pass without any fault. */
+  async run(copy: Copy): Promise<boolean> {
+    try {
+      for (const [at, mutant] of this.#mutants.entries()) await this.#try(copy, mutant, at + 1)
+      return true
+    } catch (error) {
+      if (!(error instanceof Trouble)) throw error
+      console.error(error.message)
+      return false
+    }
+  }
+
+  async #try(copy: Copy, mutant: Mutant, at: number): Promise<void> {
+    if (this.#records.outcomeOf(mutant, this.#tests) !== null) return
+    const outcome = await copy.outcomeOf(mutant, this.room)
+    this.#records.add(mutant, this.#tests, outcome)
+    const { file, line, change } = mutant
+    const place = `${this.room.name} ${at}/${this.#mutants.length}`
+    console.log(`${place} ${outcome.padEnd(8)} ${file}:${line}  ${change}`)
+  }
+
+  get report(): RoomReport {
+    const tried = this.#mutants.flatMap((mutant): Tried[] => {
+      const outcome = this.#records.outcomeOf(mutant, this.#tests)
+      return outcome === null ? [] : [{ mutant, outcome }]
+    })
+    const files = filesOf(house, this.room)
+    return {
+      ...{ room: this.room, among: this.#among, drawn: this.#mutants.length, tried },
+      equivalent: equivalent.filter(({ file }) => files.includes(file)).length,
+    }
+  }
+}
+
+function chosenOf(rooms: readonly Room[], names: readonly string[]): readonly Room[] {
+  const unknown = names.find((name) => !rooms.some((room) => room.name === name))
+  if (unknown !== undefined)
+    throw new Trouble(`There is no room ${unknown}. Rooms: ${rooms.map(({ name }) => name).join(', ')}.`)
+  return names.length === 0 ? rooms : names.map((name) => rooms.find((room) => room.name === name)!)
 }
 
 await asScript(async () => {
   const { values, positionals } = parseArgs({
     allowPositionals: true,
     options: {
-      sample: { type: 'string', default: '60' },
+      sample: { type: 'string' },
       seed: { type: 'string', default: '1' },
       out: { type: 'string' },
       only: { type: 'string', default: '' },
+      fresh: { type: 'boolean', default: false },
+      report: { type: 'boolean', default: false },
     },
   })
-  const names = positionals.length > 0 ? positionals : Object.keys(rooms)
-  const unknown = names.find((name) => !Object.hasOwn(rooms, name))
-  if (unknown !== undefined)
-    throw new Trouble(`There is no room ${unknown}. Rooms: ${Object.keys(rooms).join(', ')}.`)
-  const [count, seed] = [Number(values.sample), Number(values.seed)]
-  const copy = copyTree(house)
-  const warm = new Warm(copy)
-  const reports: RoomReport[] = []
-  try {
-    for (const name of names) reports.push(await tryRoom(name, warm, { count, seed, only: values.only }))
-  } finally {
-    warm.close()
-    rmSync(copy, { recursive: true, force: true })
+  const records = new Records(recordsFile())
+  if (values.fresh) records.forget()
+  const seed = Number(values.seed)
+  const options = {
+    ...{ count: values.sample === undefined ? null : Number(values.sample) },
+    ...{ seed, only: new RegExp(values.only) },
   }
+  const samples = chosenOf(roomsIn(house), positionals).map((room) => new Sample(room, records, options))
+  let isSound = true
+  if (!values.report)
+    await Copy.use(house, async (copy) => {
+      for (const sample of samples) isSound = (await sample.run(copy)) && isSound
+    })
+  const reports = samples.map((sample) => sample.report)
   const report = reportOf(reports, seed)
   if (values.out === undefined) console.log(`\n${report}`)
   else writeFileSync(values.out, report)
-  return reports.every((one) => shareOf(one) >= one.room.goal) ? 0 : 1
+  return isSound && reachesGoals(reports) ? 0 : 1
 })

@@ -2,10 +2,9 @@ import { globSync, readFileSync } from 'node:fs'
 import { expect, test } from 'vitest'
 import { inHouse } from '../prepare/house.mjs'
 import { isReadable, mutantsOf } from './mutations.ts'
-import { reportOf, shareOf, type RoomReport } from './report.ts'
 import equivalents from './equivalent.json' with { type: 'json' }
-import { filesOf, isSame, sampleOf } from './sample.ts'
-import { rooms } from './rooms.ts'
+import { isSame, sampleOf } from './sample.ts'
+import { roomsIn } from './rooms.ts'
 
 const changesIn = (source: string) => mutantsOf('a.ts', source).map(({ change }) => change)
 
@@ -60,7 +59,8 @@ test('what cannot be read is no fault that a test has to find', () => {
 })
 
 test('the same seed is the same sample, another one another; equivalent ones are left out', () => {
-  const [house, room] = [inHouse('.'), rooms['storage']!]
+  const house = inHouse('.')
+  const room = roomsIn(house).find(({ name }) => name === 'web/storage')!
   const draw = (seed: number) => sampleOf(house, room, { count: 20, seed, equivalent: [] }).mutants
   const drawn = draw(1)
   expect(draw(1)).toEqual(drawn)
@@ -71,29 +71,10 @@ test('the same seed is the same sample, another one another; equivalent ones are
   expect(sampleOf(house, room, { count: 19, seed: 1, equivalent }).mutants).toEqual(others)
 })
 
-test.each(Object.entries(rooms))('%s is there, and only its own code is changed', (_, room) => {
-  const files = filesOf(inHouse('.'), room)
-  expect(files.length).toBeGreaterThan(10)
-  expect(files.some((file) => /\.test\.ts$|generated|testing/.test(file))).toBe(false)
-})
-
 test('what is listed as equivalent is there, and says why', () => {
   for (const one of equivalents) {
     const source = readFileSync(inHouse(one.file), 'utf8')
     expect(mutantsOf(one.file, source).filter((mutant) => isSame(mutant, one))).toHaveLength(1)
     expect(one.because).toMatch(/\w.*\.$/)
   }
-})
-
-test('a report counts what was found, and names what was not', () => {
-  const mutant = { file: 'a.ts', line: 3, was: 'a', change: '`x` → nothing', text: '' }
-  const report: RoomReport = {
-    ...{ name: 'maps', room: { code: [], tests: [], goal: 0.8 }, among: 90, equivalent: 1 },
-    tried: (['killed', 'timeout', 'survived', 'unasked'] as const).map((outcome) => ({ mutant, outcome })),
-  }
-  expect(shareOf(report)).toBe(0.5)
-  const text = reportOf([report], 7)
-  expect(text).toContain('| maps | 2 of 4 | 50 % | 80 % | 90 | 1 |')
-  expect(text).toContain('seed 7')
-  expect(text).toContain("- `a.ts:3`: `'x' → nothing`\n- `a.ts:3`: `'x' → nothing` (no test imports it)\n")
 })

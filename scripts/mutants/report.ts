@@ -1,7 +1,7 @@
 import type { Mutant } from './mutations.ts'
-import type { Room } from './rooms.ts'
+import { groups, type Group, type Room } from './rooms.ts'
 
-type Outcome = 'killed' | 'timeout' | 'survived' | 'unasked'
+export type Outcome = 'killed' | 'timeout' | 'survived' | 'unasked'
 
 export interface Tried {
   readonly mutant: Mutant
@@ -9,41 +9,77 @@ export interface Tried {
 }
 
 export interface RoomReport {
-  readonly name: string
-  readonly room: Room
+  readonly room: Pick<Room, 'name' | 'group'>
+  /** Mutants that could be drawn. */
   readonly among: number
+  /** Mutants that were drawn. */
+  readonly drawn: number
   readonly equivalent: number
+  /** Those of the drawn ones that were tried. */
   readonly tried: readonly Tried[]
 }
 
 const isFound = ({ outcome }: Tried) => outcome === 'killed' || outcome === 'timeout'
+const found = (tried: readonly Tried[]): number => tried.filter(isFound).length
+const isWhole = ({ drawn, tried }: RoomReport) => tried.length === drawn
 
-export const shareOf = ({ tried }: RoomReport): number =>
-  tried.length === 0 ? 0 : tried.filter(isFound).length / tried.length
+/** What share of all mutants of a group was found; null: none was tried. */
+export function shareOf(reports: readonly RoomReport[], group: Group): number | null {
+  const tried = reports.filter(({ room }) => room.group === group).flatMap((one) => one.tried)
+  return tried.length === 0 ? null : found(tried) / tried.length
+}
 
-/** The table and the survivors, as Markdown. */
+/** Does each group of which something was tried reach its goal? */
+export const reachesGoals = (reports: readonly RoomReport[]): boolean =>
+  (Object.keys(groups) as Group[]).every((group) => (shareOf(reports, group) ?? 1) >= groups[group].goal)
+
+const percent = (share: number) => `${Math.floor(100 * share)} %`
+const row = (cells: readonly (string | number)[]) => `| ${cells.join(' | ')} |`
+const table = (head: readonly string[], rows: readonly (readonly (string | number)[])[]) =>
+  [head, head.map(() => '---'), ...rows].map(row)
+
+/** Tables of groups and rooms, the survivors, and the rooms that were not run, as Markdown. */
 export function reportOf(reports: readonly RoomReport[], seed: number): string {
-  const percent = (share: number) => `${Math.floor(100 * share)} %`
-  const rows = reports.map((report) => {
-    const { name, room, among, equivalent, tried } = report
-    const killed = tried.filter(isFound).length
-    const cells = [name, `${killed} of ${tried.length}`, percent(shareOf(report)), percent(room.goal)]
-    return `| ${[...cells, among, equivalent].join(' | ')} |`
-  })
-  const survivors = reports.flatMap(({ tried }) => tried.filter((one) => !isFound(one)))
+  const run = reports.filter(({ tried }) => tried.length > 0)
+  const survivors = run.flatMap(({ tried }) => tried.filter((one) => !isFound(one)))
+  const left = reports.filter((one) => !isWhole(one) || one.drawn === 0)
   return [
     '# Mutants',
     '',
-    `One line at a time is changed, and the unit tests are asked: \`npm run mutants\` (seed ${seed}; one room:`,
-    '`npm run mutants -- storage`). Equivalent ones are listed in `scripts/mutants/equivalent.json`, each with its reason.',
+    `One place at a time is changed, and the unit tests of its room run: \`npm run mutants\` (seed ${seed}; one room:`,
+    '`npm run mutants -- web/storage`). Equivalent ones are listed in `scripts/mutants/equivalent.json` with their reasons.',
     '',
-    '| room | killed | share | goal | of so many | equivalent |',
-    '| ---- | ------ | ----- | ---- | ---------- | ---------- |',
-    ...rows,
-    ...(survivors.length === 0 ? [] : ['', '## Survivors', '', ...survivors.map(lineOf)]),
+    ...table(['rooms', 'killed', 'share', 'goal'], groupRows(run)),
+    '',
+    ...table(['room', 'killed', 'share', 'of so many', 'equivalent'], run.map(roomRow)),
+    ...section('Survivors', survivors.map(lineOf)),
+    ...section('Not run, or not to the end', left.map(leftOf)),
     '',
   ].join('\n')
 }
 
+const section = (title: string, lines: readonly string[]) =>
+  lines.length === 0 ? [] : ['', `## ${title}`, '', ...lines]
+
+const names: { readonly [group in Group]: string } = { saved: 'storage and classroom', other: 'all others' }
+
+function groupRows(run: readonly RoomReport[]) {
+  return (Object.keys(groups) as Group[]).flatMap((group) => {
+    const tried = run.filter(({ room }) => room.group === group).flatMap((one) => one.tried)
+    return tried.length === 0 ? [] : [[names[group], ...killed(tried), percent(groups[group].goal)]]
+  })
+}
+
+const roomRow = ({ room, among, equivalent, tried }: RoomReport) =>
+  [room.name, ...killed(tried), among, equivalent] as const
+
+const killed = (tried: readonly Tried[]) =>
+  [`${found(tried)} of ${tried.length}`, percent(found(tried) / tried.length)] as const
+
 const lineOf = ({ mutant: { file, line, change }, outcome }: Tried) =>
   `- \`${file}:${line}\`: \`${change.replaceAll('`', "'")}\`${outcome === 'unasked' ? ' (no test imports it)' : ''}`
+
+const leftOf = ({ room, drawn, tried }: RoomReport) =>
+  drawn === 0
+    ? `- ${room.name}: no code that could be changed`
+    : `- ${room.name}: ${tried.length} of ${drawn}`

@@ -1,28 +1,65 @@
+import { existsSync, readdirSync } from 'node:fs'
+import { join } from 'node:path'
+
 /** A part of the code whose unit tests are asked. */
 export interface Room {
-  /** Folders and files with what is changed. */
+  /** As it is named on the command line: `packages/maps`, `features/debug`, `web/storage`. */
+  readonly name: string
+  /** Folders and files with the code that is changed. */
   readonly code: readonly string[]
-  /** The folders whose tests are asked, as far as they import the changed file. */
+  /** Views are not changed: browser tests hold them. */
+  readonly withoutViews: boolean
+  /** Folders of tests; those run that import the changed file. */
   readonly tests: readonly string[]
-  /** Tests that walk folders: they find the changed file without importing it, and are asked each time. */
-  readonly walking?: readonly string[]
-  /** How much of what is tried has to be found, 0..1. */
-  readonly goal: number
+  /** Tests that walk folders: they run each time, since they find the changed file without importing it. */
+  readonly walking: readonly string[]
+  /** The rooms that it is counted with. */
+  readonly group: Group
+  /** Mutants drawn by default. */
+  readonly sample: number
 }
 
-export const rooms: { readonly [name: string]: Room } = {
-  storage: {
-    code: ['apps/web/src/storage', 'apps/web/src/lab/autosave.svelte.ts'],
-    tests: ['apps/web/src/storage', 'apps/web/src/lab'],
-    goal: 0.9,
+export const groups = {
+  /** What must not be lost. */
+  saved: { goal: 0.95, sample: 60 },
+  other: { goal: 0.8, sample: 25 },
+} as const
+export type Group = keyof typeof groups
+
+const features = 'apps/web/src/features'
+const web = 'apps/web/src'
+
+/** What a room has beyond its own folder. */
+const more: { readonly [name: string]: Partial<Omit<Room, 'name'>> } = {
+  'packages/classroom': { group: 'saved' },
+  'packages/learning': { walking: ['packages/learning/learners.test.ts'] },
+  'web/storage': {
+    code: [`${web}/storage`, `${web}/lab/autosave.svelte.ts`],
+    tests: [`${web}/storage`, `${web}/lab`],
+    group: 'saved',
   },
-  lab: { code: ['apps/web/src/lab'], tests: ['apps/web/src/lab'], goal: 0.8 },
-  learning: {
-    code: ['packages/learning'],
-    tests: ['packages/learning'],
-    walking: ['packages/learning/learners.test.ts'],
-    goal: 0.8,
-  },
-  programs: { code: ['packages/programs'], tests: ['packages/programs'], goal: 0.8 },
-  simulation: { code: ['packages/simulation'], tests: ['packages/simulation'], goal: 0.8 },
+}
+
+const roomAt = (name: string, folder: string): Room => {
+  const { group = 'other', ...rest } = more[name] ?? {}
+  return {
+    ...{ name, code: [folder], withoutViews: folder.startsWith(`${features}/`), tests: [folder] },
+    ...{ walking: [], group, sample: groups[group].sample, ...rest },
+  }
+}
+
+/** All rooms: every package, every feature, and of the web storage and lab. */
+export function roomsIn(house: string): readonly Room[] {
+  const below = (folder: string) =>
+    readdirSync(join(house, folder), { withFileTypes: true })
+      .filter((entry) => entry.isDirectory())
+      .map((entry) => entry.name)
+      .sort()
+  return [
+    ...below('packages')
+      .filter((name) => existsSync(join(house, 'packages', name, 'package.json')))
+      .map((name) => roomAt(`packages/${name}`, `packages/${name}`)),
+    ...below(features).map((name) => roomAt(`features/${name}`, `${features}/${name}`)),
+    ...['lab', 'storage'].map((name) => roomAt(`web/${name}`, `${web}/${name}`)),
+  ]
 }

@@ -12,15 +12,21 @@ export interface Equivalent {
   readonly because: string
 }
 
-const noCode = /\.(test|d)\.ts$|\/(generated|testing|reference|node_modules)\//
+const noCode = /\.(test|d)\.ts$|\/testing\.ts$|\/(generated|testing|reference|node_modules)\//
+/** Doors name what is loaded, and to whom a worker belongs. */
+const views = /\/view\/|\/(feature|lazy|new-worker)\.ts$/
 
-export const filesOf = (house: string, { code }: Room): string[] =>
+/** The files of a room whose code is changed, below the house. */
+export const filesOf = (
+  house: string,
+  { code, withoutViews }: Pick<Room, 'code' | 'withoutViews'>,
+): string[] =>
   code
     .flatMap((path) =>
-      statSync(join(house, path)).isFile() ? [path] : globSync(`${path}/**/*.ts`, { cwd: house }),
+      statSync(join(house, path)).isFile() ? [path] : globSync(`${path}/**/*.{ts,mjs}`, { cwd: house }),
     )
     .map((path) => path.replaceAll('\\', '/'))
-    .filter((path) => !noCode.test(path))
+    .filter((path) => !noCode.test(path) && !(withoutViews && views.test(path)))
     .sort()
 
 export const isSame = (one: Omit<Equivalent, 'because'>, other: Omit<Equivalent, 'because'>): boolean =>

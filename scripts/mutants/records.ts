@@ -1,0 +1,80 @@
+import { createHash } from 'node:crypto'
+import { appendFileSync, existsSync, globSync, mkdirSync, readFileSync, rmSync } from 'node:fs'
+import { homedir } from 'node:os'
+import { dirname, join } from 'node:path'
+import * as v from 'valibot'
+import type { Mutant } from './mutations.ts'
+import type { Outcome } from './report.ts'
+import type { Room } from './rooms.ts'
+
+/** Where results are kept from run to run: outside of the repository, a line of JSON for each. */
+export const recordsFile = (): string =>
+  join(process.env['BOTGARTEN_RECORDS'] ?? join(homedir(), '.cache', 'botgarten'), 'mutants.jsonl')
+
+const record = v.object({
+  /** Hash of the file with the fault. */
+  key: v.string(),
+  /** Hash of the room's tests. */
+  tests: v.string(),
+  outcome: v.picklist(['killed', 'timeout', 'survived', 'unasked']),
+})
+type Record = v.InferOutput<typeof record>
+
+const hashOf = (parts: readonly string[]): string => {
+  const hash = createHash('sha256')
+  for (const part of parts) hash.update(`${part.length}:`).update(part)
+  return hash.digest('hex').slice(0, 24)
+}
+
+const keyOf = ({ file, text }: Mutant): string => hashOf([file, text])
+
+/** Hash of a room's tests: others may find what these have not. */
+export function testsHash(house: string, { tests, walking }: Pick<Room, 'tests' | 'walking'>): string {
+  const files = tests.flatMap((folder) => globSync(`${folder}/**/*.test.ts`, { cwd: house }))
+  return hashOf([...files, ...walking].sort().map((file) => readFileSync(join(house, file), 'utf8')))
+}
+
+/** What came of mutants in earlier runs. */
+export class Records {
+  readonly #file: string
+  readonly #known = new Map<string, Record>()
+
+  /** @param file is made with the first record; lines that cannot be read are passed over */
+  constructor(file: string) {
+    this.#file = file
+    const lines = existsSync(file) ? readFileSync(file, 'utf8').split('\n') : []
+    for (const line of lines) {
+      const read = v.safeParse(record, parsed(line))
+      if (read.success) this.#known.set(read.output.key, read.output)
+    }
+  }
+
+  /** Null where it has to be tried: never tried, or not found by tests that have changed since. */
+  outcomeOf(mutant: Mutant, tests: string): Outcome | null {
+    const known = this.#known.get(keyOf(mutant))
+    if (!known) return null
+    const isFound = known.outcome === 'killed' || known.outcome === 'timeout'
+    return isFound || known.tests === tests ? known.outcome : null
+  }
+
+  add(mutant: Mutant, tests: string, outcome: Outcome): void {
+    const one: Record = { key: keyOf(mutant), tests, outcome }
+    this.#known.set(one.key, one)
+    mkdirSync(dirname(this.#file), { recursive: true })
+    appendFileSync(this.#file, `${JSON.stringify(one)}\n`)
+  }
+
+  forget(): void {
+    this.#known.clear()
+    rmSync(this.#file, { force: true })
+  }
+}
+
+/** A line that was cut off when a run was stopped is none. */
+function parsed(line: string): unknown {
+  try {
+    return JSON.parse(line) as unknown
+  } catch {
+    return null
+  }
+}
