@@ -16,7 +16,7 @@ export class RoadTries {
   #driven = $state.raw<{ readonly [line: string]: boolean }>({})
   #lines: readonly string[] = $state.raw([])
   #workers: readonly Worker[] = []
-  #timer = 0
+  #timer: ReturnType<typeof setTimeout> | undefined
 
   /** How many roads there are, each direction for itself. */
   get all() {
@@ -35,7 +35,7 @@ export class RoadTries {
     this.#lines = [...text.matchAll(/<path id="path-\d+-\d+" d="([^"]*)"/g)].map(([, line]) => line!)
     clearTimeout(this.#timer)
     if (this.#lines.every((line) => line in this.#driven)) return
-    this.#timer = window.setTimeout(() => this.#ask(text), CALM)
+    this.#timer = setTimeout(() => this.#ask(text), CALM)
   }
 
   #ask(text: string): void {
