@@ -48,7 +48,12 @@ const config: KnipConfig = {
     // A process of its own, and a function of a test.
     'packages/programs': { entry: ['python/testing/worker.ts'] },
     benchmarks: { entry: ['*.bench.ts'] },
-    e2e: { entry: ['saved-work.ts', 'file-results.mjs', 'tests/**/*.{spec,touch}.ts', 'walk/*.walk.ts'] },
+    e2e: {
+      entry: [
+        ...['saved-work.ts', 'file-results.mjs'],
+        ...['{tests,gate}/**/*.{spec,touch}.ts', 'walk/*.walk.ts'],
+      ],
+    },
   },
 }
 

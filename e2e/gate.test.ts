@@ -1,0 +1,43 @@
+// Contract of the walk of `npm test`: each of its tests says which features and pages it goes through, and none is left out.
+import { globSync, readFileSync } from 'node:fs'
+import { join } from 'node:path'
+import { expect, test } from 'vitest'
+
+const web = join(import.meta.dirname, '../apps/web/src')
+const read = (folder: string, file: string) => readFileSync(join(folder, file), 'utf8')
+const unique = (names: readonly string[]) => [...new Set(names)].toSorted()
+
+/** What a feature's door says it is called. */
+const features = globSync('features/*/feature.ts', { cwd: web }).map(
+  (file) => /^ {2}id: '([\w-]+)',$/m.exec(read(web, file))?.[1] ?? file,
+)
+
+/** Addresses of pages as their folders say them: `/lab/[card]`. The page for what is not found is `/+error`. */
+const pages = globSync('routes/**/+{page,error}.svelte', { cwd: web }).map((file) =>
+  file
+    .replaceAll('\\', '/')
+    .replace(/^routes/, '')
+    .replace(/\/\+page\.svelte$/, '')
+    .replace(/\.svelte$/, ''),
+)
+
+const specs = globSync('*.spec.ts', { cwd: join(import.meta.dirname, 'gate') }).map((file) => ({
+  file,
+  text: read(join(import.meta.dirname, 'gate'), file),
+}))
+const tags = specs.flatMap(({ text }) => [...text.matchAll(/'@([\w-]+|\/[^']*)'/g)].map(([, tag]) => tag!))
+const isPage = (tag: string) => tag.startsWith('/')
+
+test('the walk goes through the main path of every feature', () => {
+  expect(unique(tags.filter((tag) => !isPage(tag)))).toEqual(unique(features))
+})
+
+test('the walk goes through every page', () => {
+  expect(unique(tags.filter(isPage))).toEqual(unique(pages.map((page) => page || '/')))
+})
+
+test.each(specs)('every test of $file says what it goes through', ({ text }) => {
+  const tests = [...text.matchAll(/^test\(/gm)].length
+  expect(tests).toBeGreaterThan(0)
+  expect([...text.matchAll(/^.*\btag: /gm)]).toHaveLength(tests)
+})

@@ -1,0 +1,63 @@
+// `npm run walk:faults`: makes one small fault at a time in a view, in a copy of the tree, builds it and runs the walk of
+// `npm test`, which has to turn red. `--count 10`, `--seed 1`, `--from 0` goes on later, `--out` appends each line to a file.
+import { spawnSync } from 'node:child_process'
+import { appendFileSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
+import { join } from 'node:path'
+import { parseArgs } from 'node:util'
+import { copyTree } from './mutants/copy.ts'
+import { drawFaults, type ViewFault } from './mutants/views.ts'
+import { inHouse } from './prepare/house.mjs'
+import { asScript } from './prepare/run.mjs'
+
+/** The outcome of one fault: the first red test, or what did not happen. */
+function outcomeOf(copy: string): string {
+  const npm = (...args: readonly string[]) =>
+    spawnSync('npm', ['run', '--silent', ...args], { cwd: copy, encoding: 'utf8', maxBuffer: 2 ** 28 })
+  if (npm('build').status !== 0) return 'caught by the build'
+  const { status, stdout } = npm('test:gate', '--', '-x', '--retries=0')
+  if (status === 0) return 'survived'
+  const [, test = 'the walk'] = /^ {2}1\) \[gate\] › (.+?) ─*$/m.exec(stdout) ?? []
+  return `caught by ${test}`
+}
+
+/** Puts a fault into the copy, and takes it out again. */
+function tryFault(copy: string, { file, text }: ViewFault): string {
+  const before = readFileSync(join(copy, file), 'utf8')
+  writeFileSync(join(copy, file), text)
+  try {
+    return outcomeOf(copy)
+  } finally {
+    writeFileSync(join(copy, file), before)
+  }
+}
+
+await asScript(async () => {
+  const { values } = parseArgs({
+    options: {
+      count: { type: 'string', default: '10' },
+      seed: { type: 'string', default: '1' },
+      from: { type: 'string', default: '0' },
+      out: { type: 'string' },
+    },
+  })
+  const [count, seed, from] = [Number(values.count), Number(values.seed), Number(values.from)]
+  const faults = drawFaults(inHouse('.'), { count, seed })
+  const copy = copyTree(inHouse('.'))
+  let survived = 0
+  try {
+    for (const [at, fault] of faults.entries()) {
+      if (at < from) continue
+      const outcome = tryFault(copy, fault)
+      if (outcome === 'survived') survived += 1
+      const change = fault.change.replaceAll('|', '\\|').replaceAll('`', "'")
+      const line = `| ${at + 1} | ${fault.kind} | ${fault.file}:${fault.line} | \`${change}\` | ${outcome} |`
+      console.log(line)
+      if (values.out) appendFileSync(values.out, `${line}\n`)
+    }
+  } finally {
+    rmSync(copy, { recursive: true, force: true })
+  }
+  const tried = faults.length - from
+  console.log(`\n${tried - survived} of ${tried} faults in views caught (seed ${seed})`)
+  return Promise.resolve(survived / tried > 0.3 ? 1 : 0)
+})
