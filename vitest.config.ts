@@ -13,10 +13,10 @@ const resolve = {
  * name at every use, and comes to each test file by a question to another process. Tests and their helpers are Vite's.
  */
 const packages = /\/(packages|apps\/cli)\/(?!.*(\/testing\/|\/testing\.ts|\.test\.ts|node_modules)).*\.ts$/
-/** Who asks which tests import a file (`vitest related`, the mutants) needs all modules in Vite's graph. */
+/** To find the tests that import a file (`vitest related`, the mutants), Vite's graph needs all modules. */
 const isRun = process.argv[2] === 'run'
 const server = { deps: { external: isRun ? [packages] : [] } }
-/** What Node has compiled is kept for the next test file. */
+/** Node's compiled code is cached for the next test file. */
 process.env['NODE_COMPILE_CACHE'] ??= `${import.meta.dirname}/node_modules/.cache/compiled`
 const keeping = `${import.meta.dirname}/scripts/testing/keep-compiled.ts`
 
@@ -25,7 +25,7 @@ const listed = process.env['BOTGARTEN_TEST_FILES']
 const files = listed === undefined ? null : readFileSync(listed, 'utf8').split('\n')
 
 /**
- * The test files of a project: the listed ones, or all that match its patterns.
+ * The test files of a project: the listed ones, or all files that match its patterns.
  * @param folder the project's root
  */
 const included = (
@@ -51,7 +51,7 @@ const isWeb = (file: string) => file.startsWith('apps/web/')
 const testsOf = (...folders: readonly string[]) => folders.map((folder) => `${folder}/**/*.test.ts`)
 
 const limits = {
-  // A slow machine may take its time; what hangs is still found.
+  // Long enough for a slow machine; a test that hangs still fails.
   testTimeout: 60_000,
   hookTimeout: 60_000,
 }

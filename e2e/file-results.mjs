@@ -22,13 +22,13 @@ function resultOf(test) {
   }
 }
 
-/** What the page held when the test failed, as files with the roles and names on it. */
+/** Files with the roles and names on the page at the moment of the failure. */
 const pagesOf = ({ results }) =>
   results.flatMap(({ attachments }) =>
     attachments.flatMap(({ name, path }) => (name === 'error-context' && path ? [path] : [])),
   )
 
-/** Writes each test's result, and what of a file was green once all of its tests have ended (scripts/gate/results.mjs). */
+/** Writes each test's result, and a record once all tests of a file are green (scripts/gate/results.mjs). */
 export default class FileResults {
   #results = openResults()
   /** Tests that have not ended yet, by file. */

@@ -24,7 +24,7 @@ export default defineConfig<{ hand: 'mouse' | 'finger' }>({
   workers: 4,
   fullyParallel: true,
   forbidOnly: true,
-  // A test that needs a further try is listed as flaky. Tests of what must not be lost allow themselves none.
+  // A test that needs a further try is listed as flaky. Tests of storage, saving, classes and undo set 0.
   retries: 2,
   timeout: 120_000,
   expect: { timeout: 30_000 },

@@ -1,6 +1,6 @@
-// `npm run stress -- browser --round 1`: tests beside four busy loops, to find those that wait too short a time. `units`,
-// `browser` or `gate`; `--shard 1/4` runs a part. Each outcome is appended to test-results/stress.jsonl, and what is written
-// there is not run again, so that a round that was stopped goes on.
+// `npm run stress -- browser --round 1`: runs tests while four busy loops load the machine, to find those that wait too short a
+// time. `units`, `browser` or `gate`; `--shard 1/4` runs a part. Outcomes are appended to test-results/stress.jsonl; a round that
+// was stopped resumes after the files in it.
 import { spawn } from 'node:child_process'
 import { appendFileSync, existsSync, mkdirSync, readFileSync } from 'node:fs'
 import { dirname } from 'node:path'

@@ -1,7 +1,6 @@
-// `npm run test:full`: what `npm test` leaves out. Slow unit tests, all browser tests, and a quarter of the walks to the end
-// of every card and map: the commit's id says which quarter and which language, `--sample ID` repeats one. `--shard 1/3` runs
-// a part of each, `--rooms sorting,network` only the browser tests of some rooms. A run that was stopped goes on where it
-// was; `--fresh` begins anew.
+// `npm run test:full`: slow unit tests, all browser tests, and a quarter of the walks to the end of every card and map. The
+// commit's id decides on the quarter and on the language, `--sample ID` repeats one. `--shard 1/3` runs a part of each,
+// `--rooms sorting,network` only the browser tests of some rooms. A stopped run resumes; `--fresh` starts again.
 import { parseArgs } from 'node:util'
 import { ensureChromium } from '../e2e/chromium.mjs'
 import { readKeys } from './gate/keys.mjs'
@@ -33,7 +32,7 @@ function readShard(text) {
   throw new Trouble('--shard needs a part and a number of parts, such as 1/3.')
 }
 
-/** @param {{ shard: string | null, rooms: readonly string[], keys: ReturnType<typeof readKeys> }} what */
+/** @param {{ shard: string | null, rooms: readonly string[], keys: ReturnType<typeof readKeys> }} options */
 function suitesOf({ shard, rooms, keys }) {
   const browser = browserSuite({
     ...{ name: 'browser tests', script: 'test:browser', keyOf: keys.ofSpec, shard },

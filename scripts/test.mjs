@@ -1,6 +1,6 @@
 // `npm test`: types, lint, format, arrows, unused code, build, sizes, unit tests, and a walk through every feature in a
-// browser. Every step is an npm script that can be run alone. What was green in this clone and depends on no file that has
-// changed since is not run again; `npm test -- --fresh` runs everything.
+// browser. Every step is an npm script that can be run alone. Checks and test files that were green in this clone and depend
+// on no file that has changed since do not run again; `npm test -- --fresh` runs everything.
 import { parseArgs } from 'node:util'
 import { ensureChromium } from '../e2e/chromium.mjs'
 import { readKeys } from './gate/keys.mjs'
@@ -15,7 +15,7 @@ import { asScript } from './prepare/run.mjs'
 import { runtime } from './prepare/runtime.mjs'
 import { good, take, takeInOrder } from './prepare/steps.mjs'
 
-/** Writes what the other steps read: messages and the types of pages. @type {import('./prepare/steps.mjs').Step} */
+/** Writes messages and the types of pages for the other steps. @type {import('./prepare/steps.mjs').Step} */
 const generate = { name: 'generated files', script: 'generate' }
 const build = { name: 'build', script: 'build' }
 const sizes = { name: 'sizes', script: 'check:sizes' }
@@ -31,10 +31,11 @@ const checks = [
     { name: 'lint by types', script: 'lint:types' },
     { name: 'arrows between rooms', script: 'check:arrows' },
     { name: 'unused code', script: 'check:unused' },
+    { name: 'prose', script: 'check:prose' },
   ],
 ]
 
-/** Runs the checks of which no record says that they were good for the tree as it is, and the build when it is due. */
+/** Runs the checks without a record for the present tree, and the build if its sources have changed. */
 async function runChecks({ keys, greens, records, environment }) {
   const keyOf = ({ name }) => keys.ofStep(name)
   const isKnown = (step) => greens.has(keyOf(step) ?? '')
@@ -70,7 +71,7 @@ async function runAll(context) {
 await asScript(async () => {
   const { values } = parseArgs({ options: { fresh: { type: 'boolean', default: false } } })
   await installWhenNeeded()
-  // Reports what to do where there is no Node new enough for the steps.
+  // Reports an error if no Node is new enough for the steps.
   runtime()
   const began = Date.now()
   const records = recordsFile()

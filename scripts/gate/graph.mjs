@@ -1,7 +1,7 @@
 import { hashOf } from './tree.mjs'
 
 /**
- * A module and what it imports, as dependency-cruiser's JSON reporter lists them.
+ * A module and its imports, as dependency-cruiser's JSON reporter lists them.
  * @typedef {{ source: string, dependencies: readonly { resolved: string }[] }} Module
  * @typedef {ReadonlyMap<string, readonly string[]>} Imports
  */

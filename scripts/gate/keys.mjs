@@ -9,7 +9,7 @@ import { hashOf, hashOfTree, readTree } from './tree.mjs'
 const folders = ['packages', 'apps', 'content', 'e2e', 'benchmarks', 'scripts']
 const cache = join('node_modules', '.cache', 'arrows')
 
-/** What every module of the repository imports, read by dependency-cruiser. */
+/** The imports of every module of the repository, read by dependency-cruiser. */
 function readImports() {
   const require = createRequire(inRepo('package.json'))
   const bin = join(require.resolve('dependency-cruiser/package.json'), '..', 'bin', 'dependency-cruise.mjs')
@@ -25,7 +25,7 @@ const isSpec = (path) => /^e2e\/(tests|gate|walk)\//.test(path)
 /**
  * Keys of steps and test files: a key is a hash of everything that decides how it ends. `whole` is a hash of all files. No key is
  * given where there is no git.
- * @param {string} [mode] what else decides, such as the sample
+ * @param {string} [mode] a further condition that decides, such as the sample
  */
 export function readKeys(mode = '') {
   const tree = readTree()

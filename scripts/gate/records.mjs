@@ -25,8 +25,8 @@ function nameOfClone() {
 }
 
 /**
- * The file with the records of this clone, in the user's cache folder and so outside of the repository: a fresh clone has
- * none and runs everything. Null where there is no git.
+ * The file with the records of this clone, in the user's cache folder and so outside of the repository: a fresh clone starts
+ * without records and runs everything. Null without git.
  */
 export function recordsFile() {
   const name = nameOfClone()
@@ -43,7 +43,7 @@ function parse(line) {
 }
 
 /**
- * Records of what was green, by key, without those of runs that were begun anew.
+ * Records of green test files and checks, by key, without those of runs that were started again with `--fresh`.
  * @param {string | null} file
  * @returns {Map<string, Green>}
  */
@@ -57,7 +57,7 @@ export function readRecords(file) {
   return greens
 }
 
-/** Appends a line, so that a run that is killed goes on from there. @param {string | null} file */
+/** Appends a line at once, so that a killed run can resume. @param {string | null} file */
 function append(file, line) {
   if (file === null) return
   mkdirSync(dirname(file), { recursive: true })
@@ -67,7 +67,7 @@ function append(file, line) {
 /** @param {string | null} file @param {Green} green */
 export const addRecord = (file, green) => append(file, green)
 
-/** A run begins anew: what it has recorded so far no longer counts. @param {string | null} file @param {string} run */
+/** Discards the records of a run, which starts again. @param {string | null} file @param {string} run */
 export const forgetRun = (file, run) => append(file, { fresh: run })
 
 /** Flaky tests of all shards of a run. @param {string | null} file @param {string} run @returns {Flaky[]} */

@@ -3,11 +3,11 @@ import { addRecord } from './records.mjs'
 
 /**
  * One finished test of a file: `passed`, `failed`, `flaky` (passed at a further try) or `skipped`, with its first failure and
- * files that hold what the browser's page showed then.
+ * files with the roles and names on the browser's page at that moment.
  * @typedef {{ file: string, name: string, outcome: 'passed' | 'failed' | 'flaky' | 'skipped', seconds: number, failure?: string, pages?: string[] }} Result
  */
 
-/** What a step tells the reporters in the processes of Vitest and Playwright. */
+/** Environment variables by which a step configures the reporters in the processes of Vitest and Playwright. */
 const environment = {
   results: 'BOTGARTEN_RESULTS',
   keys: 'BOTGARTEN_KEYS',
@@ -16,8 +16,8 @@ const environment = {
 }
 
 /**
- * @param {{ results: string, keys: string, records: string | null, run: string }} what where results are appended; keys of test
- * files as JSON; the records of what was green, and the name of this run
+ * @param {{ results: string, keys: string, records: string | null, run: string }} options paths of the file for results, of the
+ * keys of test files as JSON and of the records; the name of this run
  */
 export const reporterEnvironment = ({ results, keys, records, run }) => ({
   ...{ [environment.results]: results, [environment.keys]: keys, [environment.run]: run },

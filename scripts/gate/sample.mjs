@@ -2,7 +2,7 @@ import { execFileSync } from 'node:child_process'
 import { createHash } from 'node:crypto'
 import { house as repoRoot } from '../prepare/house.mjs'
 
-/** Samples of so many runs, one for each part, together cover everything. */
+/** The number of samples that together cover everything. */
 export const PARTS = 4
 
 const numberOf = (text) => createHash('sha256').update(text).digest().readUInt32BE(0)

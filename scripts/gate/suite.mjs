@@ -6,7 +6,7 @@ import { npm } from '../prepare/run.mjs'
 import { isGood, readResults, reporterEnvironment } from './results.mjs'
 
 /**
- * Test files that one command runs. `keyOf` gives a hash of everything that decides how a file ends, null where nothing is
+ * Test files that one command runs. `keyOf` gives a hash of everything that decides how a file ends, null if nothing is
  * recorded.
  * @typedef {object} Suite
  * @property {string} name
@@ -16,11 +16,11 @@ import { isGood, readResults, reporterEnvironment } from './results.mjs'
  * @property {NodeJS.ProcessEnv} [env]
  * @property {readonly string[]} files paths relative to the repository
  * @property {(file: string) => string | null} keyOf
- * @property {(files: readonly string[], folder: string) => { args?: readonly string[], env?: NodeJS.ProcessEnv }} choose says to
- * the command which files it runs; `folder` is a temporary one
+ * @property {(files: readonly string[], folder: string) => { args?: readonly string[], env?: NodeJS.ProcessEnv }} choose arguments
+ * and environment that name the files to run; `folder` is a temporary folder
  *
  * @typedef {object} Context
- * @property {ReadonlyMap<string, import('./records.mjs').Green>} greens what was green, by key
+ * @property {ReadonlyMap<string, import('./records.mjs').Green>} greens records by key
  * @property {string | null} records the file to which more is appended
  * @property {string} run the name under which the shards of one run are added up
  * @property {NodeJS.ProcessEnv} environment
@@ -28,7 +28,7 @@ import { isGood, readResults, reporterEnvironment } from './results.mjs'
  * @typedef {{ passed: number, failed: number, flaky: import('./records.mjs').Flaky[], known: number, results: import('./results.mjs').Result[] }} Outcome
  */
 
-/** What a page held may be long; its first lines tell where the child was. */
+/** A page may be long; its first lines show where the child was. */
 const mostOfAPage = 6000
 
 /** @param {import('./results.mjs').Result} result */
@@ -79,10 +79,10 @@ async function runFiles(suite, files, { records, run, environment }) {
 }
 
 /**
- * Runs the files of a suite of which no record says that they were green as they are now.
+ * Runs the files of a suite that have no record of being green in their present state.
  * @param {Suite} suite
  * @param {Context} context
- * @returns {Promise<Outcome>} with the tests that were green before: `known` says how many
+ * @returns {Promise<Outcome>} with the tests that were green before; `known` is their number
  */
 export async function runSuite(suite, context) {
   const began = Date.now()
@@ -107,7 +107,7 @@ export async function runSuite(suite, context) {
   }
 }
 
-/** Unit tests, by Vitest. @param {Pick<Suite, 'files' | 'keyOf'> & { name?: string, shard?: string | null }} what @returns {Suite} */
+/** Unit tests, by Vitest. @param {Pick<Suite, 'files' | 'keyOf'> & { name?: string, shard?: string | null }} options @returns {Suite} */
 export const unitSuite = ({ name = 'unit tests', files, keyOf, shard = null }) => ({
   ...{ name, script: 'test:unit', files, keyOf, isPart: shard !== null },
   args: [
@@ -123,7 +123,7 @@ export const unitSuite = ({ name = 'unit tests', files, keyOf, shard = null }) =
 
 /**
  * Browser tests, by Playwright.
- * @param {Pick<Suite, 'name' | 'script' | 'files' | 'keyOf'> & { shard?: string | null, isPart?: boolean }} what
+ * @param {Pick<Suite, 'name' | 'script' | 'files' | 'keyOf'> & { shard?: string | null, isPart?: boolean }} options
  * @returns {Suite}
  */
 export const browserSuite = ({ name, script, files, keyOf, shard = null, isPart = shard !== null }) => ({

@@ -2,7 +2,7 @@ import { mkdirSync, writeFileSync } from 'node:fs'
 import { dirname } from 'node:path'
 import { inHouse as inRepo } from '../prepare/house.mjs'
 
-/** So many flaky tests in one run, all of its shards added up, are a fault of the tests. */
+/** This number of flaky tests in one run, all shards added up, is a fault of the tests. */
 const TOO_MANY_FLAKY = 3
 
 /** @param {readonly { name: string }[]} flaky each test once */
@@ -27,7 +27,7 @@ function listFlaky(flaky) {
 }
 
 /**
- * Prints what was found; the last line holds the counts alone.
+ * Prints the outcome of a run; the last line holds the counts alone.
  * @param {readonly { passed: number, failed: number, flaky?: import('./records.mjs').Flaky[], known?: number }[]} outcomes
  * @param {number} began in ms
  * @param {readonly import('./records.mjs').Flaky[]} [earlier] flaky tests in other shards of this run

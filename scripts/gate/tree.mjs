@@ -23,7 +23,7 @@ function hashesOf(files) {
 
 /**
  * Every file of the working tree that git does not ignore, with a hash of its content. Paths use forward slashes and are
- * relative to the repository. Null where there is no git, as in an unpacked archive.
+ * relative to the repository. Null without git, as in an unpacked archive.
  * @returns {Map<string, string> | null}
  */
 export function readTree() {
