@@ -1,5 +1,4 @@
 import { execFileSync } from 'node:child_process'
-import { createRequire } from 'node:module'
 import { join } from 'node:path'
 import { house as repoRoot, inHouse as inRepo } from '../prepare/house.mjs'
 import { runtime } from '../prepare/runtime.mjs'
@@ -11,8 +10,7 @@ const cache = join('node_modules', '.cache', 'arrows')
 
 /** The imports of every module of the repository, read by dependency-cruiser. */
 function readImports() {
-  const require = createRequire(inRepo('package.json'))
-  const bin = join(require.resolve('dependency-cruiser/package.json'), '..', 'bin', 'dependency-cruise.mjs')
+  const bin = inRepo('node_modules', 'dependency-cruiser', 'bin', 'dependency-cruiser.mjs')
   const args = [bin, ...folders, '--output-type', 'json', '--cache', cache]
   const options = { cwd: repoRoot, encoding: 'utf8', maxBuffer: 2 ** 28 }
   return importsOf(JSON.parse(execFileSync(runtime(), args, options)).modules)
