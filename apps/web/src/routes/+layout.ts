@@ -24,6 +24,8 @@ const closedInStudy = [
 ]
 
 export const load: LayoutLoad = ({ route }) => {
-  if (studyIsOn() && closedInStudy.includes(route.id ?? '')) redirect(307, resolve('/study'))
+  // Reading the route first makes this run for every page, not only where a study was on when the first one was loaded.
+  const isClosed = closedInStudy.includes(route.id ?? '')
+  if (isClosed && studyIsOn()) redirect(307, resolve('/study'))
   return fetchWords('app')
 }
