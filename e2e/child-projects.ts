@@ -1,7 +1,7 @@
 import { expect, type Download, type Locator } from '@playwright/test'
 import { readFile } from 'node:fs/promises'
 import type { Child } from './child.ts'
-import { opensFromHome } from './navigation.ts'
+import { closesDialog, opensFromHome } from './navigation.ts'
 
 type Action = 'rename' | 'duplicate' | 'saveFile' | 'throw' | 'share'
 
@@ -86,6 +86,7 @@ export class ProjectList {
   }
 
   async goesToBin() {
+    await closesDialog(this.#child)
     const bin = this.#page.locator('a[href$="/projects/bin"]')
     if (!(await bin.isVisible())) await this.opens()
     await bin.click()

@@ -6,9 +6,18 @@ import { bedOf, chapterOf } from './words.ts'
 export const bedsOf = (child: Child): Locator =>
   child.page.getByRole('region', { name: child.word('home.beds'), exact: true })
 
+/** Closes a dialog that lies over the page, as a child does before it presses what lies below. */
+export async function closesDialog({ page }: Child) {
+  const dialog = page.locator('dialog:modal')
+  if ((await dialog.count()) === 0) return
+  await page.keyboard.press('Escape')
+  await expect(dialog).toHaveCount(0)
+}
+
 /** Goes to the home page by the link that every page has; a browser that shows nothing yet opens its address. */
 export async function goesHome(child: Child) {
   const { page } = child
+  await closesDialog(child)
   const beds = bedsOf(child)
   if (await beds.isVisible()) return
   // The pictures may come later: nothing here needs them.
