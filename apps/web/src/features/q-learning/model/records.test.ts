@@ -1,6 +1,9 @@
 import { expect, test } from 'vitest'
 import type { LearnedRun } from '@botgarten/programs'
-import { byTask, csvOf } from './records.svelte.ts'
+import { content } from '@botgarten/content/files'
+import { courseOf } from '@botgarten/maps'
+import { learningIn } from '@botgarten/programs'
+import { byTask, csvOf, rowOf } from './records.svelte.ts'
 
 const run: LearnedRun = {
   ...{ map: 'railway', start: 3, goal: 1, closed: '3-2 2-3', alpha: 0.5, gamma: 0.8, nu: 0.1, rho: 0.5 },
@@ -28,4 +31,11 @@ test('runs of one task stand together under the numbers they have among all', ()
     [run, [1, 3]],
     [other, [2]],
   ])
+})
+
+test('a run of a single try has no way and names no try that found it, but the shortest way has two sections', () => {
+  const outline = { ...learningIn(content.program('railway', 'start')!.programs['main']!)!, episodes: 1 }
+  const course = courseOf(outline, content.mapFile('railway')!, 1)
+  while (!course.over) course.advance(1000)
+  expect(csvOf([rowOf(outline, course, 1, '')])).toMatch(/,1,\d+,,2,0,,\r\n$/)
 })

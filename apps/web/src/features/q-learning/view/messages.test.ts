@@ -2,7 +2,8 @@ import { Course, gridMap, layOutWorld, type Settings, type Task } from '@botgart
 import { describe, expect, test } from 'vitest'
 import { m } from '#words/message.ts'
 import { shownOf } from '../model/shown.ts'
-import { placesOf, reasonOf } from './messages.ts'
+import type { Learning } from '../model/learning.svelte.ts'
+import { endOf, placesOf, reasonOf } from './messages.ts'
 
 const preset: Settings = { rules: 'standard', algorithm: 'q', alpha: 0.5, gamma: 0.8, nu: 0, rho: 0.5 }
 const roads = [[1, 5], [0, 2], [1, 3], [2, 4, 5], [3, 5], [0, 3, 4]] // prettier-ignore
@@ -42,6 +43,17 @@ describe('why there is no way yet is said', () => {
   test('of a road that was never tried where all others cost', () => {
     const course = courseOf({ ...railway, stepCost: 1, goalReward: 0 }, 2, { rho: 0 })
     expect([m['q.untried'], m['q.unknown']].map((say) => say({ station: 3 }))).toContain(reason(course))
+  })
+
+  test('if every road to the goal is closed: that there is no way, and at the end that it was not found', () => {
+    const open = (from: number, to: number) => ![from, to].includes(1)
+    const actions = roads.map((list, from) => list.filter((to) => open(from, to)).map((to) => ({ to })))
+    const course = courseOf({ ...railway, map: { actions } }, 10)
+    expect(reason(course, null)).toBe(m['q.noWay']())
+    const learning = { shown: shownOf(course), state: 'over', outline: { episodes: 10 } }
+    expect(endOf(learning as unknown as Learning)).toBe(
+      `${m['q.byEpisodes']({ count: 10 })} ${m['q.notYet']()}`,
+    )
   })
 
   test('of a circle that pays', () => {

@@ -1,0 +1,59 @@
+import { addBlocks, knowMaps } from '@botgarten/blocks'
+import { learning } from '@botgarten/blocks/packs/learning'
+import { cardProject } from '@botgarten/content'
+import { content } from '@botgarten/content/files'
+import { learningIn } from '@botgarten/programs'
+import { afterEach, beforeEach, expect, test, vi } from 'vitest'
+import { courseOn, type Stage } from '#figures/map/stage.ts'
+import { closeSessions, sessionOf } from '#lab/testing/session.ts'
+import type { LabUi } from '#lab/ui.svelte.ts'
+import { freshDevice } from '#storage/testing/device.ts'
+import { Drive, type LearnedWay } from './drive.svelte.ts'
+
+addBlocks(learning)
+knowMaps(content)
+beforeEach(async () => {
+  await freshDevice()
+  vi.stubGlobal('requestAnimationFrame', (frame: () => void) => setTimeout(frame))
+})
+afterEach(() => {
+  closeSessions()
+  vi.unstubAllGlobals()
+})
+
+const { card, world } = content.card('railway')!
+
+/** The railway without its picture, which needs a document. */
+const stage = { id: 'railway', map: content.mapFile('railway')!, roads: [] } as unknown as Stage
+
+/** The railway's solution, after all its tries, with these roads closed in both directions. */
+function learned(...closed: readonly (readonly [number, number])[]) {
+  const { session } = sessionOf(cardProject(world, card, content.program('railway', 'solution')!, 'railway'))
+  const outline = learningIn(session.program)!
+  const roads = closed.flatMap(([from, to]) => [[from, to] as const, [to, from] as const])
+  const course = courseOn(stage, { ...outline, closed: [...outline.closed, ...roads] }, 1)!
+  while (!course.over) course.advance(1000)
+  const { states: stations } = course.way()
+  const way: LearnedWay | null = stations && { course, stage, stations, blocks: outline.blocks }
+  const start = vi.fn()
+  const drive = new Drive(session, { start } as unknown as LabUi, () => way)
+  return { session, way, drive, start }
+}
+
+test('a way that was learned is drawn on the floor, and then Bo drives it', async () => {
+  const { session, way, drive, start } = learned()
+  expect(way!.stations.at(-1)).toBe(1)
+  await drive.draw(true)
+  expect(session.lab.document.world.lines.length).toBeGreaterThan(0)
+  expect(start).toHaveBeenCalledTimes(1)
+})
+
+test('if all roads to the goal are closed, no way is drawn and Bo does not drive', async () => {
+  const { session, way, drive, start } = learned([0, 1], [1, 2])
+  expect(way).toBeNull()
+  const before = session.lab.document.world
+  await drive.draw(true)
+  expect(drive.drawFirst()).toBe(false)
+  expect(session.lab.document.world).toBe(before)
+  expect(start).not.toHaveBeenCalled()
+})
