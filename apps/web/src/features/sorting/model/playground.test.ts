@@ -71,6 +71,21 @@ describe('the sorting playground', () => {
     expect(pairs(groups())).not.toEqual(pairs(byShape))
   })
 
+  test('sorts a table that was opened, also one whose points are all the same', () => {
+    const playground = new Playground()
+    const sorts = (names: string[], rows: number[][]) => {
+      playground.takeTable(names, rows)
+      expect(playground.work.table.rows).toHaveLength(rows.length)
+      playground.play()
+      vi.advanceTimersByTime(60_000)
+      expect(playground.done).toBe(true)
+    }
+    const rows = [[1.5, 2, 7], [9.5, 8, 1], [1.25, 2.5, 6], [9, 9, 2]] // prettier-ignore
+    sorts(['Länge', 'Breite', 'Höhe'], rows)
+    expect(playground.work.table.columns[0]).toMatchObject({ feature: 'Länge' })
+    sorts(['1', '2'], [[5, 5], [5, 5], [5, 5]]) // prettier-ignore
+  })
+
   test('never has more flags than points, and none without points', () => {
     const playground = new Playground()
     playground.turnTo('points')

@@ -1,6 +1,6 @@
 import { beforeAll, describe, expect, test } from 'vitest'
 import { language } from '#words/language.svelte.ts'
-import { fetchWords } from '#words/message.ts'
+import { fetchWords, m } from '#words/message.ts'
 import { openTable } from './table-file.ts'
 
 const file = (content: string | Uint8Array<ArrayBuffer>) => new File([content], 'table.csv')
@@ -37,6 +37,16 @@ describe.each(['de', 'en'] as const)('what is said of a table in %s', (locale) =
         en: 'Row 3, column 2: “-1e308” is too big to be compared. A typing mistake?',
       }),
     )
+    expect(await said('')).toBe(m['sorting.table.empty']())
+    expect(await said('x;y\n1;2\nNaN;3')).toBe(
+      own({
+        de: 'Zeile 3, Spalte 1: „NaN“ ist keine Zahl.',
+        en: 'Row 3, column 1: “NaN” is not a number.',
+      }),
+    )
+    expect(await said('x;y\n1;apple')).toBe(m['sorting.table.noNumber']({ row: 2, column: 2, cell: 'apple' }))
+    expect(await said('1;2\n3')).toBe(m['sorting.table.unequalRows']({ row: 2, cells: 1, columns: 2 }))
+    expect(await said('1\n'.repeat(1_000_000))).toBe(m['sorting.table.manyRows']({ most: 5000 }))
     expect(await said('1\n'.repeat(2_500_001))).toContain('5 MB')
     expect(await said('PK\u0003\u0004')).toContain('CSV')
     const { table } = await openTable(file('1e140;-1e140\n1;2'))
