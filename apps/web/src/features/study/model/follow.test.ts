@@ -1,9 +1,13 @@
 import '#storage/testing/device.ts'
 import { addBlocks } from '@botgarten/blocks'
 import { learning } from '@botgarten/blocks/packs/learning'
+import { cardProject } from '@botgarten/content'
 import { content } from '@botgarten/content/files'
 import { isSame, pseudonymOf, readLog, replay, tableOf, type StudyPlan } from '@botgarten/experiments/study'
+import { drawWay } from '@botgarten/maps'
+import { sceneOf, type Project } from '@botgarten/programs'
 import { afterEach, beforeEach, expect, test, vi } from 'vitest'
+import type { LabSession } from '#lab/session.svelte.ts'
 import { allowed } from '#lab/allowed.svelte.ts'
 import { closeSessions, screen, sessionOf } from '#lab/testing/session.ts'
 import { deleteChild, deleteLogs, loggedHere, logFile } from '#storage/study.ts'
@@ -82,6 +86,104 @@ test('what a child does is written down once it has said yes, rests while it res
   const { runs, faults } = replay(lines, ground)
   expect([faults, runs.length, runs.every(isSame)]).toEqual([[], 2, true])
   expect(tableOf(lines)).toMatchObject([{ pseudonym: '0102X', tries: 2, hints: 1, places: 1 }])
+})
+
+/** Draws this many frames of 50 ms. */
+type Draw = (frames: number) => void
+
+const railway = () => {
+  const { card, world } = content.card('railway')!
+  return cardProject(world, card, content.program('railway', 'solution')!, 'railway')
+}
+const fourWrong = (name: string) => {
+  const { card, world } = content.card('four-wrong')!
+  return cardProject(world, card, content.program('four-wrong', name)!, 'four-wrong')
+}
+
+/** Actions of a child in a lab, each with the events that its log has then. */
+const sittings: {
+  readonly [what: string]: {
+    readonly project?: () => Project
+    readonly events: readonly string[]
+    readonly act: (session: LabSession, draw: Draw) => void
+  }
+} = {
+  'goes back in time, turns a knob there and goes on': {
+    events: ['knob', 'pause', 'look', 'branch'],
+    act(session, draw) {
+      session.weights.turn('net', 'eyeLeft', 'wheelLeft', 0.6, 'whole')
+      session.start()
+      draw(40)
+      session.lab.pause()
+      session.lab.goTo(60)
+      session.weights.turn('net', 'eyeLeft', 'wheelLeft', 0.3, 'whole')
+      session.resume()
+      draw(20)
+      session.lab.stop()
+    },
+  },
+  'lets Bo learn its way by trying, and drive it': {
+    project: railway,
+    events: ['learned', 'rebuild'],
+    act(session, draw) {
+      const after = { seed: 1, key: 'railway', noted: true, moves: 640, runs: [] }
+      session.apply({ kind: 'learned', program: 'main', after })
+      const { scene } = drawWay(content.mapFile('railway')!, [3, 2, 1])
+      session.apply({ kind: 'scene', after: scene })
+      session.learnFirst = () => false
+      session.start()
+      draw(40)
+      session.lab.stop()
+    },
+  },
+  'shows examples and practises': {
+    project: () => fourWrong('start'),
+    events: ['training', 'brain'],
+    act(session, draw) {
+      const [network, brain] = Object.entries(fourWrong('solution').brains)[0]!
+      session.apply({ kind: 'examples', network, after: brain.examples })
+      session.apply({ kind: 'brain', id: network, after: brain })
+      session.start()
+      draw(40)
+      session.lab.stop()
+    },
+  },
+  'builds a world and steps through a program': {
+    events: ['rebuild', 'step'],
+    act(session, draw) {
+      const before = sceneOf(session.lab.document.world)
+      const wall = { id: 'wall', shape: { kind: 'rectangle', width: 20, height: 20 } } as const
+      const pose = { x: 250, y: 250, heading: 0 }
+      const obstacles = [...before.obstacles, { ...wall, pose, fixed: true, colour: '#B30006' } as const]
+      session.apply({ kind: 'scene', after: { ...before, obstacles } })
+      session.lab.step('block')
+      session.lab.step('tick')
+      session.resume()
+      draw(40)
+      session.lab.stop()
+    },
+  },
+}
+
+test.each(Object.entries(sittings))('a child that %s is replayed to the same hashes', async (_, one) => {
+  const drawOne = screen()
+  device.begin(pseudonymOf(1, 2), true)
+  const { session } = sessionOf(one.project?.())
+  const stop = session.lab.run()
+  const leave = follow(session)
+  one.act(session, (frames) => {
+    for (let frame = 0; frame < frames; frame++) drawOne(50)
+  })
+  leave()
+  device.end()
+  stop()
+  const lines = await logged()
+  expect(lines.map(({ says }) => says.event)).toEqual(expect.arrayContaining([...one.events]))
+  const ground = { floorOf: content.floorOf, checksOf: (card: string) => content.card(card)!.card.checks }
+  const { runs, faults } = replay(lines, ground)
+  expect(faults).toEqual([])
+  expect(runs.length).toBeGreaterThan(0)
+  expect(runs.every(isSame)).toBe(true)
 })
 
 test('of a child that says no, and of one whose number is not in the study, nothing is written', async () => {
