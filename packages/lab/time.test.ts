@@ -85,6 +85,8 @@ describe('rule 9: the timeline', () => {
     expect(lab.document().world.obstacles[0]!.pose).toMatchObject({ x: 60, y: 300 })
     lab.swap()
     expect(seen(lab)).toEqual(here)
+    expect(lab.document().brains['net']!.weights['eyeLeft']).toEqual({ wheelLeft: 0.5 })
+    expect(lab.document().world.obstacles[0]!.pose).toMatchObject({ x: 200, y: 260 })
   })
 
   it('a hand that changes something in the past goes on from there', () => {

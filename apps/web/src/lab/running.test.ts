@@ -105,3 +105,19 @@ test('the bar of time opens once something has run, and closing it comes back to
   time.speed = 8
   expect([lab.speed, time.speed]).toEqual([8, 8])
 })
+
+test('an edited program ends the timeline: the bar of time closes until the next run', () => {
+  const { session, lab, draw, time } = running()
+  for (let frame = 0; frame < 5; frame += 1) draw(100)
+  time.toggle()
+  expect(time.open).toBe(true)
+  const [first, ...others] = session.program.stacks
+  const stop = { id: 'stop', type: 'robActions_motorDiff_stop' }
+  const stacks = [{ ...first!, blocks: [...first!.blocks, stop] }, ...others]
+  session.apply({ kind: 'program', program: 'main', after: { ...session.program, stacks } })
+  lab.stop()
+  expect([time.empty, time.open]).toEqual([true, false])
+  session.start()
+  for (let frame = 0; frame < 5; frame += 1) draw(100)
+  expect([time.empty, time.open]).toEqual([false, true])
+})
