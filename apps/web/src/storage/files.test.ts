@@ -55,16 +55,36 @@ describe('a project file', () => {
     expect(idIn(await opens({ ...friendship, card: 'cooking' }))).toMatch(/^free-/)
   })
 
+  test('of an unknown card still names that card when it is saved again', async () => {
+    const id = idIn(await opens({ ...friendship, card: 'cooking' }))
+    expect(JSON.parse(writeProject((await load(id))!.project))).toMatchObject({ card: 'cooking' })
+  })
+
+  const program = writeProject(friendship)
   test.each([
-    ['a photo of my cat', 'notJson'],
-    ['{"botgarten":9}', 'newerVersion'],
-    ['{"programs":{}}', 'notAProject'],
-    ['{"botgartenHome":9,"projects":[]}', 'newerVersion'],
-    ['{"botgartenHome":2}', 'notAProject'],
-    ['{"name":"\\"botgartenHome\\""}', 'notAProject'],
-  ])('%s is refused: %s', async (text, problem) => {
+    ['no JSON', 'a photo of my cat', 'notJson'],
+    ['an empty text', '', 'notJson'],
+    ['a newer version', '{"botgarten":9}', 'newerVersion'],
+    ['JSON of another shape', '{"botgarten":1,"name":"x"}', 'notAProject'],
+    ['JSON without a version', '{"programs":{}}', 'notAProject'],
+    [
+      'a key that reaches into every object',
+      program.replace('"programs":{', '"programs":{"__proto__":{"polluted":true},'),
+      'notAProject',
+    ],
+    [
+      'a world without a robot',
+      JSON.stringify({ ...friendship, world: { ...friendship.world, robots: [] } }),
+      'notAProject',
+    ],
+    ['a newer home file', '{"botgartenHome":9,"projects":[]}', 'newerVersion'],
+    ['a home file without projects', '{"botgartenHome":2}', 'notAProject'],
+    ['a name that looks like a home file', '{"name":"\\"botgartenHome\\""}', 'notAProject'],
+  ])('%s is refused, and what is here stays unchanged', async (_, text, problem) => {
+    await save('friendship', mine(friendship, 'here'), 0)
     expect(await opens(text)).toMatchObject({ problem })
-    expect((await list()).projects).toEqual([])
+    expect((await list()).projects.map(({ project }) => project.name)).toEqual(['here'])
+    expect('polluted' in {}).toBe(false)
   })
 
   test('that is too much opens as far as it can, and says so', async () => {
