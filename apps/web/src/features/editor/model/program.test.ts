@@ -227,6 +227,15 @@ describe('a program on the workspace', () => {
     )
   })
 
+  it('shows a block of an unknown type by its name, in the style of unknown blocks', () => {
+    const fly: Block = { id: 'odd', type: 'robActions_fly', fields: { HEIGHT: '3' }, comment: 'hui' }
+    const program = programOf([{ id: 'start', type: 'robControls_start' }, fly])
+    const workspace = open(program)
+    const block = workspace.getBlockById('odd')!
+    expect([block.getFieldValue('NAME'), block.getStyleName()]).toEqual(['robActions_fly', 'unknown'])
+    expect(toProgram(workspace, program).stacks[0]!.blocks[1]).toEqual(fly)
+  })
+
   it('comes back frozen to its leaves', () => {
     const program = backAndForth(programOf([{ id: 'a', type: 'math_number', fields: { NUM: '1' } }]))
     expect(Object.isFrozen(program.stacks[0]!.blocks[0]!.fields)).toBe(true)
