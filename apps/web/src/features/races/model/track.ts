@@ -1,5 +1,6 @@
 import maps from 'content:maps'
 import { layOutWorld, type QWorld, type Task } from '@botgarten/learning/q-learning'
+import type { MapFile } from '@botgarten/maps'
 import { learningIn, type Project } from '@botgarten/programs'
 import { mapName } from '#figures/map/names.ts'
 import { courseOn, loadStage, type Stage } from '#figures/map/stage.ts'
@@ -48,16 +49,23 @@ const ends: { readonly [map: string]: Pick<Task, 'start' | 'goal' | 'closed'> } 
   city: { start: 0, goal: 15, closed: [[16, 15]] },
 } // prettier-ignore
 
-async function givenTrack(id: string): Promise<Track | null> {
-  const stage = maps.maps.includes(id) ? await loadStage(id) : null
-  if (!stage) return null
-  const { map, start = 0, goal = map.actions.length - 1, goalReward, stepCost, lengthCost } = stage.map
-  const task: Task = {
+/** What is to be learned on a map that everybody has. */
+export function taskOn(
+  id: string,
+  { map, start = 0, goal = map.actions.length - 1, goalReward, stepCost, lengthCost }: MapFile,
+): Task {
+  return {
     ...{ map, start, goal, ...ends[id] },
     ...(goalReward !== undefined && { goalReward }),
     ...(stepCost !== undefined && { stepCost }),
     ...(lengthCost !== undefined && { lengthCost }),
   }
+}
+
+async function givenTrack(id: string): Promise<Track | null> {
+  const stage = maps.maps.includes(id) ? await loadStage(id) : null
+  if (!stage) return null
+  const task = taskOn(id, stage.map)
   return { stage, task, world: layOutWorld(task), name: mapName(id), project: null }
 }
 
