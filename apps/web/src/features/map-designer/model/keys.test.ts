@@ -21,7 +21,7 @@ const road = (index: number) => ({ kind: 'road', index }) as const
 /** Returns whether the page itself has nothing to do with the key any more. */
 function press(key: string, target: ReturnType<typeof station | typeof road>, shiftKey = false): boolean {
   let isTaken = false
-  keys.press({ key, shiftKey, preventDefault: () => (isTaken = true) } as KeyboardEvent, target)
+  keys.press({ key, shiftKey, preventDefault: () => (isTaken = true) } as unknown as KeyboardEvent, target)
   return isTaken
 }
 

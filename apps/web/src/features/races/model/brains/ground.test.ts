@@ -6,11 +6,13 @@ import { addBlocks } from '@botgarten/blocks'
 import { learning } from '@botgarten/blocks/packs/learning'
 import { laneKinds } from '@botgarten/experiments/brain-race/table'
 import type { Project } from '@botgarten/programs'
-import { expect, test } from 'vitest'
+import { beforeAll, expect, test } from 'vitest'
 import { add, open } from '#storage/projects.ts'
+import { freshDevice } from '#storage/testing/device.ts'
 import { allCourses, kindOf, openCourse, saveRaced } from './ground.ts'
 
 addBlocks(learning)
+beforeAll(freshDevice)
 
 function projectOf(id: string, file = 'solution', more: Partial<Project> = {}): Project {
   const { card, world } = content.card(id)!

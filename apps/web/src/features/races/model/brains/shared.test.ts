@@ -4,13 +4,15 @@ import { learning } from '@botgarten/blocks/packs/learning'
 import { cardProject } from '@botgarten/content'
 import { content } from '@botgarten/content/files'
 import type { Project } from '@botgarten/programs'
-import { expect, test } from 'vitest'
+import { beforeAll, expect, test } from 'vitest'
 import type { Ask, Reply } from '#storage/ask.ts'
+import { freshDevice } from '#storage/testing/device.ts'
 import { BrainRace } from './brain-race.svelte.ts'
 import { openCourse } from './ground.ts'
 import { sharedIn } from './shared.ts'
 
 addBlocks(learning)
+beforeAll(freshDevice)
 
 function solved(card: string): Project {
   const loaded = content.card(card)!
