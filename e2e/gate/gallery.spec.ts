@@ -11,8 +11,9 @@ test(
     tag: ['@gallery', '@/gallery'],
   },
   async ({ child, page, school }) => {
-    const [fox, owl] = [await joins(school, 'Fuchs'), await joins(school, 'Eule')]
-    await sharesOne(owl, 'Slow and safe')
+    const fox = await joins(school, 'Fuchs')
+    const [owl, hare] = [await joins(school, 'Eule'), await joins(school, 'Hase')]
+    const id = await sharesOne(owl, 'Slow and safe')
     await signsIn(page, school, fox)
     const gallery = new GalleryHands(child)
     await child.opensHome()
@@ -25,6 +26,10 @@ test(
     const start = await gallery.place()
     await child.presses('gallery.watch')
     await expect.poll(gallery.place).not.toEqual(start)
+    // A heart of somebody else does not stop what drives.
+    await hare.asker.ask('PUT', `/gallery/${id}/heart`, { on: true })
+    await expect(gallery.heart('Slow and safe', 2).first()).toBeVisible()
+    await expect(child.button('gallery.pause')).toBeVisible()
     await child.presses('gallery.toStart')
     await expect.poll(gallery.place).toEqual(start)
 
