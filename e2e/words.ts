@@ -1,11 +1,11 @@
 import { content } from '@botgarten/content/files'
 import { basename } from 'node:path'
 import { fill, type Facts } from '@botgarten/messages'
-import { languagesIn, wordsOf } from '@botgarten/messages/folder'
+import { completeLanguages, wordsOf } from '@botgarten/messages/folder'
 
-export type Language = 'en' | 'de'
-/** As the folder `content/words` has them, the one that others fall back to first. */
-export const languages = languagesIn().toSorted((one) => (one === 'en' ? -1 : 1)) as readonly Language[]
+/** The languages that are promised complete; the screen of any other one is tested by its messages alone. */
+export const languages = completeLanguages
+export type Language = (typeof languages)[number]
 
 /**
  * The languages in which the tests of a file run: one of them, or all where `BOTGARTEN_LANGUAGES` is `all`. Which one hangs on

@@ -1,7 +1,7 @@
 import { readdirSync } from 'node:fs'
 import { describe, expect, it } from 'vitest'
-import { formsOf, type Table } from '../messages/index.ts'
-import { filesIn, languagesIn, ownTableOf } from '../messages/folder.ts'
+import { formsOf, type Table } from '@botgarten/messages'
+import { completeLanguages, filesIn, ownTableOf } from '@botgarten/messages/folder'
 import { addBlocks, definitions, isBlockType, knowMaps, mapIn, toolbox as plainToolbox } from './index.ts'
 import { blocks as core } from './packs/core/blocks.ts'
 import { blocks as ofExpert } from './packs/expert/blocks.ts'
@@ -21,7 +21,7 @@ const ownWordsOf = (language: string): Table =>
 const names = Object.keys(ownWordsOf('en')).filter((key) => key.startsWith('choice.MAP_'))
 knowMaps({ maps: names.map((key) => mapIn(key.slice('choice.'.length))), stations: {} })
 
-const languages = languagesIn().map((language) => [language, ownWordsOf(language)] as const)
+const languages = completeLanguages.map((language) => [language, ownWordsOf(language)] as const)
 
 const message = (words: Table, key: string): string | undefined => words[key] && formsOf(words[key]).join(' ')
 

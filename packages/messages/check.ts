@@ -1,20 +1,39 @@
 // What is wrong in a folder of messages, each in a line that names it: for the test over content/words, and for one who adds a language.
 import { factsOf, placeholdersIn } from './facts.ts'
-import { filesIn, languagesIn, ownTableOf } from './folder.ts'
+import { completeLanguages, filesIn, languagesIn, ownTableOf } from './folder.ts'
 import type { Message } from './message.ts'
 
-/** Messages that some language has and another has not: "xx lacks home.title (app.json)". */
+const keysIn = (file: string, folder?: string): readonly string[] => [
+  ...new Set(languagesIn(folder).flatMap((language) => Object.keys(ownTableOf(file, language, folder)))),
+]
+
+/** Messages that a complete language lacks and any other has: "de lacks home.title (app.json)". */
 export function missingIn(folder?: string): readonly string[] {
-  const languages = languagesIn(folder)
   return filesIn(folder).flatMap((file) => {
-    const tables = languages.map((language) => [language, ownTableOf(file, language, folder)] as const)
-    const keys = [...new Set(tables.flatMap(([, table]) => Object.keys(table)))]
-    return keys.flatMap((key) =>
+    const tables = completeLanguages.map(
+      (language) => [language, ownTableOf(file, language, folder)] as const,
+    )
+    return keysIn(file, folder).flatMap((key) =>
       tables.flatMap(([language, table]) =>
         Object.hasOwn(table, key) ? [] : [`${language} lacks ${key} (${file}.json)`],
       ),
     )
   })
+}
+
+const isComplete = (language: string) => (completeLanguages as readonly string[]).includes(language)
+
+/** How much there is of each language that need not be complete: "fr: 5 of 5816 messages (0 %)". */
+export function sharesIn(folder?: string): readonly string[] {
+  const countIn = (language: string) =>
+    filesIn(folder).reduce((sum, file) => sum + Object.keys(ownTableOf(file, language, folder)).length, 0)
+  const all = filesIn(folder).reduce((sum, file) => sum + keysIn(file, folder).length, 0)
+  return languagesIn(folder)
+    .filter((language) => !isComplete(language))
+    .map((language) => {
+      const count = countIn(language)
+      return `${language}: ${count} of ${all} messages (${Math.floor((100 * count) / all)} %)`
+    })
 }
 
 /** Messages that stand in two files of a language. */
@@ -26,11 +45,12 @@ export const doubledIn = (folder?: string): readonly string[] =>
       .map((key) => `${key} is there twice in ${language}`)
   })
 
-/** Messages that want other facts in one language than in another. */
+/** Messages that need other facts in a language than in English. */
 export function unlikeIn(folder?: string): readonly string[] {
-  const [first, ...others] = languagesIn(folder)
+  const [first] = completeLanguages
+  const others = languagesIn(folder).filter((language) => language !== first)
   return filesIn(folder).flatMap((file) => {
-    const table = ownTableOf(file, first!, folder)
+    const table = ownTableOf(file, first, folder)
     return others.flatMap((language) =>
       Object.entries(ownTableOf(file, language, folder)).flatMap(([key, message]) => {
         const known = table[key]

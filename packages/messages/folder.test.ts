@@ -2,7 +2,7 @@ import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs'
 import { tmpdir } from 'node:os'
 import { dirname, join } from 'node:path'
 import { afterAll, expect, test } from 'vitest'
-import { doubledIn, missingIn, unlikeIn } from './check.ts'
+import { doubledIn, missingIn, sharesIn, unlikeIn } from './check.ts'
 import { languagesIn, tableOf, wordsOf } from './folder.ts'
 import { fill } from './message.ts'
 
@@ -47,14 +47,17 @@ test('what a language lacks is said in English, else in German, by the rules of 
   expect(wordsOf('fr', folder)['more']).toBe('More')
 })
 
-test('what a language lacks, and facts that differ, are named', () => {
-  expect(missingIn(folder)).toEqual([
-    'fr lacks bin.days (app.json)',
-    'en lacks only (app.json)',
-    'fr lacks only (app.json)',
-    'fr lacks more (late.json)',
-  ])
-  expect(unlikeIn(folder)).toEqual(['hello has {name} in de and {nom} in fr'])
+test('German and English have to be complete', () => {
+  expect(missingIn(folder)).toEqual(['en lacks only (app.json)'])
+})
+
+test('any other language is listed with its share', () => {
+  // hello; of hello, bin.days, only, more
+  expect(sharesIn(folder)).toEqual(['fr: 1 of 4 messages (25 %)'])
+})
+
+test('facts that differ from those in English are named, in an incomplete language too', () => {
+  expect(unlikeIn(folder)).toEqual(['hello has {name} in en and {nom} in fr'])
 })
 
 test('a message that stands in two files is named', () => {

@@ -6,8 +6,16 @@ import { flat, type Table, type Tree } from './table.ts'
 
 export const wordsFolder = join(import.meta.dirname, '../../content/words')
 
-/** What a language lacks is said in the first of these that has it. */
-const fallbacks = ['en', 'de']
+/**
+ * The languages that are promised complete: they have every message, card and sheet. Any other language may lack some; the
+ * first of these that has the message stands in for it.
+ */
+export const completeLanguages = ['en', 'de'] as const
+
+/** The languages that a text has to be in, and every other that it is in. */
+export const languagesOf = (text: { readonly [language: string]: unknown }): readonly string[] => [
+  ...new Set([...completeLanguages, ...Object.keys(text)]),
+]
 
 export const languagesIn = (folder = wordsFolder): readonly string[] =>
   readdirSync(folder, { withFileTypes: true })
@@ -33,7 +41,9 @@ export function ownTableOf(file: string, language: string, folder = wordsFolder)
 /** All messages of a file in a language; what it lacks in the language that it falls back to. */
 export function tableOf(file: string, language: string, folder = wordsFolder): Table {
   const own = ownTableOf(file, language, folder)
-  const others = fallbacks.filter((other) => other !== language && languagesIn(folder).includes(other))
+  const others = completeLanguages.filter(
+    (other) => other !== language && languagesIn(folder).includes(other),
+  )
   const borrowed = others.map((other) =>
     Object.entries(ownTableOf(file, other, folder)).map(([key, message]) => [key, inWords(message, other)]),
   )

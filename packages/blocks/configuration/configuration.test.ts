@@ -1,7 +1,7 @@
 import { readdirSync, readFileSync } from 'node:fs'
 import { describe, expect, it } from 'vitest'
-import type { Table } from '../../messages/index.ts'
-import { languagesIn, wordsOf } from '../../messages/folder.ts'
+import type { Table } from '@botgarten/messages'
+import { completeLanguages, wordsOf } from '@botgarten/messages/folder'
 import { addBlocks, definitions } from '../index.ts'
 import { expert } from '../packs/expert/index.ts'
 import { partOf, parts } from './index.ts'
@@ -15,7 +15,7 @@ const typesOf = (toolbox: string) => [
 ]
 const toolbox = (name: string) => typesOf(toolboxes.find((text) => text.includes(`ev3.${name}.xml`))!)
 
-const languages = languagesIn().map((language) => wordsOf(language))
+const languages = completeLanguages.map((language) => wordsOf(language))
 const message = (words: Table, key: string): unknown => words[key]
 
 describe('Open Roberta’s toolboxes', () => {

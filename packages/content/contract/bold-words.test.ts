@@ -1,4 +1,4 @@
-import { wordsOf } from '@botgarten/messages/folder'
+import { completeLanguages, wordsOf } from '@botgarten/messages/folder'
 import { expect, test } from 'vitest'
 import { content } from '../files.ts'
 import { nodesOf } from '../items/walk.ts'
@@ -12,7 +12,7 @@ const steps = [
   'worksheet/all-of-us',
 ]
 
-test.each(steps.flatMap((item) => content.languages.map((language) => [item, language] as const)))(
+test.each(steps.flatMap((item) => completeLanguages.map((language) => [item, language] as const)))(
   'what is bold in %s stands on the screen, in "%s"',
   (item, language) => {
     const labels = new Set(Object.values(wordsOf(language)))

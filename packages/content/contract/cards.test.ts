@@ -2,6 +2,7 @@ import { addBlocks } from '@botgarten/blocks'
 import { learning } from '@botgarten/blocks/packs/learning'
 import { createLab, type CheckResult } from '@botgarten/lab'
 import { withLearnedWay } from '@botgarten/maps'
+import { languagesOf } from '@botgarten/messages/folder'
 import { check, parseProject } from '@botgarten/programs'
 import { TICKS_PER_SECOND } from '@botgarten/simulation'
 import { describe, expect, it } from 'vitest'
@@ -51,7 +52,7 @@ describe.each(content.cards)('the card $id', ({ id, title }) => {
 
   it('has a picture on its front', () => expect(content.pictureOfCard(id)).not.toBeNull())
 
-  it.each(content.languages)('has all its words in "%s"', (language) => {
+  it.each(languagesOf(text))('has all its words in "%s"', (language) => {
     const { hints, checks, ...words } = text[language]!
     expect(words.title).toMatch(/\S/)
     expect(title[language]).toBe(words.title)

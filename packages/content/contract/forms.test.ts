@@ -1,4 +1,5 @@
 import { readFileSync } from 'node:fs'
+import { languagesOf } from '@botgarten/messages/folder'
 import { draw, stream } from '@botgarten/numbers'
 import { describe, expect, it, test } from 'vitest'
 import { content } from '../files.ts'
@@ -11,11 +12,11 @@ describe.each(content.forms.map((loaded) => [loaded.form.id, loaded] as const))(
   (_, loaded) => {
     const { form, text } = loaded
 
-    it.each(content.languages)('has all its words in "%s"', (language) => {
+    it.each(languagesOf(text))('has all its words in "%s"', (language) => {
       expect(missingIn(form, text[language]!)).toEqual([])
     })
 
-    it.each(content.languages)('asks as simply as children of grade 3 read, in "%s"', (language) => {
+    it.each(languagesOf(text))('asks as simply as children of grade 3 read, in "%s"', (language) => {
       const { words } = text[language]!
       const asked = form.items.flatMap(({ id }) => words[id]?.['young'] ?? [])
       const grade = gradeOf(asked.join('\n'), language)

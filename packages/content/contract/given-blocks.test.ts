@@ -1,5 +1,6 @@
 import type { Block } from '@botgarten/blocks'
 import { toolbox } from '@botgarten/blocks'
+import { completeLanguages } from '@botgarten/messages/folder'
 import { describe, expect, it } from 'vitest'
 import { content } from '../files.ts'
 import { wordsIn } from './there.ts'
@@ -55,7 +56,7 @@ describe('the blocks that the eight cards give', () => {
       expect(given.filter((type) => count(given, type) > count(solution, type))).toEqual([])
     })
 
-    it.each(content.languages)(
+    it.each(completeLanguages)(
       'says in "%s" under which word every other kind of block is found',
       (language) => {
         const category = wordsIn(language, 'category')

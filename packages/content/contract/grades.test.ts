@@ -1,3 +1,4 @@
+import { completeLanguages } from '@botgarten/messages/folder'
 import { describe, expect, test } from 'vitest'
 import { content } from '../files.ts'
 import { atGrade } from '../items/pack.ts'
@@ -45,7 +46,7 @@ test('hardly anything is for all grades at once', () => {
 /** Percent, a decimal, a product, a number below zero: none of it is taught before grade 5. */
 const reckoned = /%|[Pp]ro[zc]ent|percent|\d[.,]\d|[\d_] ?[·×] ?[\d_]|(?<![\d–])[−-]\d/
 
-test.each(content.languages)('third and fourth graders read numbers that they know, in "%s"', (language) => {
+test.each(completeLanguages)('third and fourth graders read numbers that they know, in "%s"', (language) => {
   const young = pupils.filter(({ grades: [from], kind }) => from <= 4 && kind !== 'slides')
   const written = ({ id }: Item) =>
     textOf(content.itemFolder(id), `${language}.md`).replaceAll(/^::.*$/gm, '')

@@ -1,4 +1,4 @@
-import { wordsOf } from '@botgarten/messages/folder'
+import { completeLanguages, wordsOf } from '@botgarten/messages/folder'
 import { sample } from '@botgarten/numbers/testing'
 import { describe, expect, it } from 'vitest'
 import { content } from '../files.ts'
@@ -73,7 +73,7 @@ describe.each(learnedCards)('the card %s is learned from examples', (id) => {
     expect(card.checks.filter((check) => !missed.includes(check.id))).toEqual([])
   })
 
-  it.each(content.languages)('what is bold in its hints stands on the screen, in "%s"', (language) => {
+  it.each(completeLanguages)('what is bold in its hints stands on the screen, in "%s"', (language) => {
     const labels = labelsIn(language)
     const bold = text[language]!.hints.flatMap((hint) => boldIn(hint))
     expect(bold.length).toBeGreaterThan(2)

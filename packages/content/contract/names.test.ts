@@ -1,11 +1,11 @@
 import { expect, test } from 'vitest'
 import { knowMaps, knownMaps, mapField } from '@botgarten/blocks'
-import { tableOf } from '@botgarten/messages/folder'
+import { completeLanguages, tableOf } from '@botgarten/messages/folder'
 import { content } from '../files.ts'
 
 knowMaps(content)
 
-test.each(content.languages)(
+test.each(completeLanguages)(
   'every map is called something in "%s", and no name is left over',
   (language) => {
     const names = Object.keys(tableOf('blocks-q-learning', language)).filter((key) =>
@@ -21,7 +21,7 @@ test('blocks offer every map that is there, small ones first', () => {
   expect(sizes).toEqual(sizes.toSorted((a, b) => a! - b!))
 })
 
-test.each(content.languages)('every card is called something in "%s", and no two the same', (language) => {
+test.each(completeLanguages)('every card is called something in "%s", and no two the same', (language) => {
   const titles = content.cards.map(({ title }) => title[language])
   expect(titles.filter((title) => !title)).toEqual([])
   expect(new Set(titles).size).toBe(titles.length)

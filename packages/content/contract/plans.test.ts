@@ -1,3 +1,4 @@
+import { completeLanguages } from '@botgarten/messages/folder'
 import { describe, expect, it, test } from 'vitest'
 import { content } from '../files.ts'
 import { planParts, timesOf } from '../items/plan.ts'
@@ -7,7 +8,6 @@ import { plainOf } from '../schema/markdown.ts'
 import { expectTrue, named } from './claims.ts'
 import { textOf, there } from './there.ts'
 
-const { languages } = content
 const plans = content.items.flatMap((item) => (item.plan ? [{ ...item, plan: item.plan }] : []))
 const textIn = (id: string, language: string) =>
   readItemText(textOf(content.itemFolder(id), `${language}.md`))
@@ -45,7 +45,7 @@ describe.each(plans)('the plan $id', ({ id, code, minutes, plan }) => {
     expect(plan.copies.filter(({ of }) => of === `item:${id}`)).toHaveLength(1)
   })
 
-  describe.each(languages)('in "%s"', (language) => {
+  describe.each(completeLanguages)('in "%s"', (language) => {
     const parts = planParts(textIn(id, language), plan)
     const of = (section: Section, type: ItemNode['type']) => section.body.filter((node) => node.type === type)
 

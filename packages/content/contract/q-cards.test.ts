@@ -1,5 +1,6 @@
 import { courseOf } from '@botgarten/maps'
 import { learningIn } from '@botgarten/programs'
+import { completeLanguages } from '@botgarten/messages/folder'
 import { describe, expect, test } from 'vitest'
 import { content } from '../files.ts'
 import { textOf } from './there.ts'
@@ -19,7 +20,7 @@ function between(card: string): readonly number[] {
 function textsOf(card: string): readonly string[] {
   const folders = [content.cardFolder(card), content.itemFolder(`q-${card}`)]
   return folders.flatMap((folder) =>
-    content.languages.map((language) => textOf(folder, `${language}.md`).replaceAll(/^(::|#).*$/gm, '')),
+    completeLanguages.map((language) => textOf(folder, `${language}.md`).replaceAll(/^(::|#).*$/gm, '')),
   )
 }
 

@@ -1,4 +1,5 @@
 import { outcomeOf } from '@botgarten/experiments'
+import { completeLanguages } from '@botgarten/messages/folder'
 import { describe, expect, it } from 'vitest'
 import { content } from '../files.ts'
 import { gradeOf } from '../items/readability.ts'
@@ -12,7 +13,7 @@ describe.each(content.questions)('the question $id', (question) => {
     expect(outcomeOf(question.run, givenFor(question.run))).toBe(question.answer)
   })
 
-  it.each(content.languages)(
+  it.each(completeLanguages)(
     'has words in "%s" for each choice, and says why, as simply as its grade reads',
     (language) => {
       const text = content.itemTexts(language).questions[question.id]!

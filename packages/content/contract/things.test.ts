@@ -1,6 +1,7 @@
 import { readFileSync } from 'node:fs'
 import { bestOf, pointsOf } from '@botgarten/learning/k-means'
 import { stream } from '@botgarten/numbers'
+import { completeLanguages } from '@botgarten/messages/folder'
 import { describe, expect, it } from 'vitest'
 import { content } from '../files.ts'
 import { columnsOf, onPlane, rawOf, readThings, type ThingSet } from '../things/index.ts'
@@ -18,7 +19,7 @@ describe.each(content.sets.map((set) => [set.id, set] as const))('the set %s', (
     expect(new Set(set.things.map(({ id }) => id)).size).toBe(set.things.length)
   })
 
-  it.each(content.languages)('has all its words in "%s"', (language) => {
+  it.each(completeLanguages)('has all its words in "%s"', (language) => {
     const sorting = wordsIn(language, 'sorting')
     const options = set.features.flatMap((feature) => (feature.kind === 'choice' ? feature.options : []))
     expect(sorting['set']?.[set.id]).toMatch(/\S/)

@@ -1,5 +1,6 @@
 import { existsSync } from 'node:fs'
 import { COLOURS, createSimulation, type Colour } from '@botgarten/simulation'
+import { completeLanguages } from '@botgarten/messages/folder'
 import { describe, expect, it } from 'vitest'
 import { content } from '../files.ts'
 import { wordsIn } from './there.ts'
@@ -25,7 +26,7 @@ describe.each(content.worlds)('the world %s', (id) => {
     expect(existsSync(content.path('worlds', id, 'floor.svg'))).toBe('asset' in world.floor)
   })
 
-  it.each(content.languages)('has a name in "%s"', (language) => {
+  it.each(completeLanguages)('has a name in "%s"', (language) => {
     expect(wordsIn(language, 'worldName')[id]).toMatch(/\S/)
   })
 })

@@ -1,7 +1,7 @@
 import { readdirSync, readFileSync } from 'node:fs'
 import { describe, expect, it } from 'vitest'
-import { formsOf } from '../../messages/index.ts'
-import { languagesIn, wordsOf as allWordsOf } from '../../messages/folder.ts'
+import { formsOf } from '@botgarten/messages'
+import { completeLanguages, wordsOf as allWordsOf } from '@botgarten/messages/folder'
 
 const rooms = ['../../blocks', '..', '../../lab/recording', '../../lab/trying', '../../learning/q-senses']
 
@@ -30,7 +30,7 @@ function wordsOf(language: string): readonly (readonly [string, Said])[] {
   return [...new Set(names)].map((name) => [name, { title: said(name, 'title'), text: said(name, 'text') }])
 }
 
-describe.each(languagesIn())('the problems in %s', (language) => {
+describe.each(completeLanguages)('the problems in %s', (language) => {
   it.each(wordsOf(language))(
     '%s has a title, says what to try, and is said by some code',
     (name, { title, text }) => {

@@ -3,13 +3,13 @@ import { expert } from '@botgarten/blocks/packs/expert'
 import { isLong } from '@botgarten/numbers/testing'
 import { timed } from '@botgarten/numbers/testing/processor'
 import { expect, it } from 'vitest'
-import { languagesIn, wordsOf } from '../../messages/folder.ts'
+import { completeLanguages, wordsOf } from '@botgarten/messages/folder'
 import { ProjectError } from '../index.ts'
 import { givenFiles, mutated, opened } from '../testing/mutations.ts'
 
 addBlocks(expert)
 
-const words = languagesIn().map((language) => wordsOf(language))
+const words = completeLanguages.map((language) => wordsOf(language))
 
 const copies = isLong ? 500 : 100
 

@@ -1,4 +1,4 @@
-import { languagesIn, ownTableOf } from '@botgarten/messages/folder'
+import { completeLanguages, ownTableOf } from '@botgarten/messages/folder'
 import { expect, test } from 'vitest'
 import { heightOf, laidOut, laidWays } from './flow.ts'
 import { qLearning } from './flows.ts'
@@ -48,7 +48,7 @@ test('from every box a round leads back to it, and questions alone have more tha
   }
 })
 
-test.each(languagesIn())('every box and every way has its words, in "%s"', (language) => {
+test.each(completeLanguages)('every box and every way has its words, in "%s"', (language) => {
   const said = ownTableOf('materials', language)
   const asked = [
     ...boxes.map(({ id }) => id),
