@@ -1,0 +1,53 @@
+// The interpreter calls a block's `run` again in every tick until it returns `done`. What the block does to the robot must
+// not happen again each time: `frame.counter` or `frame.stage` remembers that it was done.
+import { indexProgram, runThread, startThread } from '@botgarten/programs'
+import { describe, expect, test } from 'vitest'
+import { programOf, start, wait } from '../programs/testing/build.ts'
+import { nextTick, recordingRobot } from '../programs/testing/recording-robot.ts'
+import { addBlocks, definitions, type Definition, type Template } from './index.ts'
+import { expert } from './packs/expert/index.ts'
+
+addBlocks(expert)
+
+const within = (template: Template): readonly Template[] => [
+  template,
+  ...Object.values(template.values ?? {}).flatMap(within),
+  ...Object.values(template.statements ?? {}).flatMap((rows) => rows.flatMap(within)),
+]
+
+/** The block as its example has it, without the blocks in its mouths: those of a loop act again in each pass. */
+function alone({ type, example }: Definition): Template {
+  const { statements: _, ...block } = example.flatMap(within).find((one) => one.type === type)!
+  return block
+}
+
+/** Ticks in which a block does something to the robot, of the two seconds after it has begun. */
+function ticksOfEffects(block: Template): readonly number[] {
+  const recording = recordingRobot()
+  const index = indexProgram(programOf([start, block, wait(10_000)]))
+  const thread = startThread(index)
+  while (recording.tick < 120 && !thread.ended) {
+    runThread(thread, index, recording.context)
+    nextTick(recording)
+  }
+  return [...new Set(recording.log.map(([tick]) => tick))]
+}
+
+/** The first tick in which an effect follows one in the tick before. */
+const repeatedIn = (ticks: readonly number[]) => ticks.find((tick) => ticks.includes(tick - 1))
+
+const statements = Object.values<Definition>(definitions).filter(({ look }) => look.shape === 'statement')
+
+describe.each(statements.map((definition) => [definition.type, definition] as const))(
+  '%s',
+  (_, definition) => {
+    test('acts once while it waits, though its `run` is called again every tick', () => {
+      expect(repeatedIn(ticksOfEffects(alone(definition)))).toBeUndefined()
+    })
+
+    if (definition.uses)
+      test(`uses the robot’s ${definition.uses}`, () => {
+        expect(ticksOfEffects(alone(definition))).not.toEqual([])
+      })
+  },
+)
