@@ -1,10 +1,11 @@
-// `npm run release -- 0.2.0`: sets the version everywhere. It commits nothing, so that it can be looked at first.
+// `npm run release -- 0.2.0`: sets the version everywhere, once the sentences compiled by Paraglide have been made again and
+// are the committed ones. It commits nothing, so that the changes can be reviewed first.
 import { execFileSync } from 'node:child_process'
 import { globSync, readFileSync } from 'node:fs'
 import { writeFile } from 'node:fs/promises'
 import { join } from 'node:path'
 import { inHouse } from './prepare/house.mjs'
-import { asScript, Trouble } from './prepare/run.mjs'
+import { asScript, run, Trouble } from './prepare/run.mjs'
 
 interface Versioned {
   version: string
@@ -92,6 +93,7 @@ if (import.meta.main)
   await asScript(async () => {
     const [version = ''] = process.argv.slice(2)
     refuseDirty()
+    if ((await run(process.execPath, [inHouse('scripts/paraglide.ts'), '--check'])) !== 0) return 1
     const today = new Date().toISOString().slice(0, 10)
     for (const [path, text] of released(versionFiles(inHouse('.')), version, today))
       await writeFile(inHouse(path), text)

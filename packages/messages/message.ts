@@ -1,5 +1,5 @@
 // Messages in the inlang message format: https://inlang.com/m/reootnfj/plugin-inlang-messageFormat
-// A test holds `fill` to the functions that Paraglide compiles of the same files.
+// paraglide.test.ts compares `fill` with the sentences of Paraglide, which reads the same format.
 
 /** Values for a message's placeholders. */
 export type Facts = { readonly [name: string]: string | number }

@@ -8,7 +8,7 @@ import type { Outcome } from './report.ts'
 import type { Room } from './rooms.ts'
 import { Warm } from './warm.ts'
 
-const generated = ['apps/web/.svelte-kit', 'apps/web/src/words/generated', 'apps/web/project.inlang']
+const generated = ['apps/web/.svelte-kit', 'apps/web/src/words/generated']
 const modules = ['node_modules', 'apps/web/node_modules', 'apps/cli/node_modules']
 
 /** A copy of the tree as it is now, in which anything may be changed. Packages of others are linked, not copied. */
