@@ -34,8 +34,8 @@ const config: KnipConfig = {
     },
     'apps/web': {
       project: ['src/**/*.{ts,svelte,css}'],
-      // Found by its path in src/words/message.test.ts; `content:…` is what vite.config makes of content/.
-      ignoreDependencies: ['@inlang/plugin-message-format', 'content'],
+      // `content:…` is what vite.config makes of content/.
+      ignoreDependencies: ['content'],
     },
     // Of the system, for a small disk that fills up; the test says why where they are missing.
     'packages/classroom': {

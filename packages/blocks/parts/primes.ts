@@ -7,7 +7,10 @@ function isPrime(x: number): boolean {
 }
 
 /** What `math_number_property` asks of one number. Zero is neither positive nor negative. */
-export const properties: ReadonlyMap<string, (x: number) => boolean> = new Map([
+export const properties: ReadonlyMap<string, (x: number) => boolean> = new Map<
+  string,
+  (x: number) => boolean
+>([
   ['EVEN', (x) => x % 2 === 0],
   ['ODD', (x) => Number.isInteger(x) && x % 2 !== 0],
   ['PRIME', isPrime],
