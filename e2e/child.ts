@@ -55,7 +55,7 @@ export class Child {
 
   // ---- going somewhere ----
 
-  /** Goes home by the link of the page; what is at home already is loaded again. */
+  /** Goes home by the link of the page; at home, loads it again. */
   async opensHome() {
     if (await bedsOf(this).isVisible()) await this.page.reload()
     await goesHome(this)
@@ -75,7 +75,7 @@ export class Child {
 
   /** For tests of links, reloads and first loads: a card or the free lab by its address. */
   async opensLabByAddress(card: string) {
-    // By address: each test that calls this says why.
+    // By address: each test that calls this gives a reason.
     await this.page.goto(`/lab/${card}`)
     await this.seesLab()
   }
@@ -299,7 +299,7 @@ export class Child {
     await expect.poll(() => this.boStands()).not.toBe(before)
   }
 
-  /** Waits until so many seconds of the robot's time have passed since the program began. */
+  /** Waits until `seconds` of the robot's time have passed since the program's start. */
   async seesSeconds(seconds: number) {
     const tick = () => this.page.evaluate(() => globalThis.botgarten!.view()!.tick)
     await expect.poll(tick).toBeGreaterThan(seconds * TICKS_PER_SECOND)

@@ -35,7 +35,7 @@ describe('entering as a child does', () => {
 
 /** Rooms whose faults lose work. */
 const careful = new Set(['storage', 'class'])
-/** Tests of what must not be lost whose files belong to other rooms. */
+/** Tests of saving and restoring whose files belong to other rooms. */
 const alsoCareful: { readonly [spec: string]: string } = {
   'tests/undo.spec.ts': 'undo and redo',
   'tests/projects.spec.ts': 'the list of projects, its bin and the home file',

@@ -1,4 +1,4 @@
-// Contract of the walk of `npm test`: each of its tests says which features and pages it goes through, and none is left out.
+// Contract of the walk of `npm test`: each of its tests is tagged with its features and pages, and every one has a tag.
 import { globSync, readFileSync } from 'node:fs'
 import { join } from 'node:path'
 import { expect, test } from 'vitest'
@@ -7,12 +7,12 @@ const web = join(import.meta.dirname, '../apps/web/src')
 const read = (folder: string, file: string) => readFileSync(join(folder, file), 'utf8')
 const unique = (names: readonly string[]) => [...new Set(names)].toSorted()
 
-/** What a feature's door says it is called. */
+/** The id in a feature's door. */
 const features = globSync('features/*/feature.ts', { cwd: web }).map(
   (file) => /^ {2}id: '([\w-]+)',$/m.exec(read(web, file))?.[1] ?? file,
 )
 
-/** Addresses of pages as their folders say them: `/lab/[card]`. The page for what is not found is `/+error`. */
+/** Addresses of pages as their folders say them: `/lab/[card]`. The page for an unknown address is `/+error`. */
 const pages = globSync('routes/**/+{page,error}.svelte', { cwd: web }).map((file) =>
   file
     .replaceAll('\\', '/')

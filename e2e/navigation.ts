@@ -6,7 +6,7 @@ import { bedOf, chapterOf } from './words.ts'
 export const bedsOf = (child: Child): Locator =>
   child.page.getByRole('region', { name: child.word('home.beds'), exact: true })
 
-/** Closes a dialog that lies over the page, as a child does before it presses what lies below. */
+/** Closes a dialog in front of the page, as a child does before pressing a button behind it. */
 export async function closesDialog({ page }: Child) {
   const dialog = page.locator('dialog:modal')
   if ((await dialog.count()) === 0) return
@@ -14,7 +14,7 @@ export async function closesDialog({ page }: Child) {
   await expect(dialog).toHaveCount(0)
 }
 
-/** Goes to the home page by the link that every page has; a browser that shows nothing yet opens its address. */
+/** Goes to the home page by the link that every page has; a browser with an empty page opens its address. */
 export async function goesHome(child: Child) {
   const { page } = child
   await closesDialog(child)
@@ -58,7 +58,7 @@ export async function opensFromHome(child: Child, key: string) {
 
 /**
  * From now on this device draws 0 whenever it needs one random number: its dice are those of a link with `?dice=1`, and
- * what is learned is the same in every run.
+ * learning has the same result in every run.
  */
 export async function fixesDice({ page }: Child) {
   const fix = () => {

@@ -1,4 +1,4 @@
-// Which packages the code of each workspace imports, and whether its package.json says so.
+// Compares the packages that each workspace imports with the dependencies in its package.json.
 import { globSync, readFileSync } from 'node:fs'
 import { isBuiltin } from 'node:module'
 import { join, posix } from 'node:path'
@@ -63,7 +63,7 @@ function packageOf(path: string, specifier: string): string | null {
   return /^(@[^/]+\/)?[^/]+/.exec(specifier)?.[0] ?? null
 }
 
-/** What a file imports from packages, our own by their paths too. Components are read by their scripts and the `import()` of their markup. */
+/** The packages that a file imports, our own by their paths too. Components are read by their scripts and the `import()` of their markup. */
 export function importsOf(path: string, text: string): readonly Import[] {
   const found = path.endsWith('.css') ? fontsIn(text) : importsIn(scriptOf(path, text))
   return found.flatMap(({ from, isType }) => {
@@ -108,17 +108,17 @@ function importAt(node: ts.Node): Import | null {
 
 /** Tools of every test, which the root has for all. */
 const ofTheRoot = ['vitest', 'fast-check']
-/** A tool that compiles itself into what it builds: the adapter leaves `dependencies` out of the bundle. */
+/** A tool that compiles itself into its output: the adapter leaves `dependencies` out of the bundle. */
 const compiledIn = ['@sveltejs/kit']
 
-/** Is a file there for tests, or for a build? What runs then is no part of the product. */
+/** Does a file belong to tests or to a build? Such code is no part of the product. */
 export function isTool({ folder }: Workspace, file: string): boolean {
   if (!/^(packages|apps)\//.test(folder)) return true
   if (folder === 'apps/web' && !file.startsWith('apps/web/src/')) return true
   return /\.test\.ts$|\/(testing|contract)\/|\/test-bench\.ts$/.test(file)
 }
 
-/** What a workspace's manifest says otherwise than its code, a line each. */
+/** Differences between a workspace's manifest and its code, one a line. */
 export function unlike(workspace: Workspace, importsIn: (file: string) => readonly Import[]): string[] {
   const { folder, manifest, files } = workspace
   const { dependencies = {}, devDependencies = {} } = manifest
@@ -127,7 +127,7 @@ export function unlike(workspace: Workspace, importsIn: (file: string) => readon
   for (const file of files)
     for (const { from, isType } of importsIn(file)) {
       if (from === manifest.name || (folder !== '' && ofTheRoot.includes(from))) continue
-      // Types of other packages are erased; of our own, what is imported says what stands on what.
+      // Type imports of other packages are erased; those of our own packages count as dependencies.
       const isErased = isType && !from.startsWith('@botgarten/')
       ;(isTool(workspace, file) || isErased || compiledIn.includes(from) ? ofTools : ofProduct).add(from)
     }

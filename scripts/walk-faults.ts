@@ -1,5 +1,5 @@
 // `npm run walk:faults`: makes one small fault at a time in a view, in a copy of the tree, builds it and runs the walk of
-// `npm test`, which has to turn red. `--count 10`, `--seed 1`, `--from 0` goes on later, `--out` appends each line to a file.
+// `npm test`, which has to turn red. `--count 10`, `--seed 1`, `--from 3` skips the first three, `--out` appends each line to a file.
 import { spawnSync } from 'node:child_process'
 import { appendFileSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'
@@ -9,10 +9,10 @@ import { drawFaults, type ViewFault } from './mutants/views.ts'
 import { inHouse } from './prepare/house.mjs'
 import { asScript } from './prepare/run.mjs'
 
-/** The first red test of what Playwright has said. */
+/** The first red test in Playwright's output. */
 const redIn = (said: string) => /^ {2}1\) \[gate\] › (.+?)(?: @\S+)* *$/m.exec(said)?.[1] ?? 'the walk'
 
-/** The outcome of one fault: the first red test, or what did not happen. Tests of its own feature go first: they are soon done. */
+/** The outcome of one fault: the first red test, or `survived`. Tests of its own feature run first, since they take seconds. */
 function outcomeOf(copy: string, file: string): string {
   const npm = (...args: readonly string[]) =>
     spawnSync('npm', ['run', '--silent', ...args], { cwd: copy, encoding: 'utf8', maxBuffer: 2 ** 28 })

@@ -26,7 +26,7 @@ test(
     const start = await gallery.place()
     await child.presses('gallery.watch')
     await expect.poll(gallery.place).not.toEqual(start)
-    // A heart of somebody else does not stop what drives.
+    // Another pupil's heart does not stop the drive.
     await hare.asker.ask('PUT', `/gallery/${id}/heart`, { on: true })
     await expect(gallery.heart('Slow and safe', 2).first()).toBeVisible()
     await expect(child.button('gallery.pause')).toBeVisible()

@@ -1,4 +1,4 @@
-// What the tests of the gate share: one server a worker, which has a teacher, and ways in by clicks from home.
+// Shared by the tests of the gate: one server a worker, which has a teacher, and navigation by clicks from home.
 import type { Locator, Page } from '@playwright/test'
 import type { Child } from '../child.ts'
 import { classOfTest, nextClass } from '../class-server.ts'
@@ -10,7 +10,7 @@ export { expect }
 /** Every test of the gate has this server, so that a worker never starts another one. `school`: an open class of its own. */
 export const test = base.extend<{ school: MadeClass }, { room: MadeClass }>({
   room: [
-    // eslint-disable-next-line no-empty-pattern -- Playwright reads the names of what is asked for
+    // eslint-disable-next-line no-empty-pattern -- Playwright reads the names of the fixtures
     async ({}, use) => {
       const room = await classOfTest()
       await use(room)

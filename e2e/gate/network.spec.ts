@@ -4,7 +4,7 @@ import { expect, opensCard, poseOf, test } from './gate.ts'
 
 test.use({ language: 'de' })
 
-/** What Bo's left eye reads, in cm. */
+/** The reading of Bo's left eye, in cm. */
 const leftReads = (child: Child) =>
   child.page.evaluate(() => Object.values(globalThis.botgarten!.view()!.networks)[0]!.outputs['eyeLeft']!)
 
@@ -34,7 +34,7 @@ test(
     const output = child.word('neuron.motor', { OUTPUTNODE: leftWheel.motor })
     await child.output(leftWheel).click()
     const sum = page.getByRole('group', { name: child.word('network.sum', { output }) })
-    // Half of what the eye reads, and nothing of the other one.
+    // Half of the left eye's reading; the right eye has weight 0.
     const half = String(Math.round((await leftReads(child)) * 0.5))
     await expect(sum.locator('.whole').last()).toHaveText(half)
     await expect.poll(() => child.painted.textIn(child.output(leftWheel))).toBe(half)

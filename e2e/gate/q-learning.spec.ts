@@ -20,7 +20,7 @@ test(
     await expect.poll(async () => (await learner.moves()).made).toBe(1)
     const facts = { move: 1, from: '\\d', to: '\\d', how: '.+', stars: '\\d' }
     await expect(page.locator('.q > [aria-live]')).toHaveText(new RegExp(child.word('q.said.move', facts)))
-    // The road into the goal is worth nothing before anybody has been there.
+    // The road into the goal has the value 0 before the first visit.
     const last = (value: string, tries: number) => child.word('q.cell', { from: 0, to: 1, value, tries })
     await expect(page.getByRole('button', { name: last('0', 0), exact: true })).toBeVisible()
     await learner.hurries()

@@ -22,7 +22,7 @@ test(
     await bo.dialog.getByRole('button', { name: bo.word('remove') }).click()
     await bo.seesAtPort('2', null)
     await bo.closes()
-    // What the program reads is missing now, and one tap plugs it in again.
+    // The program's sensor is missing now, and one tap plugs it in again.
     const problem = child.word('problem.noDistanceSensorEmpty.title', { port: '2', other: '3' })
     const said = child.page.getByRole('status').filter({ hasText: problem })
     await expect(said).toBeVisible()

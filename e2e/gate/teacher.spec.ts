@@ -9,7 +9,7 @@ const password = 'kastanie im regen'
 const field = (child: Child, key: string) =>
   child.page.getByLabel(child.word(`teacher.${key}`), { exact: true })
 
-/** What a pupil's page reports while it works. */
+/** The status that a pupil's page reports while it works. */
 const atWork = {
   ...{ card: 'friendship', project: 'project-friendship', checks: ['passed', 'failed', 'open'], failed: 2 },
   ...{ running: true, idle: 0, size: [600, 400], pose: { x: 360, y: 210, heading: 200 } },

@@ -1,5 +1,5 @@
 // Rooms: service-worker, server
-// By address: what a browser opens by itself when the server does not answer, and the page of the certificate.
+// By address: a browser without an answer from the server, and the page of the certificate.
 import { createHash, X509Certificate } from 'node:crypto'
 import { mkdtempSync } from 'node:fs'
 import { tmpdir } from 'node:os'

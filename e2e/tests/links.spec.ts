@@ -1,5 +1,5 @@
 // Rooms: share
-// By address: links are what is tested.
+// By address: the subject is links.
 import type { Block } from '@botgarten/blocks'
 import type { Project } from '@botgarten/programs'
 import { reads } from '../camera.ts'

@@ -1,5 +1,5 @@
 // Rooms: service-worker
-// By address: what a browser opens by itself when the server does not answer.
+// By address: the subject is a browser without an answer from the server.
 import { content } from '@botgarten/content/files'
 import { flags } from '../browser.ts'
 import { findChromium } from '../chromium.mjs'

@@ -21,7 +21,7 @@ const sizes = [
 type Faces = { readonly [name: string]: (child: Child) => Promise<unknown> }
 
 const goes = (path: string) => async (child: Child) => {
-  // By address: what links and printed codes lead to.
+  // By address: links and printed codes lead there.
   await child.page.goto(path)
   await expect(child.page.locator('main')).toHaveCount(1)
   await expect(child.page.locator('.material[aria-busy="true"]')).toHaveCount(0)

@@ -1,5 +1,5 @@
 // Rooms: server
-// By address: what the server answers to an address.
+// By address: the subject is the server's answer to an address.
 import { classOfTest } from '../class-server.ts'
 import { expect, test } from '../house.ts'
 

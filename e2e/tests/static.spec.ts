@@ -1,5 +1,5 @@
 // Rooms: scripts, service-worker
-// By address: what a web space answers to an address.
+// By address: the subject is a web space's answer to an address.
 import { buildStaticWhenNeeded, webSpace } from '../../scripts/prepare/build.mjs'
 import { Child, leftEye, leftWheel, rightEye, rightWheel } from '../child.ts'
 import { isKept, setsDrivesAndSaves } from '../child-offline.ts'

@@ -70,7 +70,7 @@ test('cards, blocks, maps and the order of parts are locked until the researcher
   await hands.handsOut()
   await hands.begins(2, 3, 'no')
   for (const closed of ['/lab/fear', '/lab/free', '/zoo', '/projects', '/']) {
-    // By address: links to what a study locks.
+    // By address: links to pages that a study locks.
     await page.goto(closed)
     await expect(page).toHaveURL(/\/study$/)
   }
@@ -82,7 +82,7 @@ test('cards, blocks, maps and the order of parts are locked until the researcher
     .getByRole('dialog')
     .getByRole('button', { name: child.word('study.sure') })
     .click()
-  // By address: links to what a study locks.
+  // By address: links to pages that a study locks.
   await page.goto('/lab/friendship')
   await expect(page).toHaveURL(/\/study$/)
   await hands.opensCard('fear')

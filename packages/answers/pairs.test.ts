@@ -7,7 +7,7 @@ import { fewest, type Answer } from './types.ts'
 
 const ids = (form: string, count: number) => Array.from({ length: count }, (_, at) => `${form}-${at}`)
 const atom = (form: string, count: number): Atom => ({ form, bands: ['5-6'], ids: ids(form, count) })
-/** So many pupils who answered both forms. */
+/** `count` pupils who answered both forms. */
 const pairs = (count: number): readonly Pair[] =>
   Array.from({ length: count }, (_, at): Pair => [`before-${at}`, `after-${at}`])
 

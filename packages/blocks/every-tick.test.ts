@@ -1,5 +1,5 @@
-// The interpreter calls a block's `run` again in every tick until it returns `done`. What the block does to the robot must
-// not happen again each time: `frame.counter` or `frame.stage` remembers that it was done.
+// The interpreter calls a block's `run` again in every tick until it returns `done`. A block must not act on the robot
+// again each time: `frame.counter` or `frame.stage` remembers that it has acted.
 import { indexProgram, runThread, startThread } from '@botgarten/programs'
 import { describe, expect, test } from 'vitest'
 import { programOf, start, wait } from '../programs/testing/build.ts'
@@ -21,7 +21,7 @@ function alone({ type, example }: Definition): Template {
   return block
 }
 
-/** Ticks in which a block does something to the robot, of the two seconds after it has begun. */
+/** Ticks in which a block does something to the robot, of the two seconds after its start. */
 function ticksOfEffects(block: Template): readonly number[] {
   const recording = recordingRobot()
   const index = indexProgram(programOf([start, block, wait(10_000)]))

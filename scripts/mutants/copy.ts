@@ -87,7 +87,7 @@ export class Copy {
       if (answer.kind !== 'killed' && answer.kind !== 'timeout') return
       const why = `The tests of ${file} fail as it is: ${'by' in answer ? answer.by : answer.kind}`
       if (left === 0) throw new Trouble(why)
-      // A machine that is busy with something else may have kept them waiting.
+      // A busy machine may have made them wait too long.
       console.log(why)
       this.#vitest.close()
     }

@@ -7,7 +7,7 @@ import type { Mutant } from './mutations.ts'
 import type { Outcome } from './report.ts'
 import type { Room } from './rooms.ts'
 
-/** Where results are kept from run to run: outside of the repository, a line of JSON for each. */
+/** The file with results of earlier runs, outside of the repository: a line of JSON for each. */
 export const recordsFile = (): string =>
   join(process.env['BOTGARTEN_RECORDS'] ?? join(homedir(), '.cache', 'botgarten'), 'mutants.jsonl')
 
@@ -28,13 +28,13 @@ const hashOf = (parts: readonly string[]): string => {
 
 const keyOf = ({ file, text }: Mutant): string => hashOf([file, text])
 
-/** Hash of a room's tests: others may find what these have not. */
+/** Hash of a room's tests: changed tests may kill other mutants. */
 export function testsHash(house: string, { tests, walking }: Pick<Room, 'tests' | 'walking'>): string {
   const files = tests.flatMap((folder) => globSync(`${folder}/**/*.test.ts`, { cwd: house }))
   return hashOf([...files, ...walking].sort().map((file) => readFileSync(join(house, file), 'utf8')))
 }
 
-/** What came of mutants in earlier runs. */
+/** Outcomes of mutants in earlier runs. */
 export class Records {
   readonly #file: string
   readonly #known = new Map<string, Record>()
@@ -49,7 +49,7 @@ export class Records {
     }
   }
 
-  /** Null where it has to be tried: never tried, or not found by tests that have changed since. */
+  /** Null if it has to be tried: never tried, or survived tests that have changed since. */
   outcomeOf(mutant: Mutant, tests: string): Outcome | null {
     const known = this.#known.get(keyOf(mutant))
     if (!known) return null

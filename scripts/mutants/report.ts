@@ -23,7 +23,7 @@ const isFound = ({ outcome }: Tried) => outcome === 'killed' || outcome === 'tim
 const found = (tried: readonly Tried[]): number => tried.filter(isFound).length
 const isWhole = ({ drawn, tried }: RoomReport) => tried.length === drawn
 
-/** What share of all mutants of a group was found; null: none was tried. */
+/** The share of a group's mutants that were killed; null before the first is tried. */
 export function shareOf(reports: readonly RoomReport[], group: Group): number | null {
   const tried = reports.filter(({ room }) => room.group === group).flatMap((one) => one.tried)
   return tried.length === 0 ? null : found(tried) / tried.length

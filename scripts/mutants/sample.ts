@@ -13,10 +13,10 @@ export interface Equivalent {
 }
 
 const noCode = /\.(test|d)\.ts$|\/testing\.ts$|\/(generated|testing|reference|node_modules)\//
-/** Doors name what is loaded, and to whom a worker belongs. */
+/** Doors name lazy parts and the owners of workers. */
 const views = /\/view\/|\/(feature|lazy|new-worker)\.ts$/
 
-/** The files of a room whose code is changed, below the house. */
+/** The files of a room whose code is changed, relative to the repository. */
 export const filesOf = (
   house: string,
   { code, withoutViews }: Pick<Room, 'code' | 'withoutViews'>,

@@ -34,7 +34,7 @@ function closeOf(source: string, open: number): number {
   return -1
 }
 
-/** The markup: nothing of scripts, styles and comments; what is left keeps its place. */
+/** The markup, with scripts, styles and comments blanked out, so that positions stay the same. */
 const markupOf = (source: string) =>
   source.replace(/<(script|style)\b[^]*?<\/\1>|<!--[^]*?-->/g, (part) => ' '.repeat(part.length))
 
@@ -97,7 +97,7 @@ const byOrder = <Thing>(all: readonly Thing[], order: (one: Thing) => string): r
     .toSorted((a, b) => (a.at < b.at ? -1 : 1))
     .map(({ one }) => one)
 
-/** So many faults in views, each of another feature, their kinds by turns. The seed decides which. */
+/** Draws `count` faults in views by a seed, each in another feature, with kinds in rotation. */
 export function drawFaults(house: string, { count, seed }: { count: number; seed: number }): ViewFault[] {
   const folder = join(house, 'apps/web/src/features')
   const features = new Map<string, ViewFault[]>()

@@ -21,7 +21,7 @@ function running() {
 }
 
 test('time passes as on the clock, or as many times as fast as a child wants', () => {
-  // Only frames let time pass: what this machine needs between them does not count.
+  // Only frames let time pass: delays of the machine between them do not count.
   vi.spyOn(performance, 'now').mockReturnValue(0)
   const { lab, draw } = running()
   draw(0)

@@ -14,7 +14,7 @@ const beside: Beside = content.card('fear')!.card.beside!
 const set: Weights = { eyeLeft: { wheelLeft: 0, wheelRight: 0.8 } }
 const zero: Weights = { eyeLeft: { wheelLeft: 0, wheelRight: 0 } }
 
-/** What a pupil has saved for the card Friendship: the same network twice, with weights of its own each. */
+/** A pupil's saved project for the card Friendship: the same network twice, with weights of its own each. */
 function saved(net: Weights, other?: Weights): Promise<unknown> {
   const brain = { ...friendship.brains['net']!, weights: net }
   const brains = { net: brain, ...(other && { other: { ...brain, weights: other } }) }

@@ -25,7 +25,7 @@ const paper = { kind: 'paper' } as const
 const station = (index: number): Target => ({ kind: 'station', index })
 const road = (index: number): Target => ({ kind: 'road', index })
 
-/** Presses at a place, pulls through others and lets go at the last one. */
+/** Presses at a place, pulls through others and releases at the last one. */
 function pulls(designer: Designer, from: At, ...through: readonly At[]): void {
   const pull = pullFrom(designer, targetAt(designer, from, reach), from)!
   for (const at of through) pull.move(at)
@@ -38,7 +38,7 @@ describe('a press is on', () => {
     const designer = await designing()
     const at = (x: number, y: number) => targetAt(designer, { x, y }, reach)
     expect([at(200, 540), at(240, 500), at(500, 500)]).toEqual([station(0), station(0), station(1)])
-    // Roads are three quarters as wide: 30 units. They are looked at in points 8 units apart.
+    // Roads are three quarters as wide: 30 units. They are sampled at points 8 units apart.
     expect([at(350, 525), at(650, 500), at(350, 541), at(900, 900)]).toEqual([road(0), road(1), paper, paper])
   })
 

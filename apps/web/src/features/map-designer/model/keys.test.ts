@@ -63,7 +63,7 @@ test('with the tool for roads two stations one after the other are joined', () =
   press('Enter', station(0))
   expect(designer.settled.roads.at(-1)).toEqual({ from: 0, to: 2, bends: [] })
   expect(keys.first).toBeNull()
-  // The same station again begins anew.
+  // The same station again starts a new road.
   press('Enter', station(1))
   press('Enter', station(1))
   expect([keys.first, designer.settled.roads.length]).toEqual([1, 3])

@@ -4,7 +4,7 @@ import { photoFrom } from './photo.ts'
 afterEach(() => void vi.unstubAllGlobals())
 
 const fileOf = (...parts: (string | Uint8Array<ArrayBuffer>)[]) => new File(parts, 'photo')
-/** The head of a GIF, which says its size in dots. */
+/** The header of a GIF with its size in pixels. */
 function gif(width: number, height: number): File {
   const head = new Uint8Array(10)
   head.set([...'GIF89a'].map((letter) => letter.charCodeAt(0)))

@@ -51,7 +51,7 @@ describe('the note of a place', () => {
   const [width, height] = [168, 54]
 
   test('stands where it is farthest from all stations', () => {
-    // A station at the upper left keeps it away from there: lower right.
+    // A station at the upper left pushes it to the lower right.
     expect(chipSpot({ x: 800, y: 500 }, [{ x: 680, y: 430 }])).toEqual({
       x: 920 - width / 2,
       y: 570 - height / 2,

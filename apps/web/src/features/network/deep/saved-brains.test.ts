@@ -128,7 +128,7 @@ describe('the size of a network', () => {
   test('leaves room for what all its layers have not taken', () => {
     const none = roomFor(net)
     expect(roomFor({ ...net, hidden: [layer('a', 3), layer('b', 4)] })).toBe(none - 7)
-    // Two inputs and two outputs are there.
+    // It has two inputs and two outputs.
     expect(roomFor({ ...net, inputs: [], outputs: [] })).toBe(none + 4)
   })
 

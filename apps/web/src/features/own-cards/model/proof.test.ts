@@ -26,7 +26,7 @@ const { card, world } = content.card('friendship')!
 const solved = cardProject(world, card, content.program('friendship', 'solution')!, 'friendship')
 const text = { title: 'Meet', story: 'A story.', task: 'Bo comes near.', hints: ['1', '2', '3'] as const }
 const begun = draftOf(solved, 'Meet', 'en', card) as Draft
-/** Friendship as a card that somebody makes, at the first of its places; it is tried for a minute each time. */
+/** Friendship as a card that a teacher makes, at the first of its places; it is tried for a minute each time. */
 const draft = (more: Partial<OwnCard> = {}): Draft => ({
   ...begun,
   ownCard: { ...begun.ownCard, text: { en: text }, starts: begun.ownCard.starts.slice(0, 1), ...more },

@@ -49,7 +49,7 @@ const ends: { readonly [map: string]: Pick<Task, 'start' | 'goal' | 'closed'> } 
   city: { start: 0, goal: 15, closed: [[16, 15]] },
 } // prettier-ignore
 
-/** What is to be learned on a map that everybody has. */
+/** The learning task of a built-in map. */
 export function taskOn(
   id: string,
   { map, start = 0, goal = map.actions.length - 1, goalReward, stepCost, lengthCost }: MapFile,

@@ -15,7 +15,7 @@ beforeEach(() => {
   walk = new WalkModel(track)
 })
 
-/** Takes doors until a try is over: the one that `choose` picks of so many. */
+/** Takes doors until a try is over: `choose` gets the number of doors and returns an index. */
 function tryOnce(choose: (doors: number) => number = () => 0): void {
   const over = walk.tries.length
   while (walk.tries.length === over) {

@@ -83,7 +83,7 @@ test('a cage that is safe from the beginning counts as fixed once its pay was tr
   expect([work.isSafe, work.works, work.mended]).toEqual([true, false, false])
   work.set(work.setting)
   expect(work.works).toBe(false)
-  // Pay for exact nearness changes no best behaviour (Ng, Harada, Russell 1999), whatever is paid.
+  // Pay for exact nearness changes no best behaviour (Ng, Harada, Russell 1999), at any amount.
   work.set(60)
   expect([work.works, work.mended]).toEqual([true, true])
 })

@@ -10,7 +10,7 @@ import { SenseWork } from './sense-work.svelte.ts'
 const loaded = content.senseCages[0]!
 const { cage, rows } = loaded
 
-/** A worker that only writes down what is asked of it; the test says what comes back. */
+/** A worker that only records its requests; the test sends the answers. */
 class Asked {
   static orders: Order[] = []
   static last: Asked
@@ -45,7 +45,7 @@ const newWork = () => new SenseWork(loaded, { worlds: [{} as World], picture: nu
 const orders = () => Asked.orders.map(({ kind }) => kind)
 const learnOrders = () => Asked.orders.filter((order) => order.kind === 'learn')
 const answers = (report: Report) => Asked.last.onmessage!({ data: report })
-/** What was driven with the cage's own pay; only what the model itself reads. */
+/** A drive with the cage's own pay, with the fields that the model reads. */
 const seen = (minute: number | null): Seen =>
   ({ table: { pay: cage.trial.pay }, minute, watched: [] }) as unknown as Seen
 
