@@ -21,6 +21,14 @@ export class Learner {
     await this.sees()
   }
 
+  /** The same with a project file. */
+  async opensProject(name: string, text: string) {
+    await goesHome(this.child)
+    await fixesDice(this.child)
+    await this.child.opensProjectAtHome(name, text)
+    await this.sees()
+  }
+
   async sees() {
     await expect(this.child.page.getByRole('group', { name: this.child.word('q.map') })).toBeVisible()
   }

@@ -28,8 +28,7 @@ export class CardMaker {
   async begins() {
     const { card, world } = content.card('friendship')!
     const project = cardProject(world, card, content.program('friendship', 'solution')!, 'Mine')
-    await this.child.opensLab('friendship')
-    await this.child.opensProject('Mine', JSON.stringify(project))
+    await this.child.opensProjectAtHome('Mine', JSON.stringify(project))
     await this.child.presses('lab.menu')
     await this.child.presses('parts.makeCard')
     await expect(this.field('cards.cardTitle')).toBeVisible()

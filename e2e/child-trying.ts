@@ -23,8 +23,7 @@ export class TryHands {
     const { card } = content.card('try-dodge')!
     const { programs, brains } = content.program('try-dodge', 'solution')!
     const project = cardProject(content.world(card.world)!, card, { programs, brains }, 'Mine')
-    await child.opensLab('try-dodge')
-    await child.opensProject('Mine', change(JSON.stringify(project)))
+    await child.opensProjectAtHome('Mine', change(JSON.stringify(project)))
     await this.sees()
   }
 

@@ -23,8 +23,7 @@ for (const language of languagesOf(import.meta.filename)) {
 
     test('a sensor at an empty port is said at its block, and one tap mends it', async ({ child }) => {
       const broken = projectFile('friendship', 'solution').replace('ULTRASONIC_PORT_2', 'ULTRASONIC_PORT_4')
-      await child.opensLab('friendship')
-      await child.opensProject('Friendship', broken)
+      await child.opensProjectAtHome('Friendship', broken)
       const facts = { port: '4', other: '2' }
       await expect(panel(child, 'noDistanceSensorEmpty', facts)).toContainText(
         child.word('problem.noDistanceSensorEmpty.text', facts),

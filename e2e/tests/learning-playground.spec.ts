@@ -37,9 +37,10 @@ for (const language of languagesOf(import.meta.filename)) {
       page,
     }) => {
       const learner = new Learner(child)
-      await learner.opens('railway')
-      await child.opensProject('Mars', learningProject('Mars', { MAP: 'MAP_MARS', START: '0', FINISH: '8' }))
-      await learner.sees()
+      await learner.opensProject(
+        'Mars',
+        learningProject('Mars', { MAP: 'MAP_MARS', START: '0', FINISH: '8' }),
+      )
       await expect(page.locator('#fog-8')).toBeVisible()
       await learner.hurries()
       await learner.learns()

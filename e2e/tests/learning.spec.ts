@@ -91,9 +91,7 @@ for (const language of languagesOf(import.meta.filename)) {
       page,
     }) => {
       const learner = new Learner(child)
-      await learner.opens('railway')
-      await child.opensProject('One try', learningProject('One try', {}, 1))
-      await learner.sees()
+      await learner.opensProject('One try', learningProject('One try', {}, 1))
       await learner.learnsToTheEnd()
       await expect(page.locator('.best').getByText(child.word('q.alike', { station: 3 }))).toBeVisible()
       await expect(page.locator('.best ol, .rail .flag')).toHaveCount(0)

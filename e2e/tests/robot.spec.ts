@@ -225,8 +225,7 @@ for (const language of languagesOf(import.meta.filename)) {
     })
 
     test('two neurons for one motor get a hint at the lower one, and drive', async ({ child }) => {
-      await child.opensLab('friendship')
-      await child.opensProject(
+      await child.opensProjectAtHome(
         'Friendship',
         projectFile('friendship', 'solution').replace('MOTORPORT_B', 'MOTORPORT_C'),
       )

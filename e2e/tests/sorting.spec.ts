@@ -186,8 +186,7 @@ for (const language of languagesOf(import.meta.filename)) {
       page,
     }) => {
       for (const card of ['tidy-up', 'new-colours'] as const) {
-        await child.opensLab(card)
-        await child.opensProject('Mine', sortingProject(card, 'solution'))
+        await child.opensProjectAtHome('Mine', sortingProject(card, 'solution'))
         await child.pressesStart()
         await new TimeHands(child).hurries()
         await child.seesCheck(card, 'shows', true, 60_000)
@@ -203,8 +202,7 @@ for (const language of languagesOf(import.meta.filename)) {
       page,
     }) => {
       const sorting = new SortingHands(child)
-      await child.opensLab('new-colours')
-      await child.opensProject('Mine', sortingProject('new-colours', 'solution'))
+      await child.opensProjectAtHome('Mine', sortingProject('new-colours', 'solution'))
       await child.pressesStart()
       await new TimeHands(child).hurries()
       await child.seesCheck('new-colours', 'shows', true, 60_000)
