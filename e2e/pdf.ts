@@ -1,4 +1,4 @@
-import { getDocument, OPS, type PDFDocumentProxy } from 'pdfjs-dist/legacy/build/pdf.mjs'
+import { getDocument, OPS, type PDFDocumentProxy } from 'unpdf/pdfjs'
 
 /** What can be read of a PDF without looking at it. */
 export interface ReadPdf {
@@ -68,7 +68,7 @@ export async function readPdf(bytes: Uint8Array): Promise<ReadPdf> {
   return {
     title: Title,
     language: Language,
-    tagged: (mark as unknown as ReadonlyMap<string, boolean> | null)?.get('Marked') === true,
+    tagged: mark?.Marked === true,
     outline: (outline as { title: string }[] | null)?.map(({ title }) => title) ?? [],
     pages,
   }
