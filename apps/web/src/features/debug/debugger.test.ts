@@ -1,8 +1,10 @@
 import 'fake-indexeddb/auto'
 import type { Project } from '@botgarten/programs'
 import { afterEach, describe, expect, test, vi } from 'vitest'
+import { withRobot } from '#lab/robots.ts'
 import { closeSessions, screen, sessionOf } from '#lab/testing/session.ts'
 import { friendship } from '#storage/testing/sample.ts'
+import { fetchWords } from '#words/message.ts'
 import { Debugger } from './debugger.svelte.ts'
 
 afterEach(() => {
@@ -65,4 +67,20 @@ describe('a stop', () => {
     looking.toggleStop('start')
     expect([session.lab.view.phase, looking.waits]).toEqual(['paused', false])
   })
+
+  test('waits for one robot while the others are elsewhere', () => {
+    const { document } = withRobot({ ...friendship }, 'bo', 'own')
+    const { session, looking, frames } = debugging({ ...friendship, ...document })
+    looking.toggleStop('net')
+    session.start()
+    frames()
+    expect(session.lab.view.robots).toHaveLength(2)
+    expect([session.lab.view.phase, looking.waits]).toEqual(['paused', true])
+  })
+})
+
+test('truth values are said in the words of the language', async () => {
+  await fetchWords('expert')
+  const { looking } = debugging()
+  expect(looking.words).toEqual({ locale: 'en', yes: 'true', no: 'false' })
 })

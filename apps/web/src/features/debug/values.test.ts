@@ -15,6 +15,7 @@ it('values are said as a child reads them', () => {
   ])
   expect(valueText([1.5, 'a', []], de)).toBe('[1,5; “a”; []]')
   expect(valueText([1, 2, 3, 4, 5, 6, 7, 8, 9], en)).toBe('[1, 2, 3, 4, 5, 6, 7, 8 …]')
+  expect(valueText([1, 2, 3, 4, 5, 6, 7, 8], en)).toBe('[1, 2, 3, 4, 5, 6, 7, 8]')
 })
 
 it('a variable’s value stands at every block that names it, a parameter’s only in its function', () => {
@@ -46,6 +47,8 @@ it('a variable’s value stands at every block that names it, a parameter’s on
     { name: 'x', value: 1, of: null },
     { name: 'p', value: 2, of: 'f' },
     { name: 'q', value: 3, of: 'elsewhere' },
+    // Only functions have parameters.
+    { name: 'p', value: 4, of: 's' },
   ]
   expect(Object.fromEntries(valuesAtBlocks(program, variables, en))).toEqual({
     ...{ a: '1', b: '1', e: '1', g: '1', h: '2', i: '2' },

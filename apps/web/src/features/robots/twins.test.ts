@@ -49,6 +49,13 @@ describe('Fear and Friendship side by side', () => {
     expect(linksOf({ outlines }).filter((link) => differing(own, twins, link).length > 0)).toEqual([])
   })
 
+  it('are no twins without a network, or where nobody is chosen', () => {
+    const none = { own: {}, twins: [] }
+    expect(twinsOf({ ...session('bo'), outlines: [] })).toEqual(none)
+    expect(twinsOf(session('nobody'))).toEqual(none)
+    expect(linksOf({ outlines: [] })).toEqual([])
+  })
+
   it('never takes the name of a set that is there, and goes without a trace', () => {
     const first = withoutRobot(two, id)
     expect(first).toEqual(document)

@@ -81,6 +81,8 @@ describe('a map is opened', () => {
       revision: (await load('mine'))!.revision,
     })
     expect(await openMapOf('mine', 'other', 'New')).toBeNull()
+    await save('plain', friendship, 0)
+    expect(await openMapOf('plain', 'map', 'New')).toBeNull()
     expect(await openMapOf('nobody', 'map', 'New')).toBeNull()
   })
 

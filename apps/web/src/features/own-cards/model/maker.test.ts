@@ -149,6 +149,24 @@ describe('checks', () => {
     expect(coloured).not.toContain('sings')
   })
 
+  test('begin with places in the middle of the world, and numbers that a card of the house could have', () => {
+    const maker = making({ size: { width: 400, height: 200 } })
+    for (const kind of ['arrives', 'visits', 'near', 'rests', 'turnsAway']) maker.addCheck(kind)
+    const [arrives, visits, near, rests, turnsAway] = maker.card.checks.map(({ numbers }) => numbers)
+    expect(arrives).toMatchObject({ x: 200, y: 100, cm: 20, after: '' })
+    // Half the height, at a quarter and three quarters of the width.
+    expect(visits).toMatchObject({ points: '100 100, 300 100', cm: 20 })
+    expect(near).toEqual({ obstacle: maker.world.obstacles[0]!.id, cm: 8 })
+    expect(rests).toEqual({ light: 15, percent: 3 })
+    expect(turnsAway).toMatchObject({ near: 60, far: 80 })
+  })
+
+  test('of speed begin with 5 to 50 %', () => {
+    const maker = making()
+    maker.addCheck('speedOn')
+    expect(maker.card.checks[0]!.numbers).toMatchObject({ least: 5, most: 50 })
+  })
+
   test('of one kind are told apart, and are five at most', () => {
     const maker = making()
     for (let more = 0; more < 7; more += 1) maker.addCheck('near')

@@ -58,7 +58,7 @@ describe('a card that is being made', () => {
 
   test('waits until the user is calm, and says that Bo is trying meanwhile', () => {
     const proof = new Proof(floor)
-    expect(proof.lack).toBe('trying')
+    expect([proof.lack, proof.solved, proof.refused]).toEqual(['trying', [], []])
     proof.follow(draft())
     vi.advanceTimersByTime(499)
     draw()
@@ -75,6 +75,11 @@ describe('a card that is being made', () => {
   test('without a check is not tried: nothing could come of it', () => {
     const proof = triedOut(draft({ checks: [] }))
     expect([proof.isTrying, proof.solved, proof.lack]).toEqual([false, [], 'checks'])
+  })
+
+  test('with one check is tried like every other', () => {
+    const proof = triedOut(draft({ checks: begun.ownCard.checks.slice(0, 1) }))
+    expect([proof.solved, proof.startSolves, proof.lack]).toEqual([[true], false, null])
   })
 
   test('lacks words before anything else', () => {

@@ -39,6 +39,19 @@ describe('the reason of a decision', () => {
     expect(reasonAt(cage, line, 20)!.moves.map(({ isBest }) => isBest)).toEqual([true, false])
   })
 
+  test('compares with the best of the other moves', () => {
+    // Station 1 leads back, to a station that pays nothing, and to the one before the goal.
+    const fork = {
+      map: { actions: [[{ to: 1 }], [{ to: 0 }, { to: 2 }, { to: 3 }], [{ to: 1 }], [{ to: 4 }], []] },
+    } as unknown as MapFile
+    const forked: Cage = { ...cage, goal: 4, pay: [{ for: 'goal', stars: 50 }], mend: { rule: 0, least: 0, most: 50, step: 1 }, why: { at: 1, to: 2 } } // prettier-ignore
+    const { moves } = reasonAt(forked, fork, 50)!
+    expect(moves.map(({ to, isBest }) => [to, isBest])).toEqual([
+      [2, false],
+      [3, true],
+    ])
+  })
+
   test('is none where the cage names no station', () => {
     const { why: _, ...without } = cage
     expect(reasonAt(without, line, 20)).toBeNull()
