@@ -1,6 +1,7 @@
+import { readFileSync } from 'node:fs'
 import { expect, test } from 'vitest'
 import { unlike } from '../../../notices.ts'
-import { fonts, libraries } from './notices.ts'
+import { fonts, libraries, licenceTexts } from './notices.ts'
 
 test('each font is named with whose it is', () => {
   expect(fonts.map((font) => font.replace(/ Copyright.*/, ''))).toEqual(
@@ -44,4 +45,19 @@ test('the build ends where a library is served without its notice, and where a n
     unlisted: ['@a/b', 'lean-qr'],
     unused: ['svelte', '@sveltejs/kit', 'micromark*'],
   })
+})
+
+test('the complete text of every licence is served', () => {
+  const texts = licenceTexts.map(([, file]) =>
+    readFileSync(new URL(`../../../static/${file}`, import.meta.url), 'utf8'),
+  )
+  const heads = [/Apache License/, /Open Font License/i, /Open Font License/i, /Open Font License/i, /MIT/]
+  for (const [at, head] of heads.entries()) expect(texts[at]).toMatch(head)
+  // Fonts and licences are named before what their texts are.
+  const names = licenceTexts.map(([name]) => name)
+  expect(names.slice(1, 4).map((name) => name.split(':')[0])).toEqual(
+    expect.arrayContaining(fonts.map((font) => font.replace(/ Copyright.*/, ''))),
+  )
+  const licences = new Set(libraries.map(([, , licence]) => licence.split(/[ ,]/)[0]!))
+  for (const licence of licences) expect(names.some((name) => name.includes(licence))).toBe(true)
 })

@@ -1,7 +1,8 @@
 import { content } from '@botgarten/content/files'
 import { createLab, kinds, type Missing } from '@botgarten/lab'
 import { cardProject } from '@botgarten/content'
-import { fetchWords } from '#words/message.ts'
+import { distance } from '#figures/world/distance.ts'
+import { fetchWords, message } from '#words/message.ts'
 import { language } from '#words/language.svelte.ts'
 import { afterAll, beforeEach, describe, expect, test } from 'vitest'
 import { sentenceOf } from './sentence.ts'
@@ -66,4 +67,40 @@ test('the straight path, left as it begins: fifty centimetres driven of a metre 
   expect(sentenceOf(one!, 'flag')).toBe('Bo stopped 1.2 m before the flag.')
   await language.speak('de')
   expect(sentenceOf(one!, 'flag')).toBe('Bo hat 1,2 m vor der Fahne gehalten.')
+})
+
+describe('facts are read', () => {
+  beforeEach(async () => {
+    await language.speak('en')
+    await fetchWords('missed')
+  })
+  const said = (kind: string, what: string, facts: Missing['facts']) =>
+    sentenceOf({ check: '', kind, what, facts }, '')
+
+  test('as lengths where the limits of a kind are lengths: whole centimetres, or tenths of a metre', () => {
+    const lengths = { least: distance(230), most: distance(45) }
+    expect(said('cruises', 'slow', { most: 45, least: 230 })).toBe(message('missed.cruises.slow', lengths))
+    expect(said('sings', 'near', { most: 45 })).toBe(message('missed.sings.near', lengths))
+    expect(said('turnsAway', 'stayed', { thing: 'wall', away: 45, least: 230 })).toBe(
+      message('missed.turnsAway.stayed', { thing: 'wall', away: distance(45), least: distance(230) }),
+    )
+    expect(said('speedOn', 'slow', { colour: '#F7D117', speed: 20, least: 50 })).toBe(
+      message('missed.speedOn.slow', { colour: message('missed.colour.yellow'), speed: 20, least: 50 }),
+    )
+  })
+
+  test('with one digit below ten, as whole numbers from ten on', () => {
+    const wanted = (seconds: string, needed: string) => message('missed.stays.short', { seconds, needed })
+    expect(said('stays', 'short', { seconds: 9.94, needed: 10.4 })).toBe(wanted('9.9', '10'))
+    expect(said('stays', 'short', { seconds: 2.46, needed: 10 })).toBe(wanted('2.5', '10'))
+    expect(said('cruises', 'short', { seconds: 10.04, needed: 30 })).toBe(
+      message('missed.cruises.short', { seconds: '10', needed: '30' }),
+    )
+  })
+
+  test('as words, and a colour that no sensor tells apart as the plain floor', () => {
+    expect(said('silent', 'spoke', { colour: '#123456', word: 'hello' })).toBe(
+      message('missed.silent.spoke', { colour: message('missed.colour.none'), word: 'hello' }),
+    )
+  })
 })

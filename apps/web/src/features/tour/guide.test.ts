@@ -1,8 +1,13 @@
 import { content } from '@botgarten/content/files'
 import { networks, type NetworkOutline } from '@botgarten/programs'
 import { cardConfig } from '@botgarten/simulation'
-import { expect, test } from 'vitest'
-import { sightOf } from './guide.svelte.ts'
+import { afterEach, beforeEach, expect, test, vi } from 'vitest'
+import { freshLocalStorage } from '#storage/testing/local.ts'
+import { readSetting } from '#storage/settings.ts'
+import { Guide, sightOf } from './guide.svelte.ts'
+
+beforeEach(() => void freshLocalStorage())
+afterEach(() => void vi.unstubAllGlobals())
 
 const netOf = (card: string): NetworkOutline =>
   networks(content.program(card, 'start')!.programs['main']!)[0]!
@@ -20,4 +25,18 @@ test('a network that drives no wheel, and a program without one, have no tour', 
   expect(sightOf(null, cardConfig)).toBeNull()
   const turned = { ...cardConfig, drive: { left: 'A', right: 'D' } } as const
   expect(sightOf(netOf('friendship'), turned)).toBeNull()
+})
+
+test('a network that drives the right wheel alone has its tour there', () => {
+  const right = { ...cardConfig, drive: { left: 'A', right: 'C' } } as const
+  expect(sightOf(netOf('friendship'), right)).toMatchObject({ neuron: { id: 'wheelLeft' }, side: 'right' })
+})
+
+test('the tour is offered once on a device: closed it does not come again', () => {
+  const guide = new Guide()
+  expect(guide.move).toBe(-1)
+  guide.go(2)
+  expect([guide.move, readSetting('tour', null)]).toEqual([2, null])
+  guide.close()
+  expect([guide.move, readSetting('tour', null), new Guide().move]).toEqual([null, 'seen', null])
 })
