@@ -110,3 +110,20 @@ describe('growth', () => {
     expect(growthOf({ before: 'before', after: 'after', pairs: [] }, none, columns, [])).toBeNull()
   })
 })
+
+describe('groups', () => {
+  it('are in the order of their grades, also where paper was added to one of them', () => {
+    const young = Array.from({ length: 5 }, (_, at) => answer(at, { interest: '5' }, { grade: 3 }))
+    const older = Array.from({ length: 5 }, (_, at) => answer(10 + at, { interest: '2' }))
+    const paper: PaperCounts = {
+      ...{ form: 'after', bands: ['3-4'], n: 5, open: {} },
+      counts: { interest: [0, 0, 5, 0, 0] },
+    }
+    const tallies = talliesOf('after', columns, publish([...young, ...older], [paper]))
+    expect(tallies.map(({ bands, n }) => [bands, n])).toEqual([
+      [['3-4'], 10],
+      [['5-6'], 5],
+    ])
+    expect(countsTable(columns, tallies)[0]).toEqual(['grades', 'people', 'item', 'option', 'count'])
+  })
+})
