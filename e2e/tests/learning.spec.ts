@@ -1,6 +1,6 @@
 // Rooms: q-learning
 import { axeFindings } from '../axe.ts'
-import { Learner, learningProject } from '../child-learning.ts'
+import { Learner } from '../child-learning.ts'
 import { TimeHands } from '../child-time.ts'
 import { expect, test } from '../house.ts'
 import { languagesOf } from '../words.ts'
@@ -71,33 +71,6 @@ for (const language of languagesOf(import.meta.filename)) {
       await child.types('ArrowLeft')
       await expect.poll(() => learner.moves()).toEqual({ shown: made, made: made + 1 })
       await expect(child.page.locator('.q > [aria-live]')).toHaveText(said!)
-    })
-
-    test('a goal that is closed off is said, and Bo does not drive', async ({ child, page }) => {
-      const learner = new Learner(child)
-      await learner.opens('railway')
-      await learner.closes(0, 1)
-      await learner.closes(1, 2)
-      await expect(page.getByText(child.word('q.noWay'), { exact: true })).toBeVisible()
-      await learner.hurries()
-      await child.presses('lab.start')
-      const over = `${child.word('q.byEpisodes', { count: 10 })} ${child.word('q.notYet')}`
-      await expect(page.locator('.best').getByText(over)).toBeVisible()
-      await child.seesStanding()
-    })
-
-    test('after one try no way is said to be found: all roads of the start are still alike', async ({
-      child,
-      page,
-    }) => {
-      const learner = new Learner(child)
-      await learner.opensProject('One try', learningProject('One try', {}, 1))
-      await learner.learnsToTheEnd()
-      await expect(page.locator('.best').getByText(child.word('q.alike', { station: 3 }))).toBeVisible()
-      await expect(page.locator('.best ol, .rail .flag')).toHaveCount(0)
-      await learner.turnsTo('trials')
-      await expect(page.locator('.drawer tbody tr')).toContainText(child.word('q.none'))
-      expect(await learner.savesTable()).toMatch(/,1,\d+,,2,0,,\r\n$/)
     })
 
     test('every page of every level: nothing for axe to find, a step is said, a run becomes a row', async ({

@@ -7,7 +7,6 @@ import { Comer, openRobertaFile } from '../child-open-roberta.ts'
 import { ProjectList } from '../child-projects.ts'
 import { RobotHands } from '../child-robot.ts'
 import { expect, test } from '../house.ts'
-import { freeProgram } from '../projects.ts'
 import { languagesOf } from '../words.ts'
 
 const friendship = openRobertaFile('thesis/friendship')
@@ -37,17 +36,6 @@ const plugs = withPlugs(
   plugged('MC', 'motor_big', motor('TRUE', 'OFF', 'RIGHT')),
   plugged('MD', 'motor_middle', motor('FALSE', 'OFF')),
 )
-
-/** Bo drives straight ahead, forever. */
-const ahead = () =>
-  freeProgram('Ahead', (make) => [
-    make.forever(
-      make.block('robActions_motorDiff_on', {
-        fields: { DIRECTION: 'FOREWARD' },
-        values: { POWER: make.number(30) },
-      }),
-    ),
-  ])
 
 /** Opens that file, and what is plugged into its robot. */
 async function rebuildsPlugs(child: Child) {
@@ -126,64 +114,6 @@ for (const language of languagesOf(import.meta.filename)) {
       expect(xmlTree((await comer.saves()).text)).toEqual(xmlTree(far))
     })
 
-    test('what a file’s configuration has plugged in is shown with the robot, and written back', async ({
-      child,
-      page,
-    }) => {
-      const { comer, bo } = await rebuildsPlugs(child)
-      await bo.seesAtPort('4', 'irseeker')
-      await expect(bo.motor('A')).toContainText(bo.word('empty'))
-      await expect(bo.motor('B')).toContainText(bo.word('plug.motor_big'))
-      await expect(bo.motor('B')).toContainText(bo.word('leftWheel'))
-      await expect(bo.motor('C')).toContainText(bo.word('rightWheel'))
-      await bo.motor('D').getByRole('button').click()
-      await expect(bo.setting('plugged').locator('option:checked')).toHaveText(bo.word('plug.motor_middle'))
-      await expect(bo.setting('power').locator('option:checked')).toHaveText(bo.word('unregulated'))
-      await expect(bo.dialog).toContainText(bo.word('help.motor_middle'))
-      await page.keyboard.press('Escape')
-      const { text } = await comer.saves()
-      expect(xmlTree(text)).toEqual(xmlTree(plugs))
-    })
-
-    test('every setting of a motor can be changed, one step each, and stands in the file', async ({
-      child,
-    }) => {
-      const { comer, bo } = await rebuildsPlugs(child)
-      await bo.sets('B', 'turns', 'forwards')
-      await bo.sets('B', 'power', 'unregulated')
-      await bo.sets('A', 'plugged', 'plug.motor_big')
-      await bo.sets('A', 'wheel', 'rightWheel')
-      await bo.sets('A', 'turns', 'backwards')
-      await bo.sets('D', 'plugged', 'plug.actor')
-      await bo.sets('C', 'plugged', 'nothing')
-      await expect(bo.motor('C')).toContainText(bo.word('empty'))
-      await bo.dialog.getByRole('button', { name: child.word('lab.undo') }).click()
-      await expect(bo.motor('C')).toContainText(bo.word('plug.motor_big'))
-      await bo.closes()
-      const { text } = await comer.saves()
-      const changed = withPlugs(
-        plugged('S4', 'irseeker'),
-        plugged('MA', 'motor_big', motor('TRUE', 'ON', 'RIGHT'), 'motorA'),
-        plugged('MB', 'motor_big', motor('FALSE', 'OFF', 'LEFT')),
-        plugged('MC', 'motor_big', motor('TRUE', 'OFF', 'NONE')),
-        plugged('MD', 'actor', {}, 'motorD'),
-      )
-      expect(xmlTree(text)).toEqual(xmlTree(changed))
-    })
-
-    test('a left motor that turns backwards lets Bo drive the other way', async ({ child }) => {
-      const bo = new RobotHands(child)
-      await child.opensProjectAtHome('Ahead', ahead())
-      await bo.opens('build')
-      await bo.sets('C', 'turns', 'backwards')
-      await expect(bo.dialog).toContainText(bo.word('otherWay'))
-      await bo.closes()
-      await bo.opens('senses')
-      await child.pressesStart()
-      for (const port of ['B', 'C']) await expect(bo.sense('motor', port)).toHaveText(/^[−-]30 %/)
-      await child.pressesStop()
-    })
-
     test('what is not opened is named, and the open project stays as it was', async ({ child }) => {
       const comer = new Comer(child)
       await child.opensLab('friendship')
@@ -217,42 +147,6 @@ test('a file is let go over the blocks, over the world, at home, over the projec
   await comer.seesProgram('Four')
   await comer.drops('odd.xml', 'no')
   await comer.isToldWhy('notXml', { line: 1 })
-})
-
-test('a program of 195 blocks comes back out as it went in, by the keyboard alone', async ({
-  child,
-  page,
-}) => {
-  const comer = new Comer(child)
-  await comer.opensAtHome('Action.xml', action)
-  await comer.seesProgram('Action')
-  const menu = child.button('lab.menu')
-  await menu.focus()
-  await page.keyboard.press('Enter')
-  const entry = child.button('lab.saveOpenRoberta')
-  await expect(entry).toBeVisible()
-  await child.tabsTo(entry)
-  const { text } = await comer.takes(() => page.keyboard.press('Enter'))
-  expect(xmlTree(text)).toEqual(xmlTree(action))
-})
-
-test('blocks that nobody knows here are grey with their name, and are written back', async ({
-  child,
-  page,
-}) => {
-  const comer = new Comer(child)
-  const odd = friendship.replace(
-    '</instance>',
-    '<block type="robActions_fly" id="odd"><field name="HEIGHT">3</field><comment w="1" h="2" pinned="false">hui</comment><value name="TO"><block type="math_number" id="n"><field name="NUM">1</field></block></value></block></instance>',
-  )
-  await comer.opensAtHome('Odd.xml', odd)
-  await comer.seesProgram('Odd')
-  await expect(page.locator('.blocklyBlockCanvas').last()).toContainText('robActions_fly')
-  await child.pressesStart()
-  await child.pressesStop()
-  const { text } = await comer.saves('asItIs')
-  expect(text).toContain('<block type="robActions_fly" id="odd"><field name="HEIGHT">3</field>')
-  expect(text).toContain('hui')
 })
 
 test('a block that nobody knows is told at its block; Bo runs up to it, and the notice leads there', async ({

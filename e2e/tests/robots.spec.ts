@@ -58,39 +58,5 @@ for (const language of languagesOf(import.meta.filename)) {
       await expect(robots.chip(2)).toHaveAttribute('aria-pressed', 'true')
       await expect(child.knobs).toHaveCount(4)
     })
-
-    test('four at most; they are kept over a reload and in a file; each but the first can go', async ({
-      child,
-    }) => {
-      const robots = new TimeHands(child)
-      await child.opensLab('free')
-      for (const kind of ['shared', 'own', 'shared'] as const) await robots.adds(kind)
-      await expect(robots.chip(4)).toBeVisible()
-      await expect(robots.row.getByRole('button', { name: child.word('robots.add') })).toHaveAttribute(
-        'aria-disabled',
-        'true',
-      )
-      await child.seesSaved()
-      const file = JSON.parse(await child.savesFile()) as {
-        world: { robots: { program: string; brain: string }[] }
-      }
-      expect(file.world.robots.map(({ program, brain }) => [program, brain])).toEqual([
-        ['main', ''],
-        ['main', 'bo2'],
-        ['bo3', ''],
-        ['bo3', 'bo4'],
-      ])
-      await child.page.reload()
-      await child.seesLab()
-      await expect(robots.robot(4)).toBeVisible()
-      await robots.chip(3).click()
-      await child.presses('robots.remove', { name: robots.robotName(3) })
-      await expect(robots.robot(4)).toHaveCount(0)
-      await robots.chip(1).click()
-      await expect(child.button('robots.remove', { name: robots.robotName(1) })).toHaveAttribute(
-        'aria-disabled',
-        'true',
-      )
-    })
   })
 }

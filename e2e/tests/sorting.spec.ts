@@ -26,20 +26,6 @@ for (const language of languagesOf(import.meta.filename)) {
       await expect(sorting.group(1)).toHaveValue('Bottles')
     })
 
-    test('the criterion decides: without any nothing is sorted, another one makes other groups', async ({
-      child,
-    }) => {
-      const sorting = new SortingHands(child)
-      await sorting.opens()
-      for (const name of ['width', 'height']) await sorting.feature(name).click()
-      await expect(sorting.words('nothingCounts')).toBeVisible()
-      await expect(sorting.flags).toHaveCount(0)
-      await sorting.feature('colour').click()
-      await expect(sorting.flags).toHaveCount(3)
-      await sorting.presses('play')
-      await sorting.seesDone()
-    })
-
     test('a flag is pulled; the way back leads to every step', async ({ child, page }) => {
       const sorting = new SortingHands(child)
       await sorting.opens()
@@ -97,39 +83,6 @@ for (const language of languagesOf(import.meta.filename)) {
       const fewer = child.button('sorting.fewerFlags')
       while ((await fewer.getAttribute('aria-disabled')) !== 'true') await fewer.click()
       await expect(sorting.flags).toHaveCount(1)
-    })
-
-    test('an own table, as a German spreadsheet writes it; what is wrong with others is said', async ({
-      child,
-      page,
-    }) => {
-      const sorting = new SortingHands(child)
-      await sorting.opens('points')
-      await sorting.opensTable('Länge;Breite;Höhe\r\n1,5;2;7\r\n9,5;8;1\r\n1,25;2,5;6\r\n9;9;2\r\n')
-      await sorting.seesPoints(4)
-      await expect(page.getByRole('combobox', { name: sorting.word('axisX') })).toContainText('Länge')
-      const rows = sorting.word('table.read.rows', { count: 4 })
-      const parts = [sorting.word('table.read.semicolon', { columns: 3, rows })]
-      for (const part of ['decimalComma', 'heading']) parts.push(sorting.word(`table.read.${part}`))
-      await expect(page.getByText(`${parts.join(', ')}.`)).toBeVisible()
-      await sorting.presses('play')
-      await sorting.seesDone()
-      const alert = page.getByRole('alert')
-      for (const [text, key, facts] of [
-        ['', 'empty', {}],
-        ['x;y\n1;2\nNaN;3', 'noNumber', { row: 3, column: 1, cell: 'NaN' }],
-        ['x;y\n1;apple', 'noNumber', { row: 2, column: 2, cell: 'apple' }],
-        ['1;2\n3', 'unequalRows', { row: 2, cells: 1, columns: 2 }],
-        ['1\n'.repeat(1_000_000), 'manyRows', { most: 5000 }],
-      ] as const) {
-        await sorting.opensTable(text)
-        await expect(alert).toHaveText(sorting.word(`table.${key}`, facts))
-      }
-      await sorting.seesPoints(4)
-      await sorting.opensTable('5;5\n5;5\n5;5\n')
-      await sorting.seesPoints(3)
-      await sorting.presses('play')
-      await sorting.seesDone()
     })
 
     test('Bo drives, collects and finds the colours', async ({ child, page }) => {

@@ -52,40 +52,6 @@ for (const language of languagesOf(import.meta.filename)) {
       await child.seesWeight(leftEye, leftWheel, 0.3)
     })
 
-    test('goes on from a moment of the past; the other future comes back once by redo', async ({ child }) => {
-      const time = await drivesTwice(child)
-      const [now, bo] = [await time.at(), await child.boStands()]
-      await time.goesBack('Home', 'Shift+ArrowRight')
-      await child.presses('time.goOn')
-      await child.seesDriving()
-      await child.seesWeight(leftEye, leftWheel, 0.6)
-      await child.presses('lab.pause')
-      const here = await child.boStands()
-
-      await child.presses('lab.redo')
-      await expect.poll(() => child.boStands()).toBe(bo)
-      expect(await time.at()).toBe(now)
-      await child.seesWeight(leftEye, leftWheel, 0.3)
-      await child.presses('lab.undo')
-      await expect.poll(() => child.boStands()).toBe(here)
-      await child.seesWeight(leftEye, leftWheel, 0.6)
-    })
-
-    test('a knob that is turned in the past makes another future', async ({ child }) => {
-      const time = await drivesTwice(child)
-      const bo = await child.boStands()
-      await time.goesBack('Home', 'Shift+ArrowRight')
-      await child.typesWeight(leftEye, leftWheel, 0.9)
-      await expect(child.button('time.goOn')).toHaveCount(0)
-      await child.presses('lab.undo')
-      await child.seesWeight(leftEye, leftWheel, 0.6)
-      await child.presses('lab.redo')
-      await child.seesWeight(leftEye, leftWheel, 0.9)
-      await child.presses('lab.redo')
-      await expect.poll(() => child.boStands()).toBe(bo)
-      await child.seesWeight(leftEye, leftWheel, 0.3)
-    })
-
     test('steps show what was, the block and the network too; Stop is in the present', async ({ child }) => {
       const time = await drivesTwice(child)
       const bo = await child.boStands()
@@ -101,14 +67,6 @@ for (const language of languagesOf(import.meta.filename)) {
       await child.types('Escape')
       await expect(child.button('lab.start').first()).toBeVisible()
       expect(await child.boStands()).toBe(bo)
-    })
-
-    test('editing a block ends the time that was, Start begins another', async ({ child }) => {
-      const time = await drivesTwice(child)
-      await child.presses('network.addMotor')
-      await expect(time.slider).toHaveCount(0)
-      await expect(child.button('time.open')).toHaveCount(0)
-      await child.presses('lab.undo')
     })
 
     test('slow and fast: the page stays alive', async ({ child }) => {
