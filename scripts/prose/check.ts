@@ -2,7 +2,7 @@
 // After a change of words.json, delete counts.json first: `--write` then counts all files again.
 import { existsSync, readFileSync, writeFileSync } from 'node:fs'
 import { inHouse } from '../prepare/house.mjs'
-import { compare, gone, toJson, uncounted, type Counts, type Found, type Worse } from './counts.ts'
+import { compare, gone, likelyNew, toJson, uncounted, type Counts, type Found, type Worse } from './counts.ts'
 import { originsOf } from './moves.ts'
 import { lastTexts, linesOf, proseFiles, readFile } from './tree.ts'
 import { matchesOf } from './words.ts'
@@ -22,13 +22,13 @@ function findOrigins(counts: Counts, found: readonly Found[]): Map<string, strin
   )
 }
 
-const report = ({ path, matches, allowed }: Worse) =>
-  [
-    `${path}: ${matches.length} phrases, ${allowed} allowed`,
-    ...matches.map(
-      ({ line, phrase, better }) => `  ${path}:${line} "${phrase.replace(/\s+/g, ' ')}" → ${better}`,
-    ),
-  ].join('\n')
+function report({ path, matches, allowed }: Worse): string {
+  const shown = likelyNew(matches, readFile(path), lastTexts([path]).get(path))
+  const lines = shown.map(
+    ({ line, phrase, better }) => `  ${path}:${line} "${phrase.replace(/\s+/g, ' ')}" → ${better}`,
+  )
+  return [`${path}: ${matches.length} phrases, ${allowed} allowed`, ...lines].join('\n')
+}
 
 function check(write: boolean): void {
   const found = proseFiles().map((path) => ({ path, matches: matchesOf(path, readFile(path)) }))

@@ -1,6 +1,6 @@
 import fc from 'fast-check'
 import { describe, expect, it } from 'vitest'
-import { compare, gone, toJson, uncounted, type Found } from './counts.ts'
+import { compare, gone, likelyNew, toJson, uncounted, type Found } from './counts.ts'
 
 const file = (path: string, phrases: number): Found => ({
   path,
@@ -65,5 +65,24 @@ describe('counts of phrases', () => {
   it('are saved in the order of their paths', () => {
     const { next } = compare({}, [file('b.ts', 1), file('a.ts', 2), file('B.ts', 3)])
     expect(toJson(next)).toBe('{\n  "B.ts": 3,\n  "a.ts": 2,\n  "b.ts": 1\n}\n')
+  })
+})
+
+describe('the phrases that are reported for a file', () => {
+  const { matches } = file('a.ts', 3)
+  const at = (text: string, before?: string) =>
+    likelyNew(
+      matches.map((match, index) => ({ ...match, line: index + 1 })),
+      text,
+      before,
+    ).map(({ line }) => line)
+
+  it('are those on new lines', () => {
+    expect(at('// one\n// two\n// three', '// three\n// one')).toEqual([2])
+  })
+
+  it('are all of them if no line is new, or the file is', () => {
+    expect(at('// one\n// two\n// three', '// one\n// two\n// three')).toEqual([1, 2, 3])
+    expect(at('// one\n// two\n// three')).toEqual([1, 2, 3])
   })
 })

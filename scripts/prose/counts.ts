@@ -55,4 +55,15 @@ export const gone = (counts: Counts, found: readonly Found[]): string[] => {
   return Object.keys(counts).filter((path) => !paths.has(path))
 }
 
+/**
+ * The matches on lines that the committed text does not have; all of them if there are none on such lines.
+ * @param before the committed text, undefined for a new file
+ */
+export function likelyNew(matches: readonly Match[], text: string, before = ''): readonly Match[] {
+  const known = new Set(before.split('\n'))
+  const lines = text.split('\n')
+  const added = matches.filter(({ line }) => !known.has(lines[line - 1] ?? ''))
+  return added.length > 0 ? added : matches
+}
+
 export const toJson = (counts: Counts): string => `${JSON.stringify(counts, null, 2)}\n`
