@@ -20,7 +20,7 @@ test(
     expect(pictures).toHaveLength(3)
     await fox.remembers()
 
-    await child.chooses('friendship')
+    await child.opensLab('friendship')
     await child.typesWeight(leftEye, leftWheel, 0.8)
     await expect(fox.chip('chipClass')).toBeVisible()
     const { body } = await school.teacher.ask('GET', `/classes/${school.id}`)
@@ -32,7 +32,7 @@ test(
     await fox.taps(...pictures)
     await expect(child.words('class.workIsHere')).toBeVisible()
     await child.presses('class.toGarden')
-    await child.chooses('friendship')
+    await child.opensLab('friendship')
     await child.seesWeight(leftEye, leftWheel, 0.8)
   },
 )

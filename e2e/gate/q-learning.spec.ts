@@ -1,6 +1,6 @@
 import { Learner } from '../child-learning.ts'
 import { TimeHands } from '../child-time.ts'
-import { expect, opensCard, test } from './gate.ts'
+import { expect, test } from './gate.ts'
 
 test.use({ language: 'de' })
 
@@ -12,8 +12,7 @@ test(
   async ({ child, page }) => {
     const learner = new Learner(child)
     const time = new TimeHands(child)
-    await opensCard(child, 'railway')
-    await learner.pinsDice(1)
+    await learner.opens('railway')
     await learner.closes(2, 3)
     await learner.seesClosedRoads(2)
     await child.presses('q.step')
@@ -43,8 +42,7 @@ test(
   { tag: '@q-learning' },
   async ({ child }) => {
     const learner = new Learner(child)
-    await opensCard(child, 'railway')
-    await learner.pinsDice(1)
+    await learner.opens('railway')
     await learner.closes(2, 3)
     await learner.guesses(4, 5, 0, 1)
     await child.presses('q.guessing.learn')

@@ -129,10 +129,7 @@ for (const language of languagesOf(import.meta.filename)) {
   })
 }
 
-test('a file is let go over the blocks, over the world, at home, over the projects', async ({
-  child,
-  page,
-}) => {
+test('a file is let go over the blocks, over the world, at home, over the projects', async ({ child }) => {
   const comer = new Comer(child)
   await child.opensLab('free')
   await comer.drops('One.xml', friendship, '.blocklySvg')

@@ -11,7 +11,7 @@ import { addRecord } from './records.mjs'
 const environment = {
   results: 'BOTGARTEN_RESULTS',
   keys: 'BOTGARTEN_KEYS',
-  records: 'BOTGARTEN_RECORDS',
+  records: 'BOTGARTEN_GREEN',
   run: 'BOTGARTEN_RUN',
 }
 

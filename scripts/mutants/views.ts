@@ -2,7 +2,7 @@ import { createHash } from 'node:crypto'
 import { globSync, readFileSync } from 'node:fs'
 import { join } from 'node:path'
 
-export type Kind = 'handler' | 'condition' | 'property' | 'value'
+type Kind = 'handler' | 'condition' | 'property' | 'value'
 
 /** A component with one small fault. */
 export interface ViewFault {

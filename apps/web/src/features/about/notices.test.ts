@@ -53,7 +53,7 @@ test('the complete text of every licence is served', () => {
   )
   const heads = [/Apache License/, /Open Font License/i, /Open Font License/i, /Open Font License/i, /MIT/]
   for (const [at, head] of heads.entries()) expect(texts[at]).toMatch(head)
-  // Fonts and licences are named before what their texts are.
+  // Fonts and licences are named before their texts.
   const names = licenceTexts.map(([name]) => name)
   expect(names.slice(1, 4).map((name) => name.split(':')[0])).toEqual(
     expect.arrayContaining(fonts.map((font) => font.replace(/ Copyright.*/, ''))),

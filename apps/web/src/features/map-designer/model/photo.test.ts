@@ -48,7 +48,7 @@ describe('a photo', () => {
     readonly quality: number
     readonly at: readonly number[]
   }
-  /** A browser's canvas: what is drawn on it, and files of so many bytes by width and quality. */
+  /** A browser's canvas: records each drawing, and writes files of `bytes(width, quality)` bytes. */
   function canvases(bytes: (width: number, quality: number) => number, type = 'image/jpeg'): Drawn[] {
     const drawn: Drawn[] = []
     const canvas = () => {
