@@ -87,3 +87,20 @@ test('a browser without such a channel works, and hears nothing', async () => {
   leave()
   expect(heard).toEqual([])
 })
+
+test('a page hears of everything that is saved or deleted, its own too, and of nothing else, until it stops', async () => {
+  const [lab, other] = [await page(), await page()]
+  const heard: string[] = []
+  const stop = lab.whenAnythingChanges(() => heard.push('changed'))
+  lab.announce({ kind: 'saved', id: 'own', revision: 1 })
+  await until(() => heard.length === 1)
+  other.announce({ kind: 'gone', id: 'theirs' })
+  await until(() => heard.length === 2)
+  stops.push(other.whenChangedElsewhere('open', () => {}))
+  await settle()
+  expect(heard).toHaveLength(2)
+  stop()
+  lab.announce({ kind: 'saved', id: 'own', revision: 2 })
+  await settle()
+  expect(heard).toHaveLength(2)
+})

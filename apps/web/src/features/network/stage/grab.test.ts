@@ -74,3 +74,13 @@ test('a finger on a link away from its knob brings the knob there at once', () =
 test('a finger beside everything holds nothing', () => {
   expect(grab.down(1, { x: 200, y: 400 }, tracks, weights)).toBe(false)
 })
+
+test('a finger that began away from the knob slides it at once, however little it moves, and lets go of it', () => {
+  const place = between(tracks[0]!.from, tracks[0]!.to, 0.12 + 0.7 * 0.9)
+  grab.down(1, place, tracks, weights)
+  // 5 px of a line of 400 px, whose knob goes over 70 % of it, are 0.018: slid by less than 4 px it is 0.01.
+  grab.move(1, { x: place.x - 2.8, y: place.y }, tracks, weights)
+  expect(told.at(-1)).toEqual([0, 0.89, 'move'])
+  grab.up(1)
+  expect(told.at(-1)).toEqual([0, 0.89, 'end'])
+})

@@ -90,3 +90,13 @@ test('what is there is renewed at once, although others come later', () => {
   expect(knobs.list).toEqual(at(9, 2))
   knobs.stop()
 })
+
+test('where nothing is on its way waiting begins nothing', () => {
+  gradual.wait()
+  expect(vi.getTimerCount()).toBe(0)
+  gradual.follow(numbers(10), true)
+  gradual.follow(numbers(70), false)
+  gradual.stop()
+  gradual.wait()
+  expect(vi.getTimerCount()).toBe(0)
+})
