@@ -1,5 +1,21 @@
+import type { Project } from '@botgarten/programs'
 import { describe, expect, test } from 'vitest'
-import { cardsIn, chapterOnShow, chaptersOf, firstSentence, isDone, nextOf, type BedCard } from './home.ts'
+import { allCards } from '#content/cards.ts'
+import type { Listed } from '#storage/projects.ts'
+import { friendship } from '#storage/testing/sample.ts'
+import { language } from '#words/language.svelte.ts'
+import {
+  bedOf,
+  cardsIn,
+  chapterOnShow,
+  chaptersOf,
+  firstSentence,
+  isDone,
+  nextOf,
+  place,
+  recentOf,
+  type BedCard,
+} from './home.ts'
 
 const card = (label: string, passed: number, of: number): BedCard => ({
   ...{ href: `/lab/${label}`, number: '', label, goal: '', picture: null, group: null },
@@ -61,4 +77,66 @@ test('a tile shows the first sentence of what its card is about', () => {
   const german = 'Sperre die Strecke zwischen 2 und 3. Lass Bo dann lernen und fahren.'
   expect(firstSentence(german, 'de')).toBe('Sperre die Strecke zwischen 2 und 3.')
   expect(firstSentence('', 'en')).toBe('')
+})
+
+describe('the cards of a bed', () => {
+  const goals = { friendship: { en: 'Drive to the square. Then stay.', de: 'Fahr hin. Dann bleib.' }, fear: { en: 'Only English.' } } // prettier-ignore
+  const kept = (project: Partial<Project>, changed = 5): Listed => ({
+    ...{ id: 'friendship', changed },
+    project: { ...friendship, ...project },
+  })
+
+  test('are those of the content, each with the number and address of its own', () => {
+    const bed = bedOf('network', [], goals)
+    const own = allCards.filter((one) => one.bed === 'network')
+    expect(bed.map(({ number }) => number)).toEqual(own.map(({ code }) => code.split(' ')[1]))
+    expect(bed.map(({ href }) => href)).toEqual(own.map(({ id }) => `/lab/${id}`))
+    expect(new Set(bedOf('drive', [], goals).map(({ number }) => number))).toEqual(new Set(['']))
+    expect(bed.map(({ closed }) => closed)).toEqual(own.map(() => false))
+  })
+
+  test('say what they are about in the language, else in English, else nothing', async () => {
+    const goalOf = (label: string) =>
+      bedOf('network', [], goals).find(({ href }) => href === `/lab/${label}`)!.goal
+    expect([goalOf('friendship'), goalOf('fear'), goalOf('caution')]).toEqual([
+      ...['Drive to the square.', 'Only English.', ''],
+    ])
+    await language.speak('de')
+    expect([goalOf('friendship'), goalOf('fear')]).toEqual(['Fahr hin.', 'Only English.'])
+    await language.speak('en')
+  })
+
+  test('have been solved from so many start places, each counted once, on whichever project', () => {
+    const works = [
+      kept({ progress: { starts: [0, 1], hints: 0 } }),
+      kept({ progress: { starts: [1], hints: 0 } }),
+    ]
+    const levelOf = (all: readonly Listed[], id: string) =>
+      bedOf('network', all, goals).find(({ href }) => href === `/lab/${id}`)!.level
+    const { starts } = allCards.find(({ id }) => id === 'friendship')!
+    expect(levelOf(works, 'friendship')).toEqual({ passed: 2, of: starts })
+    expect(levelOf(works, 'fear').passed).toBe(0)
+    expect(levelOf([kept({})], 'friendship').passed).toBe(0)
+  })
+
+  test('lead on from works on this device; a card that somebody has made is told apart', () => {
+    const { card: _, ...free } = friendship
+    const own = { ...free, name: 'Mine', ownCard: { draft: true } } as unknown as Project
+    const [work, draft, finished] = recentOf([
+      kept({}),
+      { id: 'card-1', changed: 7, project: own },
+      { id: 'card-2', changed: 8, project: { ...own, ownCard: {} } as unknown as Project },
+    ])
+    expect(work).toMatchObject({ href: '/lab/friendship', when: 5, isCard: false })
+    expect(draft).toMatchObject({ href: '/lab/free?p=card-1', name: 'Mine', isCard: false })
+    expect(finished!.isCard).toBe(true)
+  })
+
+  test('that lead to another place have no goals and no level', () => {
+    expect(place('/race', 'Races', 'race.svg')).toMatchObject({
+      ...{ href: '/race', label: 'Races', picture: 'race.svg', number: '', goal: '', group: null },
+      level: { passed: 0, of: 0 },
+    })
+    expect(isDone({ ...place('/race', '', ''), level: { passed: 1, of: 1 } })).toBe(true)
+  })
 })

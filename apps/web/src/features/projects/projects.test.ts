@@ -60,3 +60,14 @@ test('wherever Bo and the things are, the stripe lies in the world and Bo in the
     }),
   )
 })
+
+test('of several things the nearest one counts; without a robot the middle of the world is seen', () => {
+  // 260 × 200 cm: the stripe is 100 cm high, and the robot may be 10 cm off its middle.
+  const near = thing(135, 130)
+  const far = thing(70, 75)
+  const seen = (...things: Obstacle[]) => stripeOf(worldOf(260, 200, { x: 130, y: 100 }, ...things)).top
+  // The near one is above the robot: 200 − 100 − 10 − 50 = 40 cm from the top.
+  expect([seen(far, near), seen(near, far), seen(far)]).toEqual([40, 40, 60])
+  const world = worldOf(260, 200, { x: 130, y: 100 })
+  expect(stripeOf({ ...world, robots: [] }).top).toBe(50)
+})
