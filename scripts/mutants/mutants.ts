@@ -66,7 +66,7 @@ class Sample {
 
   get report(): RoomReport {
     const tried = this.#mutants.flatMap((mutant): Tried[] => {
-      const outcome = this.#records.outcomeOf(mutant, this.#tests)
+      const outcome = this.#records.lastOutcomeOf(mutant)
       return outcome === null ? [] : [{ mutant, outcome }]
     })
     const files = filesOf(house, this.room)

@@ -35,6 +35,8 @@ test('one that survived is tried again once the tests have changed; the last res
   records.add(mutant('c'), 'old', 'timeout')
   expect(records.outcomeOf(mutant('b'), 'new')).toBeNull()
   expect(records.outcomeOf(mutant('c'), 'new')).toBe('timeout')
+  // Until then it counts as it did.
+  expect([records.lastOutcomeOf(mutant('b')), records.lastOutcomeOf(mutant('d'))]).toEqual(['unasked', null])
   records.add(mutant('b'), 'new', 'killed')
   expect(new Records(file).outcomeOf(mutant('b'), 'newest')).toBe('killed')
 })

@@ -57,6 +57,11 @@ export class Records {
     return isFound || known.tests === tests ? known.outcome : null
   }
 
+  /** What came of it last, whatever its tests were then; null: it was never tried. */
+  lastOutcomeOf(mutant: Mutant): Outcome | null {
+    return this.#known.get(keyOf(mutant))?.outcome ?? null
+  }
+
   add(mutant: Mutant, tests: string, outcome: Outcome): void {
     const one: Record = { key: keyOf(mutant), tests, outcome }
     this.#known.set(one.key, one)
