@@ -35,7 +35,8 @@ const more: { readonly [name: string]: Partial<Omit<Room, 'name'>> } = {
   'packages/learning': { walking: ['packages/learning/learners.test.ts'] },
   'web/storage': {
     code: [`${web}/storage`, `${web}/lab/autosave.svelte.ts`],
-    tests: [`${web}/storage`, `${web}/lab`],
+    // What waits for the class server is tested with what sends it.
+    tests: [`${web}/storage`, `${web}/lab`, `${features}/class`],
     group: 'saved',
   },
 }
