@@ -2,7 +2,6 @@ import { createHash } from 'node:crypto'
 import { appendFileSync, existsSync, globSync, mkdirSync, readFileSync, rmSync } from 'node:fs'
 import { homedir } from 'node:os'
 import { dirname, join } from 'node:path'
-import * as v from 'valibot'
 import type { Mutant } from './mutations.ts'
 import type { Outcome } from './report.ts'
 import type { Room } from './rooms.ts'
@@ -11,14 +10,13 @@ import type { Room } from './rooms.ts'
 export const recordsFile = (): string =>
   join(process.env['BOTGARTEN_RECORDS'] ?? join(homedir(), '.cache', 'botgarten'), 'mutants.jsonl')
 
-const record = v.object({
+interface Record {
   /** Hash of the file with the fault. */
-  key: v.string(),
+  readonly key: string
   /** Hash of the room's tests. */
-  tests: v.string(),
-  outcome: v.picklist(['killed', 'timeout', 'survived', 'unasked']),
-})
-type Record = v.InferOutput<typeof record>
+  readonly tests: string
+  readonly outcome: Outcome
+}
 
 const hashOf = (parts: readonly string[]): string => {
   const hash = createHash('sha256')
@@ -44,8 +42,8 @@ export class Records {
     this.#file = file
     const lines = existsSync(file) ? readFileSync(file, 'utf8').split('\n') : []
     for (const line of lines) {
-      const read = v.safeParse(record, parsed(line))
-      if (read.success) this.#known.set(read.output.key, read.output)
+      const read = parsed(line)
+      if (read) this.#known.set(read.key, read)
     }
   }
 
@@ -76,9 +74,11 @@ export class Records {
 }
 
 /** A line that was cut off when a run was stopped is none. */
-function parsed(line: string): unknown {
+function parsed(line: string): Record | null {
   try {
-    return JSON.parse(line) as unknown
+    const read = JSON.parse(line) as Partial<Record> | null
+    const isWhole = typeof read?.key === 'string' && typeof read.tests === 'string' && 'outcome' in read
+    return isWhole ? (read as Record) : null
   } catch {
     return null
   }
