@@ -21,3 +21,10 @@ test('a message is a function of the facts that it says', () => {
 }
 `)
 })
+
+test('a message with a single fact is a function of it', () => {
+  expect(typesOf({ 'app.one': 'Only {name}' })).toBe(`export interface Messages {
+  readonly "app.one": (facts: { readonly name: string | number }) => string
+}
+`)
+})

@@ -84,4 +84,41 @@ describe('a gallery', () => {
     await gallery.show('newest')
     expect([gallery.problem, gallery.items]).toEqual(['off', null])
   })
+
+  it('asks for a heart to be given, and for one that was given to be taken away', async () => {
+    const asked: unknown[] = []
+    const gallery = new Gallery((_method, _path, body) => {
+      asked.push(body)
+      return Promise.resolve<Reply>({ kind: 'done', body: { hearts: 0, mine: false } })
+    })
+    await gallery.heart({ id: 'item-0', mine: false })
+    await gallery.heart({ id: 'item-0', mine: true })
+    expect(asked).toEqual([{ on: true }, { on: false }])
+  })
+
+  it('shows hearts that others have given meanwhile next to what is open', async () => {
+    vi.useFakeTimers()
+    const { gallery, all } = classWith(3)
+    await gallery.show()
+    await gallery.look('item-0')
+    all[0] = { ...all[0]!, hearts: 7, mine: true }
+    gallery.lookSoon()
+    await vi.advanceTimersByTimeAsync(2000)
+    expect(gallery.opened).toMatchObject({ hearts: 7, mine: true })
+    vi.useRealTimers()
+  })
+
+  it('closes what is taken out, also where it was gone already; where that fails it stays open', async () => {
+    const { gallery, refuse } = classWith(3)
+    await gallery.show()
+    await gallery.look('item-0')
+    refuse({ kind: 'away' })
+    await gallery.takeOut('item-0')
+    expect([gallery.problem, gallery.opened?.id]).toEqual(['away', 'item-0'])
+    const again = classWith(3)
+    await again.gallery.show()
+    await again.gallery.look('item-0')
+    await again.gallery.takeOut('item-0')
+    expect([again.gallery.problem, again.gallery.opened]).toEqual([null, null])
+  })
 })
