@@ -42,7 +42,11 @@ describe.each(statements.map((definition) => [definition.type, definition] as co
   '%s',
   (_, definition) => {
     test('acts once while it waits, though its `run` is called again every tick', () => {
-      expect(repeatedIn(ticksOfEffects(alone(definition)))).toBeUndefined()
+      const again = repeatedIn(ticksOfEffects(alone(definition)))
+      expect(
+        again,
+        'it acts again in this tick: remember in frame.counter or frame.stage that it did',
+      ).toBeUndefined()
     })
 
     if (definition.uses)
