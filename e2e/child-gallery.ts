@@ -1,7 +1,7 @@
 import { expect, type Locator, type Page } from '@playwright/test'
 import type { Child } from './child.ts'
 import type { Asker } from './class-server.ts'
-import { opensFromHome } from './navigation.ts'
+import { goesHome } from './navigation.ts'
 import { projectFile } from './projects.ts'
 
 let shares = 0
@@ -30,7 +30,13 @@ export class GalleryHands {
   }
 
   async opens() {
-    await opensFromHome(this.child, 'class.gallery')
+    await goesHome(this.child)
+    const [me, name] = [this.#page.locator('.person > .button').first(), this.child.word('class.gallery')]
+    const link = this.#page.getByRole('link', { name, exact: true })
+    await expect(me).toBeVisible()
+    // On a phone the menu of the pupil holds it.
+    if (!(await link.isVisible())) await me.click()
+    await link.click()
     await expect(this.child.button('gallery.shareOne')).toBeVisible()
   }
 

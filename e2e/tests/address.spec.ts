@@ -109,6 +109,7 @@ test('three saves that did not come to the class are sent from the old address; 
   context,
   room,
 }) => {
+  test.setTimeout(240_000)
   const fox = new Pupil(child, room)
   let pictures: readonly string[] = []
   await test.step('a child joins under the old address and stays there', async () => {
