@@ -71,6 +71,11 @@ export async function sortingLinks(session: LabSession): Promise<readonly Sortin
   return (await loadPart(sorting)).linksFor(session, readings)
 }
 
+/** Takes the start at once out of the address: a lab that is loaded again waits for its child. */
+export function forgetStart({ project }: Opened): void {
+  void replaceState(resolve('/lab/[card]', { card: placeOf(project) }), {})
+}
+
 /** What could not be read here stays where it is: the new start has an address of its own from now on. */
 export function leaveBroken({ id, project, damaged }: Opened): void {
   if (damaged) rename(placeOf(project), id)
