@@ -8,7 +8,7 @@ import { sharesIn } from '@botgarten/messages/check'
 import { house, inHouse } from './prepare/house.mjs'
 import { asScript, run, Trouble } from './prepare/run.mjs'
 
-/** What is run for one kind of member. */
+/** The checks of one kind of member. */
 interface Kind {
   /** Absolute pattern of the file that every member has. */
   readonly member: (name: string) => string

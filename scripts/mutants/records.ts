@@ -55,7 +55,7 @@ export class Records {
     return isFound || known.tests === tests ? known.outcome : null
   }
 
-  /** What came of it last, whatever its tests were then; null: it was never tried. */
+  /** The outcome of its last try, also with older tests; null if it was never tried. */
   lastOutcomeOf(mutant: Mutant): Outcome | null {
     return this.#known.get(keyOf(mutant))?.outcome ?? null
   }

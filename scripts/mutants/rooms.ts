@@ -1,7 +1,7 @@
 import { existsSync, readdirSync } from 'node:fs'
 import { join } from 'node:path'
 
-/** A part of the code whose unit tests are asked. */
+/** A part of the code with its unit tests. */
 export interface Room {
   /** As it is named on the command line: `packages/maps`, `features/debug`, `web/storage`. */
   readonly name: string
@@ -29,13 +29,13 @@ export type Group = keyof typeof groups
 const features = 'apps/web/src/features'
 const web = 'apps/web/src'
 
-/** What a room has beyond its own folder. */
+/** Properties of rooms beyond those that follow from their folders. */
 const more: { readonly [name: string]: Partial<Omit<Room, 'name'>> } = {
   'packages/classroom': { group: 'saved' },
   'packages/learning': { walking: ['packages/learning/learners.test.ts'] },
   'web/storage': {
     code: [`${web}/storage`, `${web}/lab/autosave.svelte.ts`],
-    // What waits for the class server is tested with what sends it.
+    // The queue for the class server is tested together with its sender.
     tests: [`${web}/storage`, `${web}/lab`, `${features}/class`],
     group: 'saved',
   },

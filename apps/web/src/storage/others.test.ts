@@ -15,7 +15,7 @@ afterEach(async () => {
   for (const pupil of ['p1', 'p2']) await deleteDB(`botgarten-${pupil}`)
 })
 
-/** A page of the device: of a pupil, or of nobody. It works for that one for as long as it is open. */
+/** An open page of the device for a pupil, or without a pupil if null. */
 async function page(pupil: string | null) {
   const account = { pupil, class: 'c1', nickname: 'Eule', className: '5b' }
   if (pupil === null) texts.delete('botgarten.class')

@@ -2,7 +2,7 @@ import type { NetworkInUse } from '@botgarten/programs'
 import { beforeEach, expect, test } from 'vitest'
 import { IdleNetwork } from './idle.svelte.ts'
 
-// Effects do not run in Node: that a network which runs again says so again is held by a browser test.
+// Effects do not run in Node: a browser test holds the message of a network that runs again.
 let asked: string[]
 let live: { outline: NetworkInUse | null; isHeld: boolean; isDrawn: boolean; root: undefined }
 let idle: IdleNetwork
