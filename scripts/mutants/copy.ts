@@ -12,7 +12,7 @@ const generated = ['apps/web/.svelte-kit', 'apps/web/src/words/generated']
 const modules = ['node_modules', 'apps/web/node_modules', 'apps/cli/node_modules']
 
 /** A copy of the tree as it is now, in which anything may be changed. Packages of others are linked, not copied. */
-function copyTree(from: string): string {
+export function copyTree(from: string): string {
   const to = mkdtempSync(join(tmpdir(), 'botgarten-mutants-'))
   const files = execFileSync('git', ['ls-files', '-co', '--exclude-standard'], {
     cwd: from,
