@@ -1,7 +1,6 @@
 import type { Beside } from '@botgarten/content'
 import { content } from '@botgarten/content/files'
 import type { Weights } from '@botgarten/learning/neural-network'
-import type { Project } from '@botgarten/programs'
 import { beforeEach, expect, test } from 'vitest'
 import { save } from '#storage/projects.ts'
 import { freshDevice } from '#storage/testing/device.ts'
@@ -18,7 +17,7 @@ const zero: Weights = { eyeLeft: { wheelLeft: 0, wheelRight: 0 } }
 function saved(net: Weights, other?: Weights): Promise<unknown> {
   const brain = { ...friendship.brains['net']!, weights: net }
   const brains = { net: brain, ...(other && { other: { ...brain, weights: other } }) }
-  return save('friendship', { ...friendship, brains } as Project, 0)
+  return save('friendship', { ...friendship, brains }, 0)
 }
 
 test('the robot next to the own one drives with the weights that were found for its card', async () => {

@@ -34,8 +34,7 @@ function tryShortest(): void {
         next.set(to, action)
       }
   const way: number[] = []
-  for (let at = world.task.goal as number; at !== world.start; at = world.from[way[0]!]!)
-    way.unshift(next.get(at)!)
+  for (let at = world.task.goal; at !== world.start; at = world.from[way[0]!]!) way.unshift(next.get(at)!)
   for (const action of way) walk.take(action)
 }
 

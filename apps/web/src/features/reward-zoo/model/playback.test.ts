@@ -5,8 +5,10 @@ import { Playback } from './playback.svelte.ts'
 let draw: ReturnType<typeof screen>
 let count = 3
 let playback: Playback
+let now = 1000
 beforeEach(() => {
-  vi.spyOn(performance, 'now').mockReturnValue(1000)
+  now = 1000
+  vi.spyOn(performance, 'now').mockImplementation(() => now)
   draw = screen()
   count = 3
   playback = new Playback(() => count)
@@ -19,7 +21,7 @@ afterEach(() => {
 /** The clock is read at every start. */
 function passes(milliseconds: number): void {
   draw(milliseconds)
-  vi.mocked(performance.now).mockReturnValue(performance.now() + milliseconds)
+  now += milliseconds
 }
 const state = () => [playback.index, playback.progress, playback.made, playback.over, playback.playing]
 

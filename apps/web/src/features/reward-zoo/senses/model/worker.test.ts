@@ -1,6 +1,5 @@
 import { content } from '@botgarten/content/files'
 import { shownIn } from '@botgarten/experiments/cages'
-import type { World } from '@botgarten/simulation'
 import { afterEach, beforeEach, expect, test, vi } from 'vitest'
 import { screen } from '#lab/testing/session.ts'
 import { workersHere } from '#lab/testing/worker.ts'
@@ -19,7 +18,7 @@ beforeEach(() => {
   workers = workersHere(() => import('./worker.ts'))
   const world = content.world(loaded.cage.world)!
   const worlds = loaded.cage.starts.map((pose) => ({ ...world, robots: [{ ...world.robots[0]!, pose }] }))
-  work = new SenseWork(loaded, { worlds: worlds as readonly World[], picture: null })
+  work = new SenseWork(loaded, { worlds, picture: null })
 })
 afterEach(() => {
   work.close()
