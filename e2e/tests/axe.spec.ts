@@ -11,7 +11,7 @@ const sizes = [
   { width: 390, height: 844 },
 ]
 
-/** What accessible.spec.ts does not see: the pages about projects, and the one about Botgarten. */
+/** The pages about projects and the one about Botgarten; axe-home.spec.ts visits home. */
 const screens: { readonly [name: string]: (child: Child) => Promise<void> } = {
   'my projects': async (child) => {
     await child.opensLab('friendship')

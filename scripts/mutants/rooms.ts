@@ -35,8 +35,8 @@ const more: { readonly [name: string]: Partial<Omit<Room, 'name'>> } = {
   'packages/learning': { walking: ['packages/learning/learners.test.ts'] },
   'web/storage': {
     code: [`${web}/storage`, `${web}/lab/autosave.svelte.ts`],
-    // The queue for the class server is tested together with its sender.
-    tests: [`${web}/storage`, `${web}/lab`, `${features}/class`],
+    // The queue for the class server and the log of a study are tested together with their users.
+    tests: [`${web}/storage`, `${web}/lab`, `${features}/class`, `${features}/study`],
     group: 'saved',
   },
 }

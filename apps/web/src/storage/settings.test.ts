@@ -93,3 +93,25 @@ test('a browser that refuses gives presets and takes nothing', () => {
   writeSetting('sound', false)
   expect(readSetting('sound', true)).toBe(true)
 })
+
+const set = good['my-set'] as { readonly lines: readonly object[] }
+const withLine = (line: object) => ({ ...set, lines: [line] })
+
+test.each([
+  ['sizes', { columns: [0, 1] }, { columns: [0, 1.01] }],
+  ['sizes', { rows: [0.5, 0] }, { rows: [-0.01, 0.5] }],
+  ['my-set', withLine({ of: 'card:fear', for: 'child' }), withLine({ of: 'card:fear', for: 'everybody' })],
+  ['my-set', withLine({ of: 'card:fear', for: 2 }), withLine({ of: 'card:fear', for: 1 })],
+  ['my-set', { ...set, children: 99 }, { ...set, children: 100 }],
+  ['robots', { ['x'.repeat(100)]: 1 }, { ['x'.repeat(101)]: 1 }],
+  [
+    'zoo',
+    { ['x'.repeat(60)]: { guess: 'wish', mended: false } },
+    { ['x'.repeat(61)]: { guess: 'wish', mended: false } },
+  ],
+])('%s has its limits: %j is read, %j is not', (name, most, more) => {
+  writeSetting(name, most)
+  expect(readSetting<unknown>(name, 'preset')).toEqual(most)
+  writeSetting(name, more)
+  expect(readSetting<unknown>(name, 'preset')).toBe('preset')
+})
