@@ -64,13 +64,10 @@ export async function opensFromHome(child: Child, key: string) {
  */
 export async function fixesDice({ page }: Child) {
   const fix = () => {
-    const { getRandomValues } = Crypto.prototype
-    Crypto.prototype.getRandomValues = function <T extends ArrayBufferView | null>(
-      this: Crypto,
-      numbers: T,
-    ): T {
+    const draw = crypto.getRandomValues.bind(crypto)
+    crypto.getRandomValues = <T extends ArrayBufferView | null>(numbers: T): T => {
       if (!(numbers instanceof Uint32Array) || numbers.length > 1)
-        return getRandomValues.call(this, numbers as Uint32Array<ArrayBuffer>) as T
+        return draw(numbers as Uint32Array<ArrayBuffer>) as unknown as T
       numbers.fill(0)
       return numbers
     }
