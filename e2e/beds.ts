@@ -1,6 +1,5 @@
 import { content } from '@botgarten/content/files'
 import { expect } from '@playwright/test'
-import { axeFindings } from './axe.ts'
 import { knobOf, node } from './child-cards.ts'
 import { Learner } from './child-learning.ts'
 import { SortingHands } from './child-sorting.ts'
@@ -156,7 +155,6 @@ export async function walks(child: Child, way: Way, { card: id, solve }: Task) {
   await child.seesLab()
   await solve(child, way)
   await drives(child, way, card, learns)
-  expect(await axeFindings(child.page)).toEqual([])
   await child.seesSaved()
   await child.opensHome()
   const of = card.starts.length
@@ -190,5 +188,4 @@ export async function walksToVessels(child: Child, way: Way) {
   await expect(sorting.plane).toBeVisible()
   await way.press(child.button('sorting.play'))
   await sorting.seesDone()
-  expect(await axeFindings(child.page)).toEqual([])
 }

@@ -127,7 +127,7 @@ const lists: readonly ClassScreen[] = [
     name: 'class-pupils',
     async show(child, made) {
       await opensClass(child, made, 'class')
-      await expect(child.page.getByText('Zebra')).toBeVisible()
+      await expect(child.page.getByText('Zebra', { exact: true })).toBeVisible()
     },
   },
   { name: 'class-pupils-empty', show: (child, made) => opensView(child, made, 'class') },

@@ -10,7 +10,7 @@ import { inHouse } from './prepare/house.mjs'
 import { asScript } from './prepare/run.mjs'
 
 /** The first red test in Playwright's output. */
-const redIn = (said: string) => /^ {2}1\) \[gate\] › (.+?)(?: @\S+)* *$/m.exec(said)?.[1] ?? 'the walk'
+const redIn = (output: string) => /^ {2}1\) \[gate\] › (.+?)(?: @\S+)* *$/m.exec(output)?.[1] ?? 'the walk'
 
 /** The outcome of one fault: the first red test, or `survived`. Tests of its own feature run first, since they take seconds. */
 function outcomeOf(copy: string, file: string): string {

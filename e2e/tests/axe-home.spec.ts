@@ -1,8 +1,11 @@
-// Rooms: parts, home, network
+// Rooms: parts, home, network, app
+// axe in every state of home and of a card in the lab. Building, robot, time and networks: axe-lab.
 import type { Page } from '@playwright/test'
-import { axeFindings } from '../axe.ts'
+import { findsNothing, type States } from '../axe.ts'
+import { opensSettings } from '../child-cards.ts'
 import { leftEye, leftWheel, rightEye, rightWheel, type Child } from '../child.ts'
 import { expect, test } from '../house.ts'
+import { opensCard } from '../navigation.ts'
 import { projectFile } from '../projects.ts'
 import { languagesOf } from '../words.ts'
 
@@ -11,16 +14,7 @@ const sizes = [
   { width: 390, height: 844 },
 ]
 
-/** Half-way through a fade colours are not what they will be. */
-const settles = (page: Page) =>
-  page.evaluate(async () => {
-    const ending = document
-      .getAnimations()
-      .filter(({ effect }) => effect?.getComputedTiming().endTime !== Infinity)
-    await Promise.allSettled(ending.map(({ finished }) => finished))
-  })
-
-/** What can be pressed and lies beside the screen, outside of everything that scrolls. */
+/** Controls beside the screen, outside of everything that scrolls. */
 const outOfSight = (page: Page) =>
   page.locator('button:visible, a:visible, select:visible').evaluateAll((all) =>
     all
@@ -32,21 +26,38 @@ const outOfSight = (page: Page) =>
           if (/auto|scroll/.test(getComputedStyle(box).overflowX) && box !== document.body) return false
         return true
       })
-      .map((one) => one.textContent?.trim() || one.getAttribute('aria-label')),
+      .map((one) => `beside the screen: ${one.textContent?.trim() || one.getAttribute('aria-label')}`),
   )
 
-/**
- * Nothing is left out, Blockly included: what axe has to say about Blockly 13 as it comes (`aria-owns` with ids that are no
- * names, a list box without a name) is gone with plain ids and names for the list.
- */
-async function findsNothing(page: Page, where: string) {
-  await settles(page)
-  expect(await outOfSight(page), where).toEqual([])
-  expect(await axeFindings(page), where).toEqual([])
+const pages: States = {
+  home: (child) => child.opensHome(),
+  'home, a name for an empty project': async (child) => {
+    await child.page.getByRole('button', { name: child.word('home.free') }).click()
+    await expect(child.page.getByLabel(child.word('projects.name'), { exact: true })).toBeFocused()
+  },
+  'home on the second visit': async (child) => {
+    await child.opensLab('fear')
+    await child.presses('lab.hint')
+    await child.seesSaved()
+    await child.opensHome()
+    const goOn = child.word('home.continue', { name: child.card('fear') })
+    await expect(child.page.getByRole('link', { name: goOn })).toBeVisible()
+  },
+  'settings at home': (child) => opensSettings(child, 'home'),
+  'a card that is not there': async (child) => {
+    // By address: a link that leads nowhere.
+    await child.page.goto('/lab/nosuchcard')
+    await expect(child.words('lab.unknownCardText')).toBeVisible()
+  },
+  'a page that is not there': async (child) => {
+    // By address: a link that leads nowhere.
+    await child.page.goto('/no/such/page')
+    await expect(child.words('parts.lostText')).toBeVisible()
+  },
 }
 
-/** Ways to every face that the lab shows; on a phone one part at a time. */
-const faces: { readonly [name: string]: (child: Child, phone: boolean) => Promise<unknown> } = {
+/** Everything that the lab shows; on a phone one part at a time. */
+const lab: States = {
   stopped: (child) => child.opensLab('friendship'),
   program: async (child, phone) => phone && (await child.turnsTo('program')),
   network: async (child, phone) => phone && (await child.turnsTo('networkTab')),
@@ -96,38 +107,45 @@ const faces: { readonly [name: string]: (child: Child, phone: boolean) => Promis
   },
 }
 
-for (const language of languagesOf(import.meta.filename))
+/** With every setting switched on; the smaller size is a laptop at 200 %. */
+const switchedOn: States = {
+  home: (child) => child.opensHome(),
+  lab: async (child) => {
+    // At twice the size the blocks are a page of their own.
+    await opensCard(child, 'chameleon')
+    await expect(child.button('lab.start').first()).toBeVisible()
+  },
+  settings: (child) => opensSettings(child, 'lab'),
+}
+
+const twoSizes = (child: Child, states: States) => findsNothing(child, states, outOfSight)
+
+for (const language of languagesOf(import.meta.filename)) {
   for (const size of sizes)
     test.describe(`at ${size.width} × ${size.height}, in ${language}`, () => {
       test.use({ language, viewport: size, complaints: [/status of 404/] })
 
-      test('axe finds nothing on home and on pages that are not there', async ({ child, page }) => {
-        await child.opensHome()
-        await findsNothing(page, 'home')
-        await child.opensLab('fear')
-        await child.presses('lab.hint')
-        await child.seesSaved()
-        await child.opensHome()
-        await expect(
-          page.getByRole('link', { name: child.word('home.continue', { name: child.card('fear') }) }),
-        ).toBeVisible()
-        await findsNothing(page, 'home on the second visit')
-        // By address: links that lead nowhere.
-        await page.goto('/lab/nosuchcard')
-        await expect(child.words('lab.unknownCardText')).toBeVisible()
-        await findsNothing(page, 'a card that is not there')
-        // By address: links that lead nowhere.
-        await page.goto('/no/such/page')
-        await expect(child.words('parts.lostText')).toBeVisible()
-        await findsNothing(page, 'a page that is not there')
-      })
-
-      test('axe finds nothing in the lab, whatever is open', async ({ child, page }) => {
+      test('axe finds nothing on home and on pages that are not there', ({ child }) => twoSizes(child, pages))
+      test('axe finds nothing in the lab, whatever is open', async ({ child }) => {
         test.setTimeout(300_000)
-        for (const [face, show] of Object.entries(faces))
-          await test.step(face, async () => {
-            await show(child, size.width < 640)
-            await findsNothing(page, face)
-          })
+        await twoSizes(child, lab)
       })
     })
+
+  for (const viewport of [
+    { width: 1366, height: 768 },
+    { width: 683, height: 384 },
+  ])
+    test.describe(`with every setting, at ${viewport.width} × ${viewport.height}, in ${language}`, () => {
+      test.use({ language, viewport })
+      test('axe finds nothing', async ({ child, page }) => {
+        await page.addInitScript(() =>
+          localStorage.setItem(
+            'botgarten.comfort',
+            '{"projector":true,"quiet":true,"letters":true,"aloud":true}',
+          ),
+        )
+        await findsNothing(child, switchedOn)
+      })
+    })
+}

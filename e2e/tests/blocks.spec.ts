@@ -1,6 +1,5 @@
 // Rooms: editor
 import type { Locator, Page } from '@playwright/test'
-import { axeFindings } from '../axe.ts'
 import { BlockHands } from '../child-blocks.ts'
 import { Comer } from '../child-open-roberta.ts'
 import { ProjectList } from '../child-projects.ts'
@@ -132,11 +131,9 @@ for (const language of languagesOf(import.meta.filename)) {
       await child.presses('shelf.inAll')
       await expect(hands.all).toBeChecked()
       await expect(hands.hits.first()).toContainText(words[language].more, { ignoreCase: true })
-      expect(await axeFindings(page)).toEqual([])
       await page.keyboard.press('Escape')
       await expect(hands.field).toHaveCount(0)
       await expect(child.button('editor.search')).toBeFocused()
-      expect(await axeFindings(page)).toEqual([])
       await hands.searches(words[language].more)
       await hands.hits.first().click()
       await expect(child.canvas.getByText(words[language].more).first()).toBeVisible()

@@ -1,6 +1,5 @@
 // Rooms: races, experiments
 import { readFile } from 'node:fs/promises'
-import { axeFindings } from '../axe.ts'
 import { racesFour } from '../child-racing.ts'
 import { expect, test } from '../house.ts'
 import { opensFromHome } from '../navigation.ts'
@@ -13,7 +12,6 @@ test('four brains race in the garden by keys: starts open, the bill is read and 
   await opensFromHome(child, 'home.race')
   await page.getByRole('link', { name: child.word('race.brains.title'), exact: true }).click()
   await expect(child.button('race.brains.startSealed', { number: 3 })).toBeVisible()
-  expect(await axeFindings(page)).toEqual([])
   await racesFour(child)
   // The figures of the command line.
   const rows = page.getByRole('table').getByRole('row')
@@ -28,7 +26,6 @@ test('four brains race in the garden by keys: starts open, the bill is read and 
   await page.keyboard.press('Home')
   await expect(page.getByText(child.word('race.brains.second', { second: 0, of: 60 }))).toBeVisible()
   await page.getByRole('radio').first().check()
-  expect(await axeFindings(page)).toEqual([])
   const [download] = await Promise.all([page.waitForEvent('download'), child.presses('race.brains.csv')])
   expect((await readFile(await download.path(), 'utf8')).trim().split('\n')).toHaveLength(15)
 })

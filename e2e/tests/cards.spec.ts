@@ -1,6 +1,4 @@
 // Rooms: content, network
-import { sample } from '@botgarten/numbers/testing'
-import { axeFindings } from '../axe.ts'
 import { setsKnob } from '../child-cards.ts'
 import { BlockHands } from '../child-blocks.ts'
 import { NetHands } from '../child-network.ts'
@@ -24,29 +22,9 @@ async function hurries(child: Child) {
   await new TimeHands(child).hurries()
 }
 
-/** All cards of the network that came after Chameleon, Friendship and Fear. */
-const newer = [
-  sample(['incognito', 'rally', 'caution', 'loud-distance', 'interest'], 2),
-  sample(['crossed-wires', 'if-then', 'lost-links', 'all-the-same', 'either-or'], 2),
-]
-
 for (const language of languagesOf(import.meta.filename)) {
   test.describe(`in ${language}`, () => {
     test.use({ language })
-
-    for (const cards of newer)
-      test(`axe finds nothing: ${cards.join(', ')}`, async ({ child, page }) => {
-        await page.emulateMedia({ reducedMotion: 'reduce' })
-        const found: { [card: string]: string[] } = {}
-        for (const card of cards) {
-          await child.opensLab(card)
-          const lab = await axeFindings(page)
-          await child.presses('lab.card')
-          await expect(page.getByRole('dialog')).toBeVisible()
-          found[card] = [...lab, ...(await axeFindings(page))]
-        }
-        expect(found).toEqual(Object.fromEntries(cards.map((card) => [card, []])))
-      })
 
     test('brains to repair bear a wrench at home; if-then has two panes until Bo 2 is chosen', async ({
       child,
@@ -73,7 +51,6 @@ for (const language of languagesOf(import.meta.filename)) {
       const net = new NetHands(child)
       const lamp = child.word('neuron.lamp', { OUTPUTNODE: child.word('choice.green') })
       await child.opensLab('either-or')
-      expect(await axeFindings(page)).toEqual([])
       await net.chooses('explorer')
       await child.presses('net.addLayer')
       await child.presses('net.fewer', { layer: 1 })

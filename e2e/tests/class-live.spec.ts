@@ -1,5 +1,4 @@
 // Rooms: class
-import { axeFindings } from '../axe.ts'
 import { Child, leftEye, leftWheel } from '../child.ts'
 import { testInClass } from '../class-test.ts'
 import { expect } from '../house.ts'
@@ -9,8 +8,6 @@ import { languagesOf } from '../words.ts'
 const test = testInClass()
 // Work must not be lost: a fault here gets no further try.
 test.describe.configure({ retries: 0 })
-
-const isAccessible = async (child: Child) => expect(await axeFindings(child.page)).toEqual([])
 
 /** What the teacher's page knows of the one pupil. */
 async function liveOf({ teacher, id }: MadeClass) {
@@ -54,7 +51,6 @@ for (const language of languagesOf(import.meta.filename)) {
         await teaches('PUT', '/attention', { on: true })
         const sheet = page.getByRole('dialog')
         await expect(sheet).toContainText(child.word('class.attentionTitle'))
-        await isAccessible(child)
         await page.keyboard.press('Escape')
         await page.keyboard.press('Escape')
         await expect(sheet).toBeVisible()
@@ -81,7 +77,6 @@ for (const language of languagesOf(import.meta.filename)) {
       await test.step('a hint stays until it is put away', async () => {
         await teaches('POST', '/handouts', { to: 'all', kind: 'hint', text: 'Look at the left wheel.' })
         await expect(page.getByText('Look at the left wheel.')).toBeVisible()
-        await isAccessible(child)
         await child.reloads()
         await expect(page.getByText('Look at the left wheel.')).toBeVisible()
         await child.presses('class.putAway')
@@ -102,11 +97,9 @@ for (const language of languagesOf(import.meta.filename)) {
       await test.step('a card that is closed leads to those that are open', async () => {
         await teaches('PUT', '/free', { cards: ['fear'], level: 'plain' })
         await expect(page.getByRole('dialog')).toContainText(child.word('class.closedTitle'))
-        await isAccessible(child)
         await page.getByRole('link', { name: child.word('class.toGarden') }).click()
         await child.seesTitle()
         await expect(page.locator('a[href*="/lab/friendship"]:not(.tile)')).toHaveCount(0)
-        await isAccessible(child)
         await child.opensLab('fear')
         await expect(page.getByText(child.word('editor.all'), { exact: true })).toHaveCount(0)
       })
@@ -114,7 +107,6 @@ for (const language of languagesOf(import.meta.filename)) {
       await test.step('when the class is closed the pictures are asked', async () => {
         await teaches('POST', '/close')
         await expect(child.words('class.whichPictures')).toBeVisible()
-        await isAccessible(child)
       })
     })
   })

@@ -1,6 +1,5 @@
 // Rooms: class, questionnaires
 import { opensForm } from '../asked-class.ts'
-import { axeFindings } from '../axe.ts'
 import { Asker, nth } from '../child-questionnaires.ts'
 import { testInClass } from '../class-test.ts'
 import { expect } from '../house.ts'
@@ -28,7 +27,6 @@ test('a child of grade 3 answers by finger what is read aloud, and it comes to t
   await page.getByRole('link', { name: child.word('class.askedGo'), exact: true }).tap()
   const asker = new Asker(child, 'tap')
   await expect(child.words('form.codeTitle')).toBeVisible()
-  expect(await axeFindings(page)).toEqual([])
   await asker.presses('form.bird.owl')
   await asker.presses('form.roll')
   await asker.begins()

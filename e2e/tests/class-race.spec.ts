@@ -1,7 +1,6 @@
 // Rooms: races, teacher
 import { cardProject } from '@botgarten/content'
 import { content } from '@botgarten/content/files'
-import { axeFindings } from '../axe.ts'
 import { testInClass } from '../class-test.ts'
 import { expect } from '../house.ts'
 import { joins, teaches, type Joined } from '../made-class.ts'
@@ -43,7 +42,6 @@ for (const language of languagesOf(import.meta.filename))
       await expect(lane('trying')).toHaveText(shared('My coins', 'Eule'))
       await expect(lane('ifThen')).toHaveText(shared('My rules', 'Fuchs'))
       await expect(lane('hand')).toHaveText(child.word('race.brains.given'))
-      expect(await axeFindings(page)).toEqual([])
       await page.getByRole('link', { name: child.word('race.brains.toClass'), exact: true }).click()
       await expect(page).toHaveURL(/teacher\/projector/)
     })

@@ -1,5 +1,4 @@
 // Rooms: class
-import { axeFindings } from '../axe.ts'
 import { Pupil } from '../child-class.ts'
 import { ProjectList } from '../child-projects.ts'
 import { Child, leftEye, leftWheel } from '../child.ts'
@@ -13,8 +12,6 @@ const test = testInClass()
 test.describe.configure({ retries: 0 })
 // What the class answers to two devices, and when it has ended: a browser complains of it.
 test.use({ complaints: [/409 \(Conflict\)|410 \(Gone\)/] })
-
-const isAccessible = async (child: Child) => expect(await axeFindings(child.page)).toEqual([])
 
 for (const language of languagesOf(import.meta.filename)) {
   test.describe(`a class, in ${language}`, () => {
@@ -33,10 +30,8 @@ for (const language of languagesOf(import.meta.filename)) {
       const pictures = await test.step('the code of the wall leads in', async () => {
         await first.opens()
         await expect(first.nickname).toBeFocused()
-        await isAccessible(child)
         return first.joins('Fuchs')
       })
-      await isAccessible(child)
       await first.remembers()
 
       await test.step('what it changes goes to the class', async () => {
@@ -66,10 +61,8 @@ for (const language of languagesOf(import.meta.filename)) {
         await back.returns('Fuchs')
         await back.taps(...pictures.toReversed())
         await back.isRefused()
-        await isAccessible(there)
         await back.taps(...pictures)
         await expect(there.words('class.workIsHere')).toBeVisible()
-        await isAccessible(there)
         await there.presses('class.toGarden')
         await there.opensLab('friendship')
         await there.seesWeight(leftEye, leftWheel, 0.8)
@@ -92,7 +85,6 @@ for (const language of languagesOf(import.meta.filename)) {
       await test.step('"Are you Otter?"', async () => {
         await page.goto('/')
         await expect(child.words('class.areYou', { nickname: 'Otter' })).toBeFocused()
-        await isAccessible(child)
         await page.keyboard.press('Escape')
         await page.keyboard.press('Escape')
         await expect(child.words('class.areYou', { nickname: 'Otter' })).toBeFocused()
@@ -111,7 +103,6 @@ for (const language of languagesOf(import.meta.filename)) {
           return tiles.find(({ id }) => id === made.id)?.handAt ?? null
         }
         await expect.poll(handOf).not.toBeNull()
-        await isAccessible(child)
       })
 
       await test.step('an earlier version comes back, and what was before stays one', async () => {
@@ -119,7 +110,6 @@ for (const language of languagesOf(import.meta.filename)) {
         await pupil.opensMenu()
         await child.presses('class.versions')
         await expect(page.locator('.versions button, ol button, ul button').last()).toBeVisible()
-        await isAccessible(child)
         await page.getByRole('dialog').getByRole('listitem').last().getByRole('button').click()
         await expect(child.button('class.takeVersion')).toBeEnabled()
         await Promise.all([page.waitForEvent('load'), child.presses('class.takeVersion')])
@@ -132,7 +122,6 @@ for (const language of languagesOf(import.meta.filename)) {
         await saves(made, { base: 3, starts: [0, 1] })
         await child.typesWeight(leftEye, leftWheel, 0.3)
         await expect(page.getByRole('dialog')).toContainText(child.word('class.thisDevice'))
-        await isAccessible(child)
         await child.button('class.goOnWithThis').first().click()
         await expect(page.getByRole('dialog')).toHaveCount(0)
         await expect(pupil.chip('chipClass')).toBeVisible()
@@ -157,7 +146,6 @@ for (const language of languagesOf(import.meta.filename)) {
       await test.step('a class that has ended leaves nothing on the device', async () => {
         await school.teacher.ask('DELETE', `/classes/${school.id}`, { name: '6a' })
         await expect(child.words('class.ended')).toBeVisible()
-        await isAccessible(child)
         await child.presses('class.toGarden')
         await child.seesTitle()
         await expect(page.getByRole('link', { name: child.word('home.joinClass') })).toBeVisible()

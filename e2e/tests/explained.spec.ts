@@ -1,6 +1,5 @@
 // Rooms: network, inside
 import type { Project } from '@botgarten/programs'
-import { axeFindings } from '../axe.ts'
 import { AskingHands } from '../child-explained.ts'
 import type { Child } from '../child.ts'
 import { expect, test } from '../house.ts'
@@ -37,7 +36,6 @@ for (const language of languagesOf(import.meta.filename)) {
           ? /: wenn gedrückt warte 500 ms zeige 1 Spalte 0 Zeile 0$/
           : /: when starts wait 500 ms show 1 column 0 row 0$/
       await expect(hands.example).toHaveAccessibleName(words)
-      expect(await axeFindings(page)).toEqual([])
       await hands.takesIt()
       await expect(page.locator('.blocklyPath.blocklyActiveFocus')).toHaveCount(1)
       expect((await heads(child)).stacks).toEqual(['robControls_start', 'robControls_wait_time'])

@@ -1,6 +1,5 @@
 // Rooms: teacher, server
 // By address: a teacher comes by a bookmark of the own page.
-import { axeFindings } from '../axe.ts'
 import { Asker, classOfTest } from '../class-server.ts'
 import { expect, test as base } from '../house.ts'
 import { teaches } from '../made-class.ts'
@@ -38,7 +37,6 @@ for (const language of languagesOf(import.meta.filename))
       await expect(page.getByText(child.word('doctor.https.off'))).toBeVisible()
       for (const about of ['address', 'firewall', 'clients', 'memory', 'disk', 'clock', 'folder', 'version'])
         await expect(page.getByText(child.word(`teacher.about.${about}`), { exact: true })).toBeVisible()
-      expect(await axeFindings(page)).toEqual([])
       await child.presses('teacher.backUpNow')
       await expect(page.getByText(child.word('doctor.backup.none'))).toHaveCount(0)
       const day = school.classServer.ports.day(0)

@@ -1,5 +1,4 @@
 // Rooms: q-learning
-import { axeFindings } from '../axe.ts'
 import { Learner, learningProject } from '../child-learning.ts'
 import { RobotHands } from '../child-robot.ts'
 import { Child } from '../child.ts'
@@ -111,14 +110,12 @@ for (const language of languagesOf(import.meta.filename)) {
       await learner.closes(2, 3)
       await learner.guesses(4, 5, 0)
       await expect(child.button('q.guessing.learn')).toHaveAttribute('aria-disabled', 'true')
-      expect(await axeFindings(page)).toEqual([])
       await learner.station(1).focus()
       await child.types('Enter')
       await child.presses('q.guessing.learn')
       await learner.hurries()
       await expect(page.getByText(child.word('q.compare.shorter', { count: 1 }))).toBeVisible()
       await learner.seesWay(3, 5, 0, 1)
-      expect(await axeFindings(page)).toEqual([])
       await child.presses('q.inside')
       await learner.turnsTo('trials')
       await expect(page.locator('.drawer tbody tr')).toContainText(
@@ -258,40 +255,6 @@ for (const language of languagesOf(import.meta.filename)) {
       await learner.learnsToTheEnd()
       await learner.turnsTo('trials')
       expect(await learner.savesTable()).toMatch(/,length 4:2\.5\r\n$/)
-    })
-
-    test('what a tapped road and a tapped station ask: nothing for axe to find', async ({ child, page }) => {
-      await page.emulateMedia({ reducedMotion: 'reduce' })
-      const learner = new Learner(child)
-      await learner.opens('railway')
-      await learner.road(2, 3).click()
-      await expect(child.button('q.closeRoad')).toBeVisible()
-      expect(await axeFindings(page)).toEqual([])
-      await child.types('Escape')
-      await learner.station(2).click()
-      await expect(child.button('q.startHere')).toBeVisible()
-      expect(await axeFindings(page)).toEqual([])
-    })
-
-    test('with all the room start, goal and best way stand beside the map: nothing for axe to find', async ({
-      child,
-      page,
-    }) => {
-      await page.emulateMedia({ reducedMotion: 'reduce' })
-      const learner = new Learner(child)
-      await learner.opens('forest')
-      expect(await axeFindings(page)).toEqual([])
-      await page.getByLabel(child.word('q.level')).selectOption('expert')
-      await child.presses('q.step')
-      expect(await axeFindings(page)).toEqual([])
-      await child.presses('q.change')
-      expect(await axeFindings(page)).toEqual([])
-      await child.types('Escape')
-      await learner.learnsToTheEnd()
-      for (const name of ['trials', 'inside'] as const) {
-        await learner.turnsTo(name)
-        expect(await axeFindings(page)).toEqual([])
-      }
     })
   })
 }

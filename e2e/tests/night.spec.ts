@@ -2,7 +2,6 @@
 import { cardProject } from '@botgarten/content'
 import { content } from '@botgarten/content/files'
 import { parseProject } from '@botgarten/programs'
-import { axeFindings } from '../axe.ts'
 import { expect, test } from '../house.ts'
 
 /** The script that learns. */
@@ -32,7 +31,6 @@ test('Bo learns overnight what Node learns, bit for bit, keeps it, and drives by
     },
   )
   await expect(child.button('night.stop')).toBeHidden()
-  expect(await axeFindings(page)).toEqual([])
 
   const saved = await child.savesFile()
   expect(JSON.parse(saved)).toMatchObject({ botgarten: 4, brains: { try: { kind: 'table' } } })

@@ -1,7 +1,6 @@
 // Rooms: questionnaires, content
 import { readFileSync } from 'node:fs'
 import { unzipSync } from 'fflate'
-import { axeFindings } from '../axe.ts'
 import { Asker, nth } from '../child-questionnaires.ts'
 import { expect, test } from '../house.ts'
 import { languagesOf } from '../words.ts'
@@ -35,7 +34,6 @@ for (const language of languagesOf(import.meta.filename))
       await expect(row.first()).toContainText(language === 'de' ? '3,00' : '3.00')
       await expect(row.first()).toContainText(language === 'de' ? '4,57' : '4.57')
       await expect(page.getByText('Bo 🌱🌱🌱', { exact: true })).toHaveCount(3)
-      expect(await axeFindings(page)).toEqual([])
 
       const [file] = await Promise.all([
         page.waitForEvent('download'),
@@ -98,7 +96,6 @@ test('in grade 3 there is one question a screen with five faces, and each is rea
   await asker.asks('after', 3)
   await child.presses('form.codeForgot')
   await expect(child.words('form.questionOf', { number: 1, of: 13 })).toBeVisible()
-  expect(await axeFindings(page)).toEqual([])
   await child.presses('form.readAloud')
   const said = await page.evaluate(() => (window as unknown as { heard: { said: string[] } }).heard.said)
   expect(said.at(-1)).toContain('very uninteresting. uninteresting. so-so. interesting. very interesting.')
@@ -144,20 +141,4 @@ test('a teacher copies a form, leaves questions out, adds one and asks it', asyn
   await page.getByRole('textbox', { name: 'What was funny?' }).fill('Bo danced')
   await child.presses('form.done')
   await expect(child.words('form.thanks')).toBeVisible()
-})
-
-test('every page of a questionnaire can be used by everybody', async ({ child, page }) => {
-  const asker = new Asker(child)
-  await asker.comes()
-  expect(await axeFindings(page), 'all').toEqual([])
-  await asker.asks('after', 5)
-  expect(await axeFindings(page), 'code').toEqual([])
-  await child.presses('form.codeForgot')
-  expect(await axeFindings(page), 'older').toEqual([])
-  for (const show of ['type', 'change', 'paper']) {
-    // By address: each page as its link opens it.
-    await page.goto(`/questionnaires?form=after&show=${show}`)
-    await expect(page.getByRole('heading', { level: 1 }).first()).toBeVisible()
-    expect(await axeFindings(page), show).toEqual([])
-  }
 })

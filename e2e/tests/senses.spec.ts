@@ -1,5 +1,4 @@
 // Rooms: senses, learning, lab
-import { axeFindings } from '../axe.ts'
 import { TryHands } from '../child-trying.ts'
 import { expect, test } from '../house.ts'
 import { languagesOf } from '../words.ts'
@@ -16,7 +15,6 @@ for (const language of languagesOf(import.meta.filename))
       await expect(child.words('senses.sizeBump', { product: '3 × 3', states: 10 })).toBeVisible()
       await expect(bo.table.locator('tbody tr')).toHaveCount(10)
       expect(await bo.untried()).toBe(30)
-      expect(await axeFindings(child.page)).toEqual([])
     })
 
     test('the table fills while Bo tries; a cell is tapped, its number proved, and time goes back to the table of then', async ({
@@ -38,7 +36,6 @@ for (const language of languagesOf(import.meta.filename))
       const { number } = await bo.proof.saves()
       expect(number.toFixed(1)).toBe(numbers[tried]!.replace('−', '-').replace(',', '.'))
       await bo.proof.closes()
-      expect(await axeFindings(child.page)).toEqual([])
       await bo.time.goesBack('Home')
       await expect.poll(() => bo.untried()).toBe(30)
       await child.presses('time.toNow')

@@ -1,9 +1,7 @@
 // Rooms: home, app
-import { axeFindings } from '../axe.ts'
 import { opensSettings, option } from '../child-cards.ts'
 import type { Child } from '../child.ts'
 import { expect, test } from '../house.ts'
-import { opensCard } from '../navigation.ts'
 import { givesVoice, said } from '../voice.ts'
 import { languagesOf } from '../words.ts'
 
@@ -127,31 +125,6 @@ for (const language of languagesOf(import.meta.filename)) {
       await child.presses('lab.soundOff')
       await child.reloads()
       await expect(child.button('lab.soundOn').first()).toBeVisible()
-    })
-
-    test('axe finds nothing with everything switched on, nor in the settings', async ({ child, page }) => {
-      test.setTimeout(180_000)
-      await page.emulateMedia({ reducedMotion: 'reduce' })
-      await page.addInitScript(() =>
-        localStorage.setItem(
-          'botgarten.comfort',
-          '{"projector":true,"quiet":true,"letters":true,"aloud":true}',
-        ),
-      )
-      for (const viewport of [
-        { width: 1366, height: 768 },
-        { width: 683, height: 384 },
-      ]) {
-        await page.setViewportSize(viewport)
-        await child.opensHome()
-        expect(await axeFindings(page)).toEqual([])
-        // At twice the size the blocks are a page of their own.
-        await opensCard(child, 'chameleon')
-        await expect(child.button('lab.start').first()).toBeVisible()
-        expect(await axeFindings(page)).toEqual([])
-        await opensSettings(child, 'lab')
-        expect(await axeFindings(page)).toEqual([])
-      }
     })
 
     test('broken settings on the device are no settings', async ({ child, page }) => {

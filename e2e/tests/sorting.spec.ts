@@ -1,5 +1,4 @@
 // Rooms: sorting
-import { axeFindings } from '../axe.ts'
 import { SortingHands, sortingProject } from '../child-sorting.ts'
 import { TimeHands } from '../child-time.ts'
 import { expect, test } from '../house.ts'
@@ -145,7 +144,6 @@ for (const language of languagesOf(import.meta.filename)) {
         await child.seesCheck(card, 'shows', true, 60_000)
         // Flags and readings stand beside the world.
         await expect(page.getByRole('region', { name: child.word('sorting.collected.title') })).toBeVisible()
-        expect(await axeFindings(page)).toEqual([])
         await child.pressesStop()
       }
     })
@@ -239,30 +237,6 @@ for (const language of languagesOf(import.meta.filename)) {
       await sorting.sorts()
       await sorting.seesDone()
       await expect(page.getByRole('link', { name: sorting.word('toProgram') })).toHaveCount(0)
-    })
-
-    test('axe finds nothing', async ({ child, page }) => {
-      const sorting = new SortingHands(child)
-      const found: { [screen: string]: string[] } = {}
-      await page.emulateMedia({ reducedMotion: 'reduce' })
-      for (const size of [
-        { width: 1366, height: 768 },
-        { width: 390, height: 844 },
-      ]) {
-        await page.setViewportSize(size)
-        for (const source of ['things', 'points', 'readings'] as const) {
-          await sorting.opens(source)
-          if (source !== 'readings') await sorting.presses('join')
-          if (source === 'points') await child.presses('lab.hint')
-          found[`${source} ${size.width}`] = await axeFindings(page)
-        }
-        await sorting.opens()
-        await sorting.presses('tab.things')
-        await sorting.presses('guess.open')
-        await expect(child.dialog('sorting.guess.title')).toBeVisible()
-        found[`guess ${size.width}`] = await axeFindings(page)
-      }
-      expect(found).toEqual(Object.fromEntries(Object.keys(found).map((screen) => [screen, []])))
     })
   })
 }

@@ -1,5 +1,4 @@
 // Rooms: class, editor
-import { axeFindings } from '../axe.ts'
 import { BlockHands } from '../child-blocks.ts'
 import { TogetherHands } from '../child-together.ts'
 import { Child, leftEye, leftWheel, rightEye, rightWheel } from '../child.ts'
@@ -42,8 +41,6 @@ test('two children on one program, one with a pulled cable: both end with the sa
     await one.isThe('hand')
     await two.isThe('eye')
     await owl.seesWeight(rightEye, leftWheel, 0.1)
-    expect(await axeFindings(page)).toEqual([])
-    expect(await axeFindings(owl.page)).toEqual([])
   })
   await test.step('what one does the other sees, and where its hand is', async () => {
     await fox.typesWeight(leftEye, leftWheel, 0.4)

@@ -1,6 +1,5 @@
 // Rooms: tour
 import type { Locator } from '@playwright/test'
-import { axeFindings } from '../axe.ts'
 import { node } from '../child-cards.ts'
 import { leftWheel, type Child } from '../child.ts'
 import { expect, test } from '../house.ts'
@@ -100,7 +99,6 @@ for (const language of languagesOf(import.meta.filename)) {
         await page.emulateMedia({ reducedMotion: 'reduce' })
         await child.opensLab('friendship')
         await expect(tourOf(child)).toContainText(child.word('tour.offer'))
-        expect(await axeFindings(page)).toEqual([])
         await child.presses('tour.yes')
         await expect(tourOf(child)).toContainText(child.word('tour.block', { name: motor(child) }))
         await child
@@ -174,7 +172,6 @@ for (const language of languagesOf(import.meta.filename)) {
           await child.presses('tour.yes')
           const block = child.block('wheelLeft').locator('.blocklyPath').first()
           await seesWhole(child, block)
-          expect(await axeFindings(page)).toEqual([])
           await block.click({ position: { x: 8, y: 14 } })
           await expect(tourOf(child)).toContainText(child.word('tour.litBlockAlone'))
           await expect(highlighted(child)).toHaveAttribute('data-id', 'wheelLeft')
@@ -186,7 +183,6 @@ for (const language of languagesOf(import.meta.filename)) {
           await seesPart(child, wheel)
           await node(child, 'showSum', motor(child)).click()
           await expect(tourOf(child)).toContainText(child.word('tour.litNodeAlone'))
-          expect(await axeFindings(page)).toEqual([])
           await child.presses('tour.next')
           await expect.poll(() => child.painted.lit()).toEqual([])
           await seesPart(child, wheel)

@@ -1,5 +1,4 @@
 // Rooms: training
-import { axeFindings } from '../axe.ts'
 import { Teaching } from '../child-training.ts'
 import { expect, test } from '../house.ts'
 import { languagesOf } from '../words.ts'
@@ -35,7 +34,6 @@ test('a child shows Bo what to do, lets it practise and drive, repairs a row, an
   await expect(child.button('lab.continue').first()).toBeVisible()
   const driven = await teaching.count()
   await child.pressesStop()
-  expect(await axeFindings(page)).toEqual([])
 
   await teaching.opensFile('rows.csv', rows)
   await teaching.seesExamples(driven + 6)
@@ -57,7 +55,6 @@ test('a child shows Bo what to do, lets it practise and drive, repairs a row, an
   await teaching.curve.press('End')
   await expect(teaching.curve).toHaveAttribute('aria-valuenow', '60')
   expect(await teaching.hashOfWeights()).toBe(learned)
-  expect(await axeFindings(page)).toEqual([])
 
   await child.presses('training.fieldView')
   await expect(page.getByRole('img', { name: /^Field/ })).toBeVisible()
