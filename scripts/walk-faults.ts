@@ -7,15 +7,23 @@ import { parseArgs } from 'node:util'
 import { copyTree } from './mutants/copy.ts'
 import { drawFaults, type ViewFault } from './mutants/views.ts'
 import { inHouse } from './prepare/house.mjs'
-import { asScript } from './prepare/run.mjs'
+import { asScript, Trouble } from './prepare/run.mjs'
 
 /** The first red test in Playwright's output. */
 const redIn = (output: string) => /^ {2}1\) \[gate\] › (.+?)(?: @\S+)* *$/m.exec(output)?.[1] ?? 'the walk'
 
+/** Throws if the script ended by a signal or did not start: neither is a result. npm reports both as a status from 127 on. */
+function runNpm(cwd: string, args: readonly string[]) {
+  const options = { cwd, encoding: 'utf8', maxBuffer: 2 ** 28 } as const
+  const { status, signal, error, stdout } = spawnSync('npm', ['run', '--silent', ...args], options)
+  if (status === null || status >= 127)
+    throw new Trouble(`npm run ${args[0]} was ended: ${signal ?? error?.message ?? `status ${status}`}`)
+  return { status, stdout }
+}
+
 /** The outcome of one fault: the first red test, or `survived`. Tests of its own feature run first, since they take seconds. */
 function outcomeOf(copy: string, file: string): string {
-  const npm = (...args: readonly string[]) =>
-    spawnSync('npm', ['run', '--silent', ...args], { cwd: copy, encoding: 'utf8', maxBuffer: 2 ** 28 })
+  const npm = (...args: readonly string[]) => runNpm(copy, args)
   if (npm('build').status !== 0) return 'caught by the build'
   const [feature] = file.replace('apps/web/src/features/', '').split('/')
   for (const some of [['--grep', `@${feature}(?![\\w-])`], []]) {

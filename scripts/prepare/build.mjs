@@ -57,7 +57,7 @@ const vite = () =>
 export async function build(start = run) {
   const hash = hashOfSources()
   const code = await start(runtime(), [vite(), 'build'], { cwd: web })
-  if (code !== 0) throw new Trouble('The build failed; what Vite said stands above.')
+  if (code !== 0) throw new Trouble('The build failed; what Vite said stands above.', code)
   writeFileSync(stamp, hash)
 }
 

@@ -5,7 +5,13 @@ import { join } from 'node:path'
 import { house } from './house.mjs'
 
 /** A sentence for the person at the keyboard, without a stack. */
-export class Trouble extends Error {}
+export class Trouble extends Error {
+  /** @param {string} message @param {number} [code] exit code of the script */
+  constructor(message, code = 1) {
+    super(message)
+    this.code = code
+  }
+}
 
 /**
  * Runs a program to its end with our own terminal.
@@ -68,7 +74,7 @@ export async function npmAside(args, options = {}) {
 }
 
 /**
- * Runs `work` as the whole of a script: an error is one line on standard error and exit 1.
+ * Runs `work` as the whole of a script: a `Trouble` is one line on standard error and an exit with its code.
  * @param {() => Promise<number>} work gives the exit code
  */
 export async function asScript(work) {
@@ -77,6 +83,6 @@ export async function asScript(work) {
   } catch (error) {
     if (!(error instanceof Trouble)) throw error
     console.error(error.message)
-    process.exitCode = 1
+    process.exitCode = error.code
   }
 }
