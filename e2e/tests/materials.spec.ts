@@ -118,6 +118,8 @@ for (const language of languagesOf(import.meta.filename)) {
       await expect(
         lab.getByRole('button', { name: child.word('lab.stop'), exact: true }).first(),
       ).toBeVisible()
+      // A slide fills the window, without a link home.
+      await page.goto('/')
       await child.opensLab('fear')
       const weights = await child.knobs.evaluateAll((all) => all.map((one) => one.ariaValueNow))
       expect(new Set(weights)).toEqual(new Set(['0']))
