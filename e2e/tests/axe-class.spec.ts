@@ -21,7 +21,9 @@ interface ClassState {
 
 const test = testInClass()
 test.use({
-  complaints: [/403 \(Forbidden\)|409 \(Conflict\)|410 \(Gone\)|^A request to http:\/\/localhost:\d+\//],
+  complaints: [
+    /401 \(Unauthorized\)|403 \(Forbidden\)|409 \(Conflict\)|410 \(Gone\)|^A request to http:\/\/localhost:\d+\//,
+  ],
 })
 
 /** States that `npm run pictures` shows too, by their names there. */

@@ -21,7 +21,10 @@ const test = base.extend<{ room: Awaited<ReturnType<typeof serverWithData>> }>({
   },
 })
 test.use({
-  complaints: [/40[34] \((Forbidden|Not Found)\)|^A request to http:\/\/(localhost|classroom\.test):\d+\//],
+  // 401 and signIn: a request of the page at the moment when its cookies are cleared.
+  complaints: [
+    /40[134] \((Unauthorized|Forbidden|Not Found)\)|^signIn$|^A request to http:\/\/(localhost|classroom\.test):\d+\//,
+  ],
   launchOptions: {
     executablePath: findChromium() ?? undefined,
     args: [...flags, `--host-resolver-rules=MAP ${classroom} 127.0.0.1`],
