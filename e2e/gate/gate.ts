@@ -19,7 +19,13 @@ export const test = base.extend<{ school: MadeClass }, { room: MadeClass }>({
     { scope: 'worker' },
   ],
   house: [({ room }, use) => use(room.url), { scope: 'worker' }],
-  school: async ({ room, language }, use) => use(await nextClass(room, language)),
+  school: async ({ room, language }, use) => {
+    // Tests may move the clock of the server that they share: the next test starts with the real one.
+    const { ports } = room.classServer
+    const { now } = ports
+    await use(await nextClass(room, language))
+    Object.assign(ports, { now })
+  },
 })
 
 /** From home to a card of the lab. */
