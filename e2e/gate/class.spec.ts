@@ -23,8 +23,8 @@ test(
     await child.opensLab('friendship')
     await child.typesWeight(leftEye, leftWheel, 0.8)
     await expect(fox.chip('chipClass')).toBeVisible()
-    const { body } = await school.teacher.ask('GET', `/classes/${school.id}`)
-    expect(body).toMatchObject({ projects: 1 })
+    const body = async () => (await school.teacher.ask('GET', `/classes/${school.id}`)).body
+    await expect.poll(body).toMatchObject({ projects: 1 })
     await fox.leaves()
 
     await page.keyboard.type(`${school.code} `)
