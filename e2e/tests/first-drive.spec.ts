@@ -88,3 +88,18 @@ test('what a hand has helped with is not cheered: it is said, and leads to the s
   await child.presses('lab.start')
   await expect(page.getByText(child.word('lab.successTitle'))).toBeVisible()
 })
+
+test('a lab that was opened to drive at once waits after a reload, at the rest of its address', async ({
+  child,
+  page,
+}) => {
+  await child.opensHome()
+  await page.getByRole('link', { name: child.word('home.drive') }).click()
+  await expect(child.button('lab.stop').first()).toBeVisible()
+  await expect(page).toHaveURL(/\/lab\/free$/)
+  await child.reloads()
+  await child.seesStanding()
+  // By address: a link may have further parameters.
+  await page.goto('/lab/free?start&dice=1')
+  await expect(page).toHaveURL(/\/lab\/free\?dice=1$/)
+})

@@ -1,6 +1,7 @@
 import type { Difference } from '@botgarten/programs/open-roberta'
 import { goto, replaceState } from '$app/navigation'
 import { resolve } from '$app/paths'
+import { page } from '$app/state'
 import { placeOf } from '#content/cards.ts'
 import { openRoberta } from '#features/open-roberta/feature.ts'
 import { sorting, type SortingLink } from '#features/sorting/feature.ts'
@@ -71,9 +72,18 @@ export async function sortingLinks(session: LabSession): Promise<readonly Sortin
   return (await loadPart(sorting)).linksFor(session, readings)
 }
 
-/** Takes the start at once out of the address: a lab that is loaded again waits for its child. */
-export function forgetStart({ project }: Opened): void {
-  void replaceState(resolve('/lab/[card]', { card: placeOf(project) }), {})
+/** Removes `start` from the address, and nothing else: a lab that is loaded again waits for its child. */
+export function forgetStart({ project, damaged }: Opened): void {
+  // leaveBroken gives a damaged project's replacement an address without it.
+  if (damaged) return
+  const others = new URLSearchParams(page.url.search)
+  others.delete('start')
+  const address = `/lab/[card]?${others.toString()}` as const
+  const card = placeOf(project)
+  void replaceState(
+    others.size > 0 ? resolve(address, { card }) : resolve('/lab/[card]', { card }),
+    page.state,
+  )
 }
 
 /** What could not be read here stays where it is: the new start has an address of its own from now on. */
