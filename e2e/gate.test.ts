@@ -36,7 +36,7 @@ test('the walk goes through every page', () => {
   expect(unique(tags.filter(isPage))).toEqual(unique(pages.map((page) => page || '/')))
 })
 
-test.each(specs)('every test of $file says what it goes through', ({ text }) => {
+test.each(specs)('every test of $file has a tag with its features and pages', ({ text }) => {
   const tests = [...text.matchAll(/^test\(/gm)].length
   expect(tests).toBeGreaterThan(0)
   expect([...text.matchAll(/^.*\btag: /gm)]).toHaveLength(tests)

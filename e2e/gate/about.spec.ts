@@ -28,7 +28,7 @@ test(
   },
 )
 
-test('an address that leads nowhere says so and leads home', { tag: '@/+error' }, async ({ child, page }) => {
+test('an unknown address shows a message and leads home', { tag: '@/+error' }, async ({ child, page }) => {
   await page.goto('/lab/nosuchcard')
   await expect(title(page)).toHaveText(child.word('lab.unknownCardTitle'))
   await page.goto('/no/such/page')

@@ -40,7 +40,7 @@ test('flaky tests of all shards of a run are added up, and no others', () => {
   expect(flakyOf(file, 'run 1')).toEqual([flaky])
 })
 
-test('a run that begins anew forgets its own records alone', () => {
+test('a run that starts again discards its own records alone', () => {
   addRecord(file, green('a', 'run 1'))
   addRecord(file, green('b', 'run 2'))
   forgetRun(file, 'run 1')

@@ -43,7 +43,7 @@ export class Copy {
     this.#house = house
   }
 
-  /** Removes the copy after `work`, also where the process is asked to end. */
+  /** Removes the copy after `work`, also if the process gets a signal to end. */
   static async use(house: string, work: (copy: Copy) => Promise<void>): Promise<void> {
     const copy = new Copy(house)
     const stop = () => {

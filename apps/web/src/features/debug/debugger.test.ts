@@ -79,7 +79,7 @@ describe('a stop', () => {
   })
 })
 
-test('truth values are said in the words of the language', async () => {
+test('truth values are displayed in the language of the screen', async () => {
   await fetchWords('expert')
   const { looking } = debugging()
   expect(looking.words).toEqual({ locale: 'en', yes: 'true', no: 'false' })

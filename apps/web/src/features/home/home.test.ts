@@ -95,7 +95,7 @@ describe('the cards of a bed', () => {
     expect(bed.map(({ closed }) => closed)).toEqual(own.map(() => false))
   })
 
-  test('say what they are about in the language, else in English, else nothing', async () => {
+  test('have a topic in the language, else in English, else none', async () => {
     const goalOf = (label: string) =>
       bedOf('network', [], goals).find(({ href }) => href === `/lab/${label}`)!.goal
     expect([goalOf('friendship'), goalOf('fear'), goalOf('caution')]).toEqual([

@@ -55,7 +55,7 @@ describe('the list', () => {
 })
 
 describe('a project', () => {
-  test('gets another name, and that is said until it is hushed', async () => {
+  test('gets another name, and a message shows it until it is closed', async () => {
     const [one] = await withProjects('one')
     await projects.rename(one!, 'eins')
     expect([names(), projects.said!.text]).toEqual([['eins'], m['projects.renamed']({ name: 'eins' })])
@@ -89,7 +89,7 @@ describe('a project', () => {
     expect((await listBin()).thrown).toEqual([])
   })
 
-  test('that another tab has deleted is said to be gone', async () => {
+  test('that another tab has deleted gets the message that it is gone', async () => {
     const [one] = await withProjects('one')
     await projects.throwAway(one!)
     await projects.rename(one!, 'eins')
@@ -130,12 +130,12 @@ describe('a file', () => {
     expect(projects.told).toBeNull()
   })
 
-  test('that is none says so', async () => {
+  test('that is no project file is refused with a message', async () => {
     expect(await projects.openFile(fileOf('{}'))).toBeNull()
     expect([projects.told!.good, projects.all]).toEqual([false, []])
   })
 
-  test('with everything of a device brings it here, and says what came', async () => {
+  test('with everything of a device is imported, with a message of the counts', async () => {
     await withProjects('one')
     await save('two', { ...fear, name: 'two' }, 0)
     const { homeFiles } = await import('#storage/files.ts')

@@ -49,7 +49,7 @@ describe('the program as Python', () => {
     expect(code.name).toMatch(/^my_robot\w*\.py$/)
   })
 
-  test('of a robot without a program says what is missing', () => {
+  test('of a robot without a program names the missing program', () => {
     const { code } = codeOf({ ...solved('friendship'), programs: {} })
     expect(code.file.notes).toMatchObject([{ block: '', gap: true }])
     expect(code.unfinished).toBe(true)

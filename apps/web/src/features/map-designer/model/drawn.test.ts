@@ -103,7 +103,7 @@ describe('learning on the map', () => {
     expect((await load('mine'))?.project).toEqual(map.learning)
   })
 
-  test('says so where it cannot be saved', async () => {
+  test('shows a message if it cannot be saved', async () => {
     const map = begun()
     const makeRoom = fillDisk()
     expect(await map.learnHere()).toBe(false)

@@ -75,13 +75,13 @@ test('a project of this device drives in its lane, and knows afterwards what cam
   ])
 })
 
-test('a project that is gone meanwhile is said to be not saved', async () => {
+test('a project that was deleted meanwhile gets the message that it is not saved', async () => {
   const one = raceOn({ ...course, mine: { id: 'gone', kind: null, card: 'free' } })
   await one.race()
   expect(one.problem).toBe('notSaved')
 })
 
-test('a race that fails says so, keeps what was shown, and can be run again', async () => {
+test('a race that fails shows a message and the last result, and can be run again', async () => {
   vi.spyOn(console, 'warn').mockImplementation(() => {})
   vi.stubGlobal('Worker', class { onerror = (_: { message: string }) => {}; terminate() {}; postMessage() { this.onerror({ message: 'No memory.' }) } }) // prettier-ignore
   const one = raceOn()

@@ -164,7 +164,7 @@ describe('learning', () => {
     expect(learnOrders()).toHaveLength(1)
   })
 
-  test('that is stopped ends its worker; the next one opens the cage anew', () => {
+  test('that is stopped ends its worker; the next one opens the cage again', () => {
     work.learn()
     work.stop()
     expect([Asked.ended, work.busy, work.minute]).toEqual([1, false, null])
@@ -172,7 +172,7 @@ describe('learning', () => {
     expect(orders()).toEqual(['open', 'learn', 'open', 'learn'])
   })
 
-  test('that fails says so until the next one', () => {
+  test('that fails shows a message until the next one', () => {
     work.learn()
     Asked.last.onerror!()
     expect([work.failed, work.busy]).toEqual([true, false])
