@@ -1,3 +1,4 @@
+import { posix } from 'node:path'
 import { hashOf } from './tree.mjs'
 
 /**
@@ -34,17 +35,34 @@ const everywhere = (path) =>
 
 /** Tests of the web app are compiled by its own configuration and read all words at their start. */
 const ofWeb = (path) =>
-  /^(content\/words\/|apps\/web\/[^/]+$|apps\/web\/src\/words\/|packages\/(messages|content)\/[^/]*$)/.test(
+  /^(NOTICE$|content\/words\/|apps\/web\/[^/]+$|apps\/web\/src\/words\/|packages\/(messages|content)\/[^/]*$)/.test(
     path,
   )
 
 /**
+ * Paths outside of its folder that a module names in its text: `'../../docs/study.md'`, relative to the repository. A bare `..`
+ * may lead anywhere: '' stands for every file.
+ * @param {string} module
+ * @param {string} text
+ * @returns {string[]}
+ */
+export function namedPaths(module, text) {
+  if (/['"`]\.\.['"`]/.test(text)) return ['']
+  const names = text.match(/(?<=['"`])(?:\.\.\/)+[\w@./-]*/g) ?? []
+  return names
+    .map((name) => posix.join(posix.dirname(module), name).replace(/\/$/, ''))
+    .map((path) => (path === '.' || path.startsWith('..') ? '' : path))
+}
+
+/**
  * Which files decide how a test ends, beyond those that it imports. A test that reads files may read those of its own
- * workspace and of content/; one that starts processes or threads may run any package.
+ * workspace, of content/ and those that it or a module with file access names; one that starts processes or threads may run
+ * any package.
  * @param {string} test
  * @param {ReadonlySet<string>} closure
+ * @param {readonly string[]} named
  */
-function readBy(test, closure) {
+function readBy(test, closure, named) {
   const own = workspaceOf(test)
   const has = (names) => names.some((name) => closure.has(name))
   const isOwn = (path) => workspaceOf(path) === own
@@ -54,19 +72,22 @@ function readBy(test, closure) {
   if ([...closure].some((path) => path.startsWith('content:'))) conditions.push(isContent)
   if (isTool) conditions.push(() => true)
   if (has(readers)) conditions.push(isOwn, isContent)
+  for (const name of named)
+    conditions.push((path) => name === '' || path === name || path.startsWith(`${name}/`))
   if (has(starters)) conditions.push(isOwn, isContent, (path) => /^(packages|apps\/cli)\//.test(path))
   return (path) => conditions.some((holds) => holds(path))
 }
 
 /**
  * A hash of everything that decides how a unit test file ends: the same hash, the same outcome.
- * @param {ReadonlyMap<string, string>} tree
- * @param {Imports} imports
+ * @param {{ tree: ReadonlyMap<string, string>, imports: Imports, textOf: (path: string) => string }} repository
  * @param {string} test
  */
-export function keyOfTest(tree, imports, test) {
+export function keyOfTest({ tree, imports, textOf }, test) {
   const closure = closureOf(imports, test)
-  const isRead = readBy(test, closure)
+  const readsFiles = (path) => tree.has(path) && imports.get(path)?.some((one) => readers.includes(one))
+  const named = [...closure].filter(readsFiles).flatMap((path) => namedPaths(path, textOf(path)))
+  const isRead = readBy(test, closure, named)
   const parts = [...tree].filter(([path]) => closure.has(path) || isRead(path))
   return hashOf([`test ${test}`, ...parts.map(([path, hash]) => `${path} ${hash}`)])
 }

@@ -1,4 +1,5 @@
 import { execFileSync } from 'node:child_process'
+import { readFileSync } from 'node:fs'
 import { join } from 'node:path'
 import { house as repoRoot, inHouse as inRepo } from '../prepare/house.mjs'
 import { runtime } from '../prepare/runtime.mjs'
@@ -16,7 +17,7 @@ function readImports() {
   return importsOf(JSON.parse(execFileSync(runtime(), args, options)).modules)
 }
 
-const isDocument = (path) => /\.md$|^benchmarks\/|^docs\//.test(path) && !path.startsWith('content/')
+const isDocument = (path) => /^(benchmarks|docs)\/|^[^/]+\.md$/.test(path)
 const isUnitTest = (path) => path.endsWith('.test.ts')
 const isSpec = (path) => /^e2e\/(tests|gate|walk)\//.test(path)
 
@@ -29,6 +30,7 @@ export function readKeys(mode = '') {
   const tree = readTree()
   if (tree === null) return { whole: '', ofStep: () => null, ofTest: () => null, ofSpec: () => null }
   const imports = readImports()
+  const textOf = (path) => readFileSync(inRepo(path), 'utf8')
   const whole = hashOfTree(tree)
   // Browser tests see the whole product, so that any file of it may decide.
   const product = hashOfTree(tree, (path) => !isDocument(path) && !isUnitTest(path) && !isSpec(path))
@@ -37,7 +39,7 @@ export function readKeys(mode = '') {
     /** @param {string} name */
     ofStep: (name) => hashOf([`step ${name}`, whole]),
     /** @param {string} file */
-    ofTest: (file) => keyOfTest(tree, imports, file),
+    ofTest: (file) => keyOfTest({ tree, imports, textOf }, file),
     /** @param {string} file */
     ofSpec: (file) => hashOf([`spec ${file}`, `mode ${mode}`, tree.get(file) ?? '', product]),
   }
