@@ -41,6 +41,20 @@ export class MapMaker {
     await press(child.button('design.asAnswers'))
   }
 
+  /** Three stations and two roads by the mouse on empty paper; the last station is the goal, and Bo has tried both roads. */
+  async draws() {
+    const { page } = this.child
+    const places = [await this.place(0.15, 0.7), await this.place(0.5, 0.25), await this.place(0.85, 0.7)]
+    for (const { x, y } of places) await page.mouse.click(x, y)
+    await expect(this.station(stations - 1)).toBeVisible()
+    await this.child.presses('design.tool.road')
+    for (const [from, to] of roads) await this.child.drags(places[from]!, places[to]!)
+    await this.station(stations - 1).focus()
+    await this.child.presses('design.goalHere')
+    await this.seesReached(2)
+    await this.seesTried(4, 4)
+  }
+
   /** The tool that a press on the paper uses from now on. */
   async takes(tool: 'station' | 'road' | 'sign' | 'reward', press: (thing: Locator) => Promise<void>) {
     const tools = this.child.page.getByRole('region', { name: this.child.word('design.tools') })

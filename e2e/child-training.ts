@@ -21,6 +21,19 @@ const awayFromNear = ([left, right]: readonly number[]): number => {
   return left! < right! ? 1 : -1
 }
 
+/** The examples of the printed picture: two eyes in cm, two wheels in %. */
+export const sixRows = `eyeLeft,eyeRight,wheelLeft,wheelRight
+40,40,45,45
+39,59,25,60
+68,100,50,90
+100,53,65,25
+29,28,25,25
+7,7,0,0
+`
+
+/** The hash of the weights after `botgarten learn net friendship --examples rows.csv --rounds 60 --json` in Node. */
+export const weightsOfSixRows = '7c9b35e4ad6dddfa'
+
 /** What a child does to teach a network by examples. */
 export class Teaching {
   readonly #child: Child

@@ -4,6 +4,18 @@ import type { MadeClass } from './made-class.ts'
 
 type Language = 'en' | 'de'
 
+/** A class for one test. Tests move the clock of the server that they share (asked-class.ts); it is set back afterwards. */
+export async function lendClass(
+  room: MadeClass,
+  language: Language,
+  use: (school: MadeClass) => Promise<void>,
+): Promise<void> {
+  const { ports } = room.classServer
+  const { now } = ports
+  await use(await nextClass(room, language))
+  Object.assign(ports, { now })
+}
+
 /** Tests in a class of their own; a worker has one server for the classes of all files. */
 const testsIn = (language: Language) =>
   base.extend<{ school: MadeClass }, { room: MadeClass }>({
@@ -17,13 +29,7 @@ const testsIn = (language: Language) =>
       { scope: 'worker' },
     ],
     house: [({ room }, use) => use(room.url), { scope: 'worker' }],
-    school: async ({ room }, use) => {
-      // Tests move the clock of the server that they share (asked-class.ts): the next test starts with the real one.
-      const { ports } = room.classServer
-      const { now } = ports
-      await use(await nextClass(room, language))
-      Object.assign(ports, { now })
-    },
+    school: ({ room }, use) => lendClass(room, language, use),
   })
 
 // The same test for every file: what is asked for otherwise would be a worker of its own.

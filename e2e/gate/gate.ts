@@ -1,7 +1,8 @@
 // Shared by the tests of the gate: one server a worker, which has a teacher, and navigation by clicks from home.
 import type { Locator, Page } from '@playwright/test'
 import type { Child } from '../child.ts'
-import { classOfTest, nextClass } from '../class-server.ts'
+import { classOfTest } from '../class-server.ts'
+import { lendClass } from '../class-test.ts'
 import { expect, test as base } from '../house.ts'
 import type { MadeClass } from '../made-class.ts'
 
@@ -19,13 +20,7 @@ export const test = base.extend<{ school: MadeClass }, { room: MadeClass }>({
     { scope: 'worker' },
   ],
   house: [({ room }, use) => use(room.url), { scope: 'worker' }],
-  school: async ({ room, language }, use) => {
-    // Tests may move the clock of the server that they share: the next test starts with the real one.
-    const { ports } = room.classServer
-    const { now } = ports
-    await use(await nextClass(room, language))
-    Object.assign(ports, { now })
-  },
+  school: ({ room, language }, use) => lendClass(room, language, use),
 })
 
 /** From home to a card of the lab. */

@@ -1,20 +1,8 @@
-import { Teaching } from '../child-training.ts'
+import { sixRows, Teaching, weightsOfSixRows } from '../child-training.ts'
 import { ProofHands } from '../child-proof.ts'
 import { expect, opensCard, test } from './gate.ts'
 
 test.use({ language: 'de' })
-
-/** Two eyes, two wheels. */
-const rows = `eyeLeft,eyeRight,wheelLeft,wheelRight
-40,40,45,45
-39,59,25,60
-68,100,50,90
-100,53,65,25
-29,28,25,25
-7,7,0,0
-`
-/** As `botgarten learn net friendship --examples rows.csv --rounds 60 --json` says. */
-const learned = '7c9b35e4ad6dddfa'
 
 test(
   'examples are shown and practised: the error falls, the knobs turn, and Bo drives with them',
@@ -30,7 +18,7 @@ test(
     await teaching.seesExamples(1)
     await child.types('Control+z')
     await teaching.seesExamples(0)
-    await teaching.opensFile('rows.csv', rows)
+    await teaching.opensFile('rows.csv', sixRows)
     await teaching.seesExamples(6)
     await teaching.setsAside(2)
     await teaching.seesExamples(5)
@@ -40,7 +28,7 @@ test(
     await teaching.letsPractise()
     await teaching.practises()
     await expect(teaching.curve).toHaveAttribute('aria-valuenow', '60')
-    expect(await teaching.hashOfWeights()).toBe(learned)
+    expect(await teaching.hashOfWeights()).toBe(weightsOfSixRows)
     const error = async () => {
       await proof.asks()
       const [percent] = (await proof.sum()).match(/[\d,]+(?=\D*$)/)!
@@ -58,9 +46,9 @@ test(
     for (const beat of ['inputs', 'sums', 'says', 'error', 'arrows', 'knobs'])
       await child.presses(`training.next.${beat}`)
     await child.presses('training.close')
-    expect(await teaching.hashOfWeights()).not.toBe(learned)
+    expect(await teaching.hashOfWeights()).not.toBe(weightsOfSixRows)
     await child.types('Control+z')
-    await expect.poll(() => teaching.hashOfWeights()).toBe(learned)
+    await expect.poll(() => teaching.hashOfWeights()).toBe(weightsOfSixRows)
     await child.pressesStart()
     await child.seesDriving()
     await expect(page.getByText(child.word('training.drove'))).toBeVisible()

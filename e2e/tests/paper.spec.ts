@@ -9,6 +9,7 @@ import { sample } from '@botgarten/numbers/testing'
 import type { Page } from '@playwright/test'
 import { expect, test } from '../house.ts'
 import { readPdf } from '../pdf.ts'
+import { oneOfEachKind } from '../printed.ts'
 import { languagesOf } from '../words.ts'
 
 interface Held {
@@ -20,22 +21,6 @@ interface Held {
 
 const content = new URL('../../content/', import.meta.url)
 const read = (file: string): unknown => JSON.parse(readFileSync(new URL(file, content), 'utf8'))
-
-/** An item of each kind, the shorter ones; first those with most that may go wrong on paper. */
-const oneOfEach = [
-  ['curriculum', 'one-day'],
-  ['plan', 'friendship-and-fear'],
-  ['card', 'first-drive-cards'],
-  ['slides', 'how-does-your-robot-learn'],
-  ['kit', 'sorting-cards'],
-  ['checklist', 'the-day-before'],
-  ['links', 'further-material'],
-  ['observation', 'observation-card'],
-  ['observer', 'observer-sheet'],
-  ['sheet', 'q-map'],
-  ['solution', 'solutions-first-drive'],
-  ['worksheet', 'three-ways'],
-] as const
 
 const decks = globSync('materials/slides/*/item.json', { cwd: content }).map(
   (file) => (read(file) as { readonly id: string }).id,
@@ -200,7 +185,7 @@ test('on what is printed of each kind every link leads to the address that was g
   page,
   house,
 }) => {
-  const { links } = await printed(page, `${home}/school`, [...oneOfEach, game])
+  const { links } = await printed(page, `${home}/school`, [...oneOfEachKind, game])
   const ours = links.filter(({ url }) => /\/(lab|materials)\//.test(url))
   expect(ours.filter(({ url }) => !url.startsWith(`${home}/school/`))).toEqual([])
   expect(links.filter(({ url }) => url.startsWith(house))).toEqual([])
@@ -211,7 +196,7 @@ test('without an address links are names with numbers, and none leads to the mac
   page,
   house,
 }) => {
-  const { links, texts } = await printed(page, '', sample([...oneOfEach, game], 3))
+  const { links, texts } = await printed(page, '', sample([...oneOfEachKind, game], 3))
   expect(links.filter(({ url }) => url.startsWith(house))).toEqual([])
   expect(texts.get('one-day')).toContain('Slides 1 (How does your robot learn?)')
   expect(texts.get('one-day')).toContain('Poster (6.3: What was the most fun?)')
@@ -235,7 +220,7 @@ async function printed(page: Page, address: string, items: readonly (readonly [k
 test('a kind is printed from its own page as large as its paper, without the bar', async ({ page }) => {
   const sizes = { a4: [210, 297], a5: [148, 210], '16:9': [339, 191] }
   const wrong: string[] = []
-  for (const [kind, id] of sample(oneOfEach, 4)) {
+  for (const [kind, id] of sample(oneOfEachKind, 4)) {
     await page.goto(`/materials/${kind}/${id}`)
     const article = page.locator('.material[aria-busy=false]')
     await expect(article).toBeVisible()
