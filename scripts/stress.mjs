@@ -10,9 +10,11 @@ import { specsOf } from './gate/rooms.mjs'
 import { browserSuite, runSuite, unitSuite } from './gate/suite.mjs'
 import { summarize } from './gate/summary.mjs'
 import { listFiles, listUnitTests } from './gate/tree.mjs'
+import { isToBeBuilt } from './prepare/build.mjs'
 import { inHouse as inRepo } from './prepare/house.mjs'
 import { asScript, Trouble } from './prepare/run.mjs'
 import { runtime } from './prepare/runtime.mjs'
+import { good, take } from './prepare/steps.mjs'
 
 const LOOPS = 4
 const file = inRepo('test-results', 'stress.jsonl')
@@ -84,6 +86,8 @@ await asScript(async () => {
     environment: { CHROMIUM: await ensureChromium() },
   }
   mkdirSync(dirname(file), { recursive: true })
+  const isBuilt = !isToBeBuilt() || good(await take({ name: 'build', script: 'build' }, context.environment))
+  if (!isBuilt) throw new Trouble('The lab could not be built.')
   const stopLoops = startLoops()
   try {
     for (const batch of batches(files, kind === 'units' ? 60 : 12)) {
