@@ -4,11 +4,13 @@ import { migrateAnswers } from './answers/migrate.ts'
 import { first } from './first.ts'
 import { gallery } from './gallery.ts'
 import { live } from './live.ts'
+import { marks } from './marks.ts'
 import { thrown } from './thrown.ts'
 import { together, togetherSwitch } from './together.ts'
 import { wifi } from './wifi.ts'
 
-const migrations = ({ kind }: Database) => ({
+/** Kysely takes the steps in the order of their names: `step-` comes after the dates of the first ones. */
+export const migrations = ({ kind }: Pick<Database, 'kind'>) => ({
   '2026-11-first': first(kind),
   '2026-11-live': live,
   '2026-11-thrown': thrown,
@@ -16,6 +18,7 @@ const migrations = ({ kind }: Database) => ({
   '2026-12-gallery': gallery,
   '2026-12-together': together,
   '2026-12-together-switch': togetherSwitch,
+  'step-008-marks': marks,
 })
 
 const migrator = (database: Database) =>

@@ -85,6 +85,16 @@ interface PupilTable {
   handAt: number | null
   isNew: 0 | 1
   joinedAt: number
+  /** How often its projects have changed: the number of its newest mark. */
+  changes: Generated<number>
+}
+
+/** Each change of a pupil's projects leaves one; a device that shows an unknown one comes from before a restore. */
+interface MarkTable {
+  pupil: string
+  /** From 1, one more with each change. */
+  number: number
+  random: string
 }
 
 interface PupilSessionTable {
@@ -224,6 +234,7 @@ export interface Tables extends GalleryTables {
   pupilSession: PupilSessionTable
   project: ProjectTable
   thrown: ThrownTable
+  mark: MarkTable
   version: VersionTable
   answered: AnsweredTable
   asset: AssetTable

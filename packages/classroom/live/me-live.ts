@@ -3,6 +3,7 @@ import { openAskingOf } from '../questionnaires/askings-store.ts'
 import type { Pupil } from '../joining/sessions-store.ts'
 import { askedBy, askedOf } from '../asking/peers-store.ts'
 import type { Ports } from '../ports.ts'
+import { markOf } from '../projects/marks-store.ts'
 import { shownPair } from '../together/shown.ts'
 import { handoutsOf } from './handouts-store.ts'
 
@@ -23,6 +24,8 @@ export async function liveOfPupil(ports: Ports, pupil: Pupil) {
     attention: ports.live.attentionOf(pupil.class),
     inside: ports.live.insideOf(pupil.id),
     handouts,
+    /** Of the last change of its projects: a page that saw another one asks for the list of projects. */
+    mark: await markOf(ports.database.db, pupil.id),
     /** The form that the class is asked now, by its key. */
     asking: asking?.key ?? null,
   }

@@ -1,31 +1,37 @@
 import type { Db } from '../database/database.ts'
 import { assetsOf, recount } from './assets-store.ts'
+import { renewMark } from './marks-store.ts'
 
+/** A pupil's projects with the hash of their newest version. */
 export const projectsOf = (db: Db, pupil: string) =>
   db
     .selectFrom('project')
-    .select(['id', 'revision', 'name', 'card', 'savedAt'])
-    .where('pupil', '=', pupil)
-    .orderBy('savedAt', 'desc')
+    .innerJoin('version', (join) =>
+      join
+        .onRef('version.pupil', '=', 'project.pupil')
+        .onRef('version.project', '=', 'project.id')
+        .onRef('version.revision', '=', 'project.revision'),
+    )
+    .select(['id', 'project.revision', 'hash', 'name', 'card', 'project.savedAt'])
+    .where('project.pupil', '=', pupil)
+    .orderBy('project.savedAt', 'desc')
     .orderBy('id')
     .execute()
 
-/** Ids of what this pupil has thrown away. */
-export async function thrownOf(db: Db, pupil: string): Promise<string[]> {
-  const rows = await db
+/** The deleted projects of a pupil, with their last revision. */
+export const thrownOf = (db: Db, pupil: string) =>
+  db
     .selectFrom('thrown')
-    .select('project')
+    .select(['project as id', 'revision'])
     .where('pupil', '=', pupil)
     .orderBy('project')
     .execute()
-  return rows.map(({ project }) => project)
-}
 
 /** What can be taken back, the newest first. */
 export const versionsOf = (db: Db, pupil: string, project: string) =>
   db
     .selectFrom('version')
-    .select(['revision', 'savedAt', 'bytes'])
+    .select(['revision', 'hash', 'savedAt', 'bytes'])
     .where('pupil', '=', pupil)
     .where('project', '=', project)
     .orderBy('revision', 'desc')
@@ -35,7 +41,7 @@ export const versionsOf = (db: Db, pupil: string, project: string) =>
 export async function versionOf(db: Db, pupil: string, project: string, revision?: number) {
   const query = db
     .selectFrom('version')
-    .select(['revision', 'document', 'savedAt'])
+    .select(['revision', 'hash', 'document', 'savedAt'])
     .where('pupil', '=', pupil)
     .where('project', '=', project)
     .orderBy('revision', 'desc')
@@ -46,46 +52,73 @@ export async function versionOf(db: Db, pupil: string, project: string, revision
   if (!row) return null
   const assets = await assetsOf(db, pupil, project, row.revision)
   const document = JSON.parse(row.document) as object
-  return { revision: row.revision, savedAt: row.savedAt, project: { ...document, assets } }
+  const { hash, savedAt } = row
+  return { revision: row.revision, hash, savedAt, project: { ...document, assets } }
 }
 
+/** A version of a project that a device knows; no hash: a page that is older than hashes does not send one. */
+export interface KnownVersion {
+  readonly revision: number
+  readonly hash?: string | undefined
+}
+
+/** The newest version of a project; null if there is no such project. */
+export async function headOf(
+  db: Db,
+  pupil: string,
+  id: string,
+): Promise<{ readonly revision: number; readonly hash: string } | null> {
+  const row = await db
+    .selectFrom('project')
+    .innerJoin('version', (join) =>
+      join
+        .onRef('version.pupil', '=', 'project.pupil')
+        .onRef('version.project', '=', 'project.id')
+        .onRef('version.revision', '=', 'project.revision'),
+    )
+    .select(['version.revision', 'version.hash'])
+    .where('project.pupil', '=', pupil)
+    .where('project.id', '=', id)
+    .executeTakeFirst()
+  return row ?? null
+}
+
+/** After a restore two versions can have one number: they are the same only with the same hash. */
+export const isSame = (head: KnownVersion, known: KnownVersion): boolean =>
+  head.revision === known.revision && (known.hash === undefined || head.hash === known.hash)
+
 /**
- * Throws a project away, unless another device has saved it since.
- * @param base the revision that the sender stands on
- * @returns its revision where that is another; null where there is no such project
+ * Deletes a project, unless another device has saved it since.
+ * @param base the version that the sender knows
+ * @param random a new token, for the mark
+ * @returns its mark; its newest version if that is another one; null if there is no such project
  */
 export async function deleteProject(
   db: Db,
-  pupil: string,
-  classId: string,
+  { pupil, class: classId }: { readonly pupil: string; readonly class: string },
   id: string,
-  base: number,
-): Promise<'deleted' | number | null> {
+  base: KnownVersion,
+  random: string,
+): Promise<{ readonly mark: string } | { readonly revision: number; readonly hash: string } | null> {
   return db.transaction().execute(async (inside) => {
+    const head = await headOf(inside, pupil, id)
+    if (!head || !isSame(head, base)) return head
+    const { revision } = base
     const gone = await inside
       .deleteFrom('project')
       .where('pupil', '=', pupil)
       .where('id', '=', id)
-      .where('revision', '=', base)
+      .where('revision', '=', revision)
       .returning('revision')
       .executeTakeFirst()
-    if (!gone) return revisionOf(inside, pupil, id)
+    if (!gone) return headOf(inside, pupil, id)
     await inside
       .insertInto('thrown')
-      .values({ pupil, project: id, revision: base })
-      .onConflict((conflict) => conflict.columns(['pupil', 'project']).doUpdateSet({ revision: base }))
+      .values({ pupil, project: id, revision })
+      .onConflict((conflict) => conflict.columns(['pupil', 'project']).doUpdateSet({ revision }))
       .execute()
+    const mark = await renewMark(inside, pupil, random)
     await recount(inside, classId)
-    return 'deleted'
+    return { mark }
   })
-}
-
-async function revisionOf(db: Db, pupil: string, id: string): Promise<number | null> {
-  const row = await db
-    .selectFrom('project')
-    .select('revision')
-    .where('pupil', '=', pupil)
-    .where('id', '=', id)
-    .executeTakeFirst()
-  return row?.revision ?? null
 }

@@ -1,5 +1,7 @@
+import { newToken } from '../hashes.ts'
 import { Refusal } from '../refusal.ts'
 import { route, type Answer, type Call, type Route } from '../route.ts'
+import { knowsMark, markOf } from './marks-store.ts'
 import { deleteProject, projectsOf, thrownOf, versionOf, versionsOf } from './projects-store.ts'
 import { mostSpace } from './saves-store.ts'
 
@@ -16,10 +18,26 @@ export function deviceId(text: string | null | undefined): string {
   return text!
 }
 
-async function list({ ports, who }: Call<undefined>): Promise<Answer> {
+/** The class has another version than the one that the device knows. */
+const anotherVersion = ({ revision, hash }: { readonly revision: number; readonly hash?: string }) =>
+  new Refusal(409, 'newerRevision', { revision, ...(hash !== undefined && { hash }) })
+
+async function list({ ports, who, query }: Call<undefined>): Promise<Answer> {
   const { db } = ports.database
   const { id } = who.pupil!
-  return { body: { projects: await projectsOf(db, id), thrown: await thrownOf(db, id) } }
+  const bin = await thrownOf(db, id)
+  const seen = query.get('mark')
+  return {
+    body: {
+      projects: await projectsOf(db, id),
+      bin,
+      // For pages that were loaded before `bin` existed.
+      thrown: bin.map((one) => one.id),
+      mark: await markOf(db, id),
+      // Whether the class has everything that this device saw; it has not where it was restored since.
+      known: seen === null || (await knowsMark(db, id, seen)),
+    },
+  }
 }
 
 /** The whole of it or nothing: what is answered 200 is on the disk. */
@@ -29,11 +47,13 @@ async function save({ ports, who, at, query, body }: Call<string>): Promise<Answ
   const base = wholeNumber(query.get('base'))
   const checked = await ports.checkProject(body)
   if ('refused' in checked) throw new Refusal(422, 'projectRefused', { reason: checked.refused })
-  const all = { pupil, class: classId, project, save: saveId, base, checked, at: ports.now() }
-  const saved = await ports.save(all)
-  if (saved.kind === 'conflict') throw new Refusal(409, 'newerRevision', { revision: saved.revision })
+  const onto = query.get('onto') ?? undefined
+  const key = { pupil, class: classId, project, save: saveId, base, onto }
+  const saved = await ports.save({ ...key, checked, at: ports.now(), random: newToken(ports.random) })
+  if (saved.kind === 'conflict') throw anotherVersion(saved)
   if (saved.kind === 'classFull') throw new Refusal(507, 'classFull')
-  return { body: { revision: saved.revision, full: saved.space >= mostSpace * 0.8 } }
+  const { revision, mark, space } = saved
+  return { body: { revision, hash: checked.hash, mark, full: space >= mostSpace * 0.8 } }
 }
 
 async function read({ ports, who, at }: Call<undefined>): Promise<Answer> {
@@ -54,11 +74,13 @@ async function version({ ports, who, at }: Call<undefined>): Promise<Answer> {
 
 async function remove({ ports, who, at, query }: Call<undefined>): Promise<Answer> {
   const { id, class: classId } = who.pupil!
-  const base = wholeNumber(query.get('base'))
-  const outcome = await deleteProject(ports.database.db, id, classId, at['project']!, base)
+  const base = { revision: wholeNumber(query.get('base')), hash: query.get('onto') ?? undefined }
+  const { db } = ports.database
+  const of = { pupil: id, class: classId }
+  const outcome = await deleteProject(db, of, at['project']!, base, newToken(ports.random))
   if (outcome === null) throw new Refusal(404, 'noSuchProject')
-  if (outcome !== 'deleted') throw new Refusal(409, 'newerRevision', { revision: outcome })
-  return {}
+  if ('revision' in outcome) throw anotherVersion(outcome)
+  return { body: outcome }
 }
 
 export const projectRoutes: readonly Route[] = [

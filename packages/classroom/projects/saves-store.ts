@@ -2,6 +2,8 @@ import type { Db } from '../database/database.ts'
 import { addAssets, recount } from './assets-store.ts'
 import type { Checked } from './checked.ts'
 import { noteResult } from '../teaching/results-store.ts'
+import { markOf, renewMark } from './marks-store.ts'
+import { headOf, isSame } from './projects-store.ts'
 import { surplus } from './retention.ts'
 
 /** One save of a pupil as a device sends it. */
@@ -13,14 +15,23 @@ export interface Save {
   readonly save: string
   /** The revision it stands on; 0 for a new project. */
   readonly base: number
+  /** Hash of `base`; a page that is older than hashes does not send one. */
+  readonly onto?: string | undefined
   readonly checked: Checked
   readonly at: number
+  /** A new token, for the mark of this change. */
+  readonly random: string
 }
 
 export type Saved =
-  | { readonly kind: 'saved'; readonly revision: number; readonly space: number }
-  /** The class holds a newer revision. */
-  | { readonly kind: 'conflict'; readonly revision: number }
+  | {
+      readonly kind: 'saved'
+      readonly revision: number
+      readonly mark: string | null
+      readonly space: number
+    }
+  /** The class holds another version; revision 0: none. */
+  | { readonly kind: 'conflict'; readonly revision: number; readonly hash?: string }
   | { readonly kind: 'classFull' }
 
 /** 0.5 GB a class. */
@@ -39,12 +50,13 @@ export async function saveInside(db: Db, save: Save, most = mostSpace): Promise<
   // First: the new version takes the place in the file that the old one leaves, and half as much is written.
   const gone = await dropSurplus(db, save, revision)
   const added = await addVersion(db, save, revision)
+  const mark = await renewMark(db, save.pupil, save.random)
   const { card, done } = save.checked
   if (card !== null) await noteResult(db, { pupil: save.pupil, class: save.class, card, done })
   const space = await spaceWithin(db, save, await addSpace(db, save.class, added - gone), most)
   // The transaction is to be rolled back.
   if (space === null) throw new ClassFull()
-  return { kind: 'saved', revision, space }
+  return { kind: 'saved', revision, mark, space }
 }
 
 /** Thrown inside the transaction, so that nothing of the save stays. */
@@ -52,7 +64,7 @@ export class ClassFull extends Error {}
 
 async function saved(db: Db, save: Save, revision: number): Promise<Saved> {
   const row = await db.selectFrom('class').select('space').where('id', '=', save.class).executeTakeFirst()
-  return { kind: 'saved', revision, space: row?.space ?? 0 }
+  return { kind: 'saved', revision, mark: await markOf(db, save.pupil), space: row?.space ?? 0 }
 }
 
 async function answeredBefore(db: Db, { pupil, save, project }: Save): Promise<number | null> {
@@ -69,7 +81,7 @@ async function answeredBefore(db: Db, { pupil, save, project }: Save): Promise<n
 /** Moves the project from the revision it stands on to the next: of two devices one does. @returns null for the other one */
 async function takeRevision(
   db: Db,
-  { pupil, project, base, checked, at, class: classId }: Save,
+  { pupil, project, base, onto, checked, at, class: classId }: Save,
 ): Promise<number | null> {
   const { name, card } = checked
   if (base === 0) {
@@ -85,6 +97,8 @@ async function takeRevision(
     await db.deleteFrom('thrown').where('pupil', '=', pupil).where('project', '=', project).execute()
     return revision
   }
+  const head = await headOf(db, pupil, project)
+  if (!head || !isSame(head, { revision: base, hash: onto })) return null
   const moved = await db
     .updateTable('project')
     .set({ revision: base + 1, name, card, savedAt: at })
@@ -113,25 +127,13 @@ async function conflictOrSame(db: Db, save: Save): Promise<Saved> {
   if (before !== null) return await saved(db, save, before)
   const head = await headOf(db, save.pupil, save.project)
   if (head && head.hash === save.checked.hash) return await saved(db, save, head.revision)
-  return { kind: 'conflict', revision: head?.revision ?? 0 }
+  return { kind: 'conflict', ...(head ?? { revision: 0 }) }
 }
 
 /** A project thrown away and taken back before the class heard of it is no version more. */
 async function changesNothing(db: Db, { pupil, project, base, checked }: Save): Promise<boolean> {
-  const head = await db
-    .selectFrom('project')
-    .innerJoin('version', (join) =>
-      join
-        .onRef('version.pupil', '=', 'project.pupil')
-        .onRef('version.project', '=', 'project.id')
-        .onRef('version.revision', '=', 'project.revision'),
-    )
-    .select('version.hash')
-    .where('project.pupil', '=', pupil)
-    .where('project.id', '=', project)
-    .where('project.revision', '=', base)
-    .executeTakeFirst()
-  return head?.hash === checked.hash
+  const head = await headOf(db, pupil, project)
+  return head !== null && isSame(head, { revision: base, hash: checked.hash })
 }
 
 /** A name of a save that another project has had already is noted no more: sent twice, the work itself is found equal. */
@@ -141,16 +143,6 @@ const noteAnswered = (db: Db, { pupil, save, project, at }: Save, revision: numb
     .values({ pupil, save, project, revision, savedAt: at })
     .onConflict((conflict) => conflict.columns(['pupil', 'save']).doNothing())
     .execute()
-
-const headOf = (db: Db, pupil: string, project: string) =>
-  db
-    .selectFrom('version')
-    .select(['revision', 'hash'])
-    .where('pupil', '=', pupil)
-    .where('project', '=', project)
-    .orderBy('revision', 'desc')
-    .limit(1)
-    .executeTakeFirst()
 
 /** @returns how many bytes the class holds more */
 async function addVersion(db: Db, save: Save, revision: number): Promise<number> {

@@ -44,7 +44,8 @@ onBothDatabases((fresh) => {
       await save(browser, 0, projectText('a'), id),
       await save(browser, 0, projectText('a'), id),
     ]
-    expect(answers.map(({ body }) => body)).toEqual(Array(2).fill({ revision: 1, full: false }))
+    expect(answers[0]!.body).toMatchObject({ revision: 1, full: false })
+    expect(answers[1]).toEqual(answers[0])
     await save(browser, 1, projectText('b'))
     // Even when others came in between.
     expect((await save(browser, 0, projectText('a'), id)).body).toMatchObject({ revision: 1 })
@@ -209,9 +210,11 @@ onBothDatabases((fresh) => {
   test('a project that is thrown away is gone with its versions, and its place is free', async () => {
     const { browser } = await pupil()
     await save(browser, 0, projectText('a'))
-    expect((await browser.delete('/projects/project-1?base=1')).status).toBe(204)
+    expect((await browser.delete('/projects/project-1?base=1')).status).toBe(200)
     expect((await browser.get('/projects/project-1')).status).toBe(404)
-    expect((await browser.get('/projects')).body).toEqual({ projects: [], thrown: ['project-1'] })
+    expect((await browser.get('/projects')).body).toMatchObject({
+      ...{ projects: [], bin: [{ id: 'project-1', revision: 1 }], thrown: ['project-1'] },
+    })
     expect((await browser.delete('/projects/project-1?base=1')).status).toBe(404)
     // It goes on from there: what comes late is never taken for it.
     expect((await save(browser, 0, projectText('b'))).body).toMatchObject({ revision: 2 })
@@ -219,6 +222,52 @@ onBothDatabases((fresh) => {
     expect(await browser.delete('/projects/project-1?base=1')).toMatchObject({
       ...{ status: 409, body: { error: 'newerRevision', revision: 2 } },
     })
+  })
+
+  test('a revision of the same number with other work is a conflict: it is neither replaced nor deleted', async () => {
+    const { browser } = await pupil()
+    await save(browser, 0, projectText('a'))
+    const { hash } = (await save(browser, 1, projectText('b'))).body as { hash: string }
+    const other = { status: 409, body: { error: 'newerRevision', revision: 2, hash } }
+    const path = '/projects/project-1?base=2'
+    expect(await browser.put(`${path}&onto=another&save=${newSave()}`, projectText('c'))).toMatchObject(other)
+    expect(await browser.delete(`${path}&onto=another`)).toMatchObject(other)
+    expect(await browser.put(`${path}&onto=${hash}&save=${newSave()}`, projectText('c'))).toMatchObject({
+      ...{ status: 200, body: { revision: 3 } },
+    })
+  })
+
+  test('each change leaves a mark, and the class knows all it has given to this pupil', async () => {
+    const [one, other] = [await pupil(), await pupil()]
+    const listOf = async ({ browser }: typeof one, mark: string) =>
+      (await browser.get(`/projects?mark=${encodeURIComponent(mark)}`)).body as {
+        mark: string | null
+        known: boolean
+      }
+    expect((await one.browser.get('/projects')).body).toMatchObject({ mark: null, known: true })
+    const { mark: first } = (await save(one.browser, 0, projectText('a'))).body as { mark: string }
+    const { mark: second } = (await save(one.browser, 1, projectText('b'))).body as { mark: string }
+    const { mark: third } = (await one.browser.delete('/projects/project-1?base=2')).body as { mark: string }
+    expect(new Set([first, second, third]).size).toBe(3)
+    for (const mark of [first, second, third])
+      expect(await listOf(one, mark)).toMatchObject({ mark: third, known: true })
+    // A save that changes nothing leaves no mark.
+    const { mark: fourth } = (await save(one.browser, 0, projectText('c'))).body as { mark: string }
+    expect((await save(one.browser, 3, projectText('c'))).body).toMatchObject({ mark: fourth })
+    for (const unknown of [first.replace(/^1/, '2'), `9.${first.slice(2)}`, 'nothing', ''])
+      expect(await listOf(one, unknown)).toMatchObject({ known: false })
+    expect(await listOf(other, first)).toMatchObject({ known: false })
+  })
+
+  test('two saves of one pupil at once leave two marks', async () => {
+    const { browser } = await pupil()
+    const both = await Promise.all([
+      save(browser, 0, projectText('a')),
+      save(browser.twin(), 0, projectText('b'), newSave(), 'project-2'),
+    ])
+    expect(both.map(({ status }) => status)).toEqual([200, 200])
+    const marks = both.map(({ body }) => (body as { mark: string }).mark.split('.')[0])
+    expect(marks.toSorted()).toEqual(['1', '2'])
   })
 
   test('saves are taken in after the lesson, and nothing is read before the pictures', async () => {

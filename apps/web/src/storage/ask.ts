@@ -8,6 +8,7 @@ export type Reply =
 
 interface Facts {
   readonly revision?: number | undefined
+  readonly hash?: string | undefined
   readonly seconds?: number | undefined
   readonly reason?: string | undefined
 }
@@ -24,6 +25,7 @@ const number = v.optional(v.number())
 const refusal = v.object({
   error: v.string(),
   revision: number,
+  hash: v.optional(v.string()),
   seconds: number,
   reason: v.optional(v.string()),
 })

@@ -56,8 +56,8 @@ async function noteThrown(transaction: Writing, id: string): Promise<void> {
   const sync = await transaction.objectStore('sync').get(id)
   const isOnItsWay = (await transaction.objectStore('outbox').getKey(id)) !== undefined
   if (!sync && !isOnItsWay) return
-  const { base = 0, synced = 0 } = sync ?? {}
-  await transaction.objectStore('sync').put({ id, base, synced, thrown: true })
+  const { base = 0, synced = 0, hash, seen } = sync ?? {}
+  await transaction.objectStore('sync').put({ id, base, hash, seen, synced, thrown: true })
 }
 
 /** Takes a project out of the bin. It gets its old key, or a new one where something else has that now. */

@@ -42,11 +42,21 @@ interface PictureRecord {
   readonly asset: Project['assets'][string]
 }
 
+/** A version as the class names it. After a restore two versions can have one number, but never one hash. */
+export interface ClassVersion {
+  readonly revision: number
+  readonly hash: string
+}
+
 /** How a project stands to its class. Revisions of the class and those of the device are counted apart. */
 export interface SyncRecord {
   readonly id: string
   /** Revision of the class that this device's project stands on; 0: the class has none. */
   readonly base: number
+  /** Hash of that revision; none in records that are older than hashes. */
+  readonly hash?: string | undefined
+  /** Earlier versions of the class that this project was made from, the newest last. */
+  readonly seen?: readonly ClassVersion[] | undefined
   /** Revision of this device that the class holds; 0: none. */
   readonly synced: number
   /** Revision of the class that came from another device: the child has not chosen yet. */
@@ -55,6 +65,8 @@ export interface SyncRecord {
   readonly refused?: { readonly revision: number; readonly reason: string }
   /** It was thrown away on this device, and the class does not know yet. */
   readonly thrown?: true
+  /** The version that was deleted, here and in the class. */
+  readonly gone?: { readonly revision: number; readonly hash?: string | undefined }
 }
 
 /** A save on its way to the class: once begun, it stays as it is until the class has answered. */
@@ -65,6 +77,8 @@ export interface OutboxRecord {
   /** Revision of this device that it holds. */
   readonly revision: number
   readonly base: number
+  /** Hash of `base`. */
+  readonly hash?: string | undefined
   readonly project: Project
 }
 
@@ -76,10 +90,12 @@ interface Schema extends DBSchema {
   days: { key: string; value: { readonly id: string; readonly count: number; readonly last: string } }
   sync: { key: string; value: SyncRecord }
   outbox: { key: string; value: OutboxRecord }
+  /** The newest mark of the class that this device saw. */
+  mark: { key: string; value: { readonly id: 'mark'; readonly mark: string } }
 }
 
 type Opened = IDBPDatabase<Schema>
-const allStores = ['projects', 'bin', 'revisions', 'pictures', 'days', 'sync', 'outbox'] as const
+const allStores = ['projects', 'bin', 'revisions', 'pictures', 'days', 'sync', 'outbox', 'mark'] as const
 type Store = (typeof allStores)[number]
 export type Writing = IDBPTransaction<Schema, Store[], 'readwrite'>
 export type Reading = IDBPTransaction<Schema, Store[], 'readonly'>
@@ -98,6 +114,7 @@ const migrations: readonly ((db: Opened) => void)[] = [
     db.createObjectStore('sync', { keyPath: 'id' })
     db.createObjectStore('outbox', { keyPath: 'id' })
   },
+  (db) => void db.createObjectStore('mark', { keyPath: 'id' }),
 ]
 
 /** So long another tab may hold on to an older database before this one says so, in milliseconds. */

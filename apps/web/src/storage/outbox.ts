@@ -7,6 +7,7 @@ import {
   storageErrorIn,
   tried,
   writing,
+  type ClassVersion,
   type OutboxRecord,
   type Reading,
   type StorageError,
@@ -14,6 +15,7 @@ import {
   type Writing,
 } from './database.ts'
 import { freshId, type Listed } from './projects.ts'
+import { isBehind, noteMark, basedOn, unknown } from './class-versions.ts'
 import { firstRevision, getProject, putProject, savedRevision } from './records.ts'
 
 export type { OutboxRecord } from './database.ts'
@@ -25,8 +27,6 @@ export type Whereabouts =
   | { readonly kind: 'refused'; readonly reason: string }
 
 export type AllWhereabouts = ReadonlyMap<string, Whereabouts>
-
-const unknown = (id: string): SyncRecord => ({ id, base: 0, synced: 0 })
 
 function whereIs(revision: number, sync: SyncRecord | undefined, isOnItsWay: boolean): Whereabouts {
   const { conflict, refused, synced = 0 } = sync ?? {}
@@ -70,8 +70,8 @@ export async function nextToSend(): Promise<OutboxRecord | null> {
 async function begin(transaction: Writing, id: string): Promise<OutboxRecord | null> {
   const found = await getProject(transaction, id)
   if (!found) return null
-  const { base } = (await transaction.objectStore('sync').get(id)) ?? unknown(id)
-  const record = { id, save: freshId('save'), revision: found.revision, base, project: found.project }
+  const { base, hash } = (await transaction.objectStore('sync').get(id)) ?? unknown(id)
+  const record = { id, save: freshId('save'), revision: found.revision, base, hash, project: found.project }
   await keepFromThrowing(transaction, id)
   await transaction.objectStore('outbox').put(record)
   return record
@@ -79,28 +79,42 @@ async function begin(transaction: Writing, id: string): Promise<OutboxRecord | n
 
 /** Something has the place again of what was thrown away: it goes on from there. */
 async function keepFromThrowing(transaction: Writing, id: string): Promise<void> {
-  const { thrown, ...sync } = (await transaction.objectStore('sync').get(id)) ?? unknown(id)
-  if (thrown) await transaction.objectStore('sync').put(sync)
+  const { thrown, gone, ...sync } = (await transaction.objectStore('sync').get(id)) ?? unknown(id)
+  if (thrown || gone) await transaction.objectStore('sync').put(sync)
 }
 
-/** What was thrown away on this device and is still in the class: its id, and the revision of the class that is meant. */
-export async function nextToThrow(): Promise<Pick<SyncRecord, 'id' | 'base'> | null> {
+/** A project that is deleted on this device but not in the class: its id, and the version of the class that is meant. */
+export async function nextToThrow(): Promise<Pick<SyncRecord, 'id' | 'base' | 'hash'> | null> {
   return reading(async (transaction) => {
-    for (const { id, base, thrown } of await transaction.objectStore('sync').getAll()) {
+    for (const { id, base, hash, thrown } of await transaction.objectStore('sync').getAll()) {
       if (!thrown || (await transaction.objectStore('outbox').getKey(id))) continue
-      if ((await savedRevision(transaction, id)) === null) return { id, base }
+      if ((await savedRevision(transaction, id)) === null) return { id, base, hash }
     }
     return null
   })
 }
 
-/** The class has thrown it away, or has newer work of another device, which then comes back here. */
-export async function noteThrownInClass(id: string): Promise<void> {
+/** The class has deleted it. The version is remembered: after a restore the class deletes it again. */
+export async function noteThrownInClass(id: string, mark: string | null = null): Promise<void> {
   await writing(async (transaction) => {
     const sync = await transaction.objectStore('sync').get(id)
     if (!sync?.thrown) return
+    const { base: revision, hash } = sync
     // Whatever has its place by now is new to the class.
-    await transaction.objectStore('sync').delete(id)
+    if (revision === 0) await transaction.objectStore('sync').delete(id)
+    else await transaction.objectStore('sync').put({ id, base: 0, synced: 0, gone: { revision, hash } })
+    await noteMark(transaction, mark)
+  })
+}
+
+/** The class has another version than the deleted one: an older one, which is deleted too, or newer work, which is loaded again. */
+export async function noteNotThrown(id: string, has: ClassVersion): Promise<void> {
+  await writing(async (transaction) => {
+    const sync = await transaction.objectStore('sync').get(id)
+    if (!sync?.thrown) return
+    if (isBehind(sync, has))
+      await transaction.objectStore('sync').put({ ...basedOn(sync, has, 0), thrown: true })
+    else await transaction.objectStore('sync').delete(id)
   })
 }
 
@@ -110,14 +124,15 @@ export async function isThrownElsewhere(id: string): Promise<boolean> {
     const own = await savedRevision(transaction, id)
     const sync = await transaction.objectStore('sync').get(id)
     const isOnItsWay = (await transaction.objectStore('outbox').getKey(id)) !== undefined
-    return own !== null && !isOnItsWay && sync !== undefined && sync.base > 0 && own === sync.synced
+    if (own === null || isOnItsWay || sync === undefined || sync.conflict !== undefined) return false
+    return sync.base > 0 && own === sync.synced
   })
 }
 
 /** What the class has answered to a save. `gone`: it has no such project any more, this one is new to it. */
 export type Answered =
-  | { readonly kind: 'saved'; readonly revision: number }
-  | { readonly kind: 'conflict'; readonly revision: number }
+  | ({ readonly kind: 'saved'; readonly mark: string | null } & ClassVersion)
+  | ({ readonly kind: 'conflict' } & ClassVersion)
   | { readonly kind: 'gone' }
   | { readonly kind: 'refused'; readonly reason: string }
 
@@ -129,27 +144,29 @@ export async function noteAnswer({ id, save }: OutboxRecord, answer: Answered): 
     await transaction.objectStore('outbox').delete(id)
     const before = (await transaction.objectStore('sync').get(id)) ?? unknown(id)
     await transaction.objectStore('sync').put(syncAfter(before, waiting, answer))
+    if (answer.kind === 'saved') await noteMark(transaction, answer.mark)
   })
 }
 
 function syncAfter(before: SyncRecord, sent: OutboxRecord, answer: Answered): SyncRecord {
-  const { id, base, synced, thrown } = before
+  const { id, base, hash, seen, synced, thrown } = before
   switch (answer.kind) {
     case 'saved':
-      return { id, base: answer.revision, synced: sent.revision, ...(thrown && { thrown }) }
+      return { ...basedOn(before, answer, sent.revision), ...(thrown && { thrown }) }
     case 'conflict':
-      return { id, base, synced, conflict: answer.revision }
+      // The class was restored to a version that this work was made from.
+      if (isBehind(before, answer)) return basedOn(before, answer, 0)
+      return { id, base, hash, seen, synced, conflict: answer.revision }
     case 'gone':
-      return { id, base: 0, synced: 0 }
+      return { ...unknown(id), seen }
     case 'refused':
-      return { id, base, synced, refused: { revision: sent.revision, reason: answer.reason } }
+      return { id, base, hash, seen, synced, refused: { revision: sent.revision, reason: answer.reason } }
   }
 }
 
 /** A project as the class has it. */
-export interface FromClass {
+export interface FromClass extends ClassVersion {
   readonly id: string
-  readonly revision: number
   readonly savedAt: number
   readonly project: Project
 }
@@ -159,21 +176,23 @@ export async function isWanted(id: string, revision: number): Promise<boolean> {
   return reading(async (transaction) => {
     const own = await savedRevision(transaction, id)
     const sync = (await transaction.objectStore('sync').get(id)) ?? unknown(id)
-    if (await transaction.objectStore('outbox').getKey(id)) return false
+    if (sync.conflict !== undefined || (await transaction.objectStore('outbox').getKey(id))) return false
     return own === null ? !sync.thrown : own === sync.synced && sync.base < revision
   })
 }
 
 /** Puts a project of the class on the device, unless there is work here that the class does not have. */
-export async function takeIn({ id, revision, savedAt, project }: FromClass): Promise<void> {
+export async function takeIn(fromClass: FromClass): Promise<void> {
+  const { id, savedAt, project } = fromClass
   const taken = await tried(async (transaction) => {
     const own = await savedRevision(transaction, id)
     const sync = (await transaction.objectStore('sync').get(id)) ?? unknown(id)
     const isOnItsWay = (await transaction.objectStore('outbox').getKey(id)) !== undefined
-    if (isOnItsWay || (own === null ? sync.thrown : own !== sync.synced)) return { kind: 'left' as const }
+    const isLeft = isOnItsWay || sync.conflict !== undefined
+    if (isLeft || (own === null ? sync.thrown : own !== sync.synced)) return { kind: 'left' as const }
     const next = own === null ? firstRevision() : own + 1
     await putProject(transaction, { id, project, changed: savedAt, revision: next })
-    await transaction.objectStore('sync').put({ id, base: revision, synced: next })
+    await transaction.objectStore('sync').put(basedOn(sync, fromClass, next))
     return { kind: 'taken' as const, revision: next }
   })
   if (taken.kind === 'taken') announce({ kind: 'saved', id, revision: taken.revision })
@@ -181,27 +200,30 @@ export async function takeIn({ id, revision, savedAt, project }: FromClass): Pro
 
 /** Both are kept: this device's goes on, and the class's gets a place of its own. */
 export async function goOnWithOwn(fromClass: FromClass, copy: Listed): Promise<StorageError | null> {
-  const { id, revision } = fromClass
+  const { id } = fromClass
   return storageErrorIn(async (transaction) => {
     await putProject(transaction, { ...copy, revision: firstRevision() })
-    const { synced } = (await transaction.objectStore('sync').get(id)) ?? unknown(id)
+    const sync = (await transaction.objectStore('sync').get(id)) ?? unknown(id)
     await transaction.objectStore('outbox').delete(id)
-    await transaction.objectStore('sync').put({ id, base: revision, synced })
+    // Not even an unchanged project is in the class: its newest version is the other one.
+    await transaction.objectStore('sync').put(basedOn(sync, fromClass, 0))
   })
 }
 
 /** Both are kept: the class's goes on, and this device's, as it stands when this is asked, gets a place of its own. */
 export async function goOnWithClass(
-  { id, revision, savedAt, project }: FromClass,
+  fromClass: FromClass,
   copyOf: (own: Project) => Listed,
 ): Promise<StorageError | null> {
+  const { id, savedAt, project } = fromClass
   const taken = await tried(async (transaction) => {
     const own = await getProject(transaction, id)
     if (own) await putProject(transaction, { ...copyOf(own.project), revision: firstRevision() })
     const next = own ? own.revision + 1 : firstRevision()
     await putProject(transaction, { id, project, changed: savedAt, revision: next })
+    const sync = (await transaction.objectStore('sync').get(id)) ?? unknown(id)
     await transaction.objectStore('outbox').delete(id)
-    await transaction.objectStore('sync').put({ id, base: revision, synced: next })
+    await transaction.objectStore('sync').put(basedOn(sync, fromClass, next))
     return { kind: 'taken' as const, revision: next }
   })
   if (taken.kind !== 'taken') return taken.kind

@@ -6,6 +6,7 @@ export function freshLocalStorage(): Map<string, string> {
   vi.stubGlobal('localStorage', {
     getItem: (key: string) => texts.get(key) ?? null,
     setItem: (key: string, text: string) => void texts.set(key, text),
+    removeItem: (key: string) => void texts.delete(key),
   })
   return texts
 }

@@ -1,8 +1,9 @@
 import { deleteOwnDatabase, deleteSent } from '#storage/database.ts'
+import { seenMark } from '#storage/class-versions.ts'
 import { nextToThrow, whereabouts, type AllWhereabouts, type Whereabouts } from '#storage/outbox.ts'
 import { account, setAccount, whenAccountChanges, type Account } from '#storage/account.ts'
 import type { Picture } from '@botgarten/classroom/pictures'
-import { fetchWork } from './arriving.ts'
+import { compare, fetchWork } from './arriving.ts'
 import { forgetHere, isProven, prove } from './here.ts'
 import { refusedBy, type Refused } from './joining.svelte.ts'
 import { PupilLive } from './live.svelte.ts'
@@ -23,15 +24,18 @@ export class Member {
   whenOver: () => void = () => {}
   #places = $state.raw<AllWhereabouts>(noPlaces)
   #pause = $state.raw<Pause | null>(null)
+  /** Whether this page has compared the device with the class. */
+  #confirmed = $state(false)
   #handUp = $state(false)
 
   constructor(of: Account, ask: Ask = askAs(of.pupil)) {
     this.account = of
     this.ask = ask
-    this.outbox = new Outbox(ask, (pause) => {
+    const report = (pause: Pause | null) => {
       this.#pause = pause
       void this.#look()
-    })
+    }
+    this.outbox = new Outbox(ask, report, async () => (this.#confirmed ? null : this.#compare()))
     this.live = new PupilLive(ask, { me: (me) => this.#take(me), over: () => this.whenOver() })
   }
 
@@ -46,8 +50,14 @@ export class Member {
   get waiting(): number {
     return [...this.#places.values()].filter(({ kind }) => kind !== 'class').length
   }
+  /** Whether nothing is left here that the class has not confirmed to have since this page was opened. */
+  get allConfirmed(): boolean {
+    return this.#confirmed && this.waiting === 0
+  }
+  /** Where a project is. Until the class has confirmed that it has it, it waits. */
   placeOf(project: string): Whereabouts | undefined {
-    return this.#places.get(project)
+    const place = this.#places.get(project)
+    return place?.kind === 'class' && !this.#confirmed ? { kind: 'waiting' } : place
   }
 
   async #look(): Promise<void> {
@@ -65,8 +75,38 @@ export class Member {
   /** Fetches the pupil's work from the class onto this device. */
   async fetchWork(only?: string): Promise<Pause | null> {
     const pause = await fetchWork(this.ask, only)
-    await this.#look()
+    await this.#noteCompared(pause)
     return pause
+  }
+
+  /** Compares the device with the class. @returns the reason why that is not possible */
+  async #compare(): Promise<Pause | null> {
+    const list = await compare(this.ask)
+    const pause = typeof list === 'string' ? list : null
+    await this.#noteCompared(pause)
+    return pause
+  }
+
+  async #noteCompared(pause: Pause | null): Promise<void> {
+    if (pause === null) this.#confirmed = true
+    await this.#look()
+  }
+
+  /**
+   * Sends waiting work and compares again: the class may have been restored since the last comparison, and this device may
+   * have the only copy.
+   */
+  async confirm(): Promise<void> {
+    this.#confirmed = false
+    await this.outbox.flush()
+    await this.#look()
+  }
+
+  /** The class shows a mark that this device has not seen: another device has saved, or the class was restored. */
+  async #lookAtMark(mark: string | null | undefined): Promise<void> {
+    if (mark === undefined || mark === (await seenMark())) return
+    await this.fetchWork()
+    if (this.waiting > 0) void this.outbox.flush()
   }
 
   /** The child has answered yes: whether that is enough. */
@@ -78,6 +118,7 @@ export class Member {
 
   #take(me: Me): void {
     this.#handUp = me.hand
+    void this.#lookAtMark(me.mark)
     const { nickname, class: of } = me
     // The teacher may have given it another name.
     if (nickname !== this.account.nickname || of.name !== this.account.className)
@@ -102,10 +143,9 @@ export class Member {
   /** The device is nobody's from now on. What is in the class goes from here; what is not waits, and nobody else sees it. */
   async leave(): Promise<void> {
     this.live.stop()
-    await this.outbox.flush()
-    await this.#look()
+    await this.confirm()
     await this.ask('POST', '/me/leave')
-    if (this.waiting === 0 && (await nextToThrow()) === null) await deleteSent()
+    if (this.allConfirmed && (await nextToThrow()) === null) await deleteSent()
     this.forget()
   }
 

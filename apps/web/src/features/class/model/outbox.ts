@@ -19,15 +19,18 @@ interface Report {
 export class Outbox {
   readonly #ask: Ask
   readonly #report: Report
+  readonly #confirm: () => Promise<Pause | null>
   #timer: ReturnType<typeof setTimeout> | undefined
   #failures = 0
   #pause: Pause | null = null
   #running: Promise<Pause | null> | null = null
   #again = false
 
-  constructor(ask: Ask, report: Report) {
+  /** @param confirm compares the device with the class, once a page; returns the reason why that is not possible */
+  constructor(ask: Ask, report: Report, confirm: () => Promise<Pause | null>) {
     this.#ask = ask
     this.#report = report
+    this.#confirm = confirm
   }
 
   /** Begins to send, and listens for saves of all tabs. Returns how to stop. */
@@ -87,7 +90,8 @@ export class Outbox {
   /** A device whose database refuses is tried again like a class that does. */
   async #tried(): Promise<Pause | null> {
     try {
-      return await sendAll(this.#ask)
+      // Work that the class has lost is sent after that.
+      return (await sendAll(this.#ask)) ?? (await this.#confirm()) ?? (await sendAll(this.#ask))
     } catch (cause) {
       console.warn('What waits for the class cannot be read.', cause)
       return 'trouble'

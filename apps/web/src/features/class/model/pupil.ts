@@ -51,6 +51,8 @@ export const me = v.object({
   inside: v.nullable(v.object({ by: v.nullable(v.string()) })),
   /** What the teacher has sent and the child has not put away, the oldest first. */
   handouts: v.array(handout),
+  /** Of the newest change of this pupil's projects in the class. An older server gives none. */
+  mark: v.optional(v.nullable(v.string())),
   /** The questionnaire that the class is asked now, by its key. A server that is older asks none. */
   asking: v.optional(v.nullable(v.string()), null),
   /** The classmate with whom this pupil works on one program, or who asks to. An older server has none. */

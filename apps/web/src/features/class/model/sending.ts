@@ -2,6 +2,7 @@ import {
   nextToSend,
   nextToThrow,
   noteAnswer,
+  noteNotThrown,
   noteThrownInClass,
   type Answered,
   type OutboxRecord,
@@ -23,7 +24,9 @@ export const idInClass = (id: string): string => `${prefix}${id}`
 export const idOnDevice = (id: string): string | null =>
   id.startsWith(prefix) ? id.slice(prefix.length) : null
 
-const saved = v.object({ revision: v.pipe(v.number(), v.integer(), v.minValue(1)) })
+export const mark = v.nullable(v.string())
+const saved = v.object({ revision: v.pipe(v.number(), v.integer(), v.minValue(1)), hash: v.string(), mark })
+const thrown = v.object({ mark })
 
 /** What a project itself is refused for: waiting would change nothing. */
 const ownFault: readonly number[] = [400, 413, 415, 422]
@@ -41,21 +44,26 @@ export const pauseOf = (reply: Reply): Pause =>
 
 /** What an answer means for the save that was sent; or why it waits. */
 function meaningOf(reply: Reply): Answered | Pause {
-  const revision = read(saved, reply)?.revision
-  if (revision !== undefined) return { kind: 'saved', revision }
+  const found = read(saved, reply)
+  if (found) return { kind: 'saved', ...found }
   if (reply.kind !== 'refused') return 'away'
   const { status, code, facts } = reply
   if (code === 'newerRevision')
-    return facts.revision ? { kind: 'conflict', revision: facts.revision } : { kind: 'gone' }
+    return facts.revision
+      ? { kind: 'conflict', revision: facts.revision, hash: facts.hash ?? '' }
+      : { kind: 'gone' }
   if (ownFault.includes(status)) return { kind: 'refused', reason: facts.reason ?? code }
   return pauseOf(reply)
 }
 
+/** The version of the class that a request is based on. */
+const ontoOf = (base: number, hash: string | undefined) =>
+  `base=${base}${hash === undefined ? '' : `&onto=${hash}`}`
+
 async function send(ask: Ask, record: OutboxRecord): Promise<Pause | null> {
-  const { id, save, base, project } = record
-  const meaning = meaningOf(
-    await ask('PUT', `/projects/${idInClass(id)}?base=${base}&save=${save}`, writeProject(project)),
-  )
+  const { id, save, base, hash, project } = record
+  const path = `/projects/${idInClass(id)}?${ontoOf(base, hash)}&save=${save}`
+  const meaning = meaningOf(await ask('PUT', path, writeProject(project)))
   if (typeof meaning === 'string') return meaning
   await noteAnswer(record, meaning)
   return null
@@ -67,20 +75,21 @@ export async function sendNext(ask: Ask): Promise<'sent' | 'none' | Pause> {
   return next ? ((await send(ask, next)) ?? 'sent') : 'none'
 }
 
-const isThrown = (reply: Reply): boolean =>
-  reply.kind === 'done' ||
-  (reply.kind === 'refused' && ['noSuchProject', 'newerRevision'].includes(reply.code))
-
 /** Has one project thrown away in the class that was thrown away here. @returns as `sendNext` */
 async function throwNext(ask: Ask): Promise<'sent' | 'none' | Pause> {
   const next = await nextToThrow()
   if (!next) return 'none'
+  const { id, base, hash } = next
   // What never came to the class is nowhere.
-  if (next.base > 0) {
-    const reply = await ask('DELETE', `/projects/${idInClass(next.id)}?base=${next.base}`)
-    if (!isThrown(reply)) return pauseOf(reply)
+  if (base === 0) return (await noteThrownInClass(id), 'sent')
+  const reply = await ask('DELETE', `/projects/${idInClass(id)}?${ontoOf(base, hash)}`)
+  if (reply.kind === 'refused' && reply.code === 'newerRevision') {
+    const { revision = 0, hash: has = '' } = reply.facts
+    return (await noteNotThrown(id, { revision, hash: has }), 'sent')
   }
-  await noteThrownInClass(next.id)
+  const isGone = reply.kind === 'refused' && reply.code === 'noSuchProject'
+  if (reply.kind !== 'done' && !isGone) return pauseOf(reply)
+  await noteThrownInClass(id, read(thrown, reply)?.mark)
   return 'sent'
 }
 
