@@ -49,10 +49,7 @@ async function classOnDisk() {
         )
         .select(['card', 'document'])
         .execute()
-      return Object.fromEntries(rows.map(({ card, document }) => [card ?? '', turnedIn(document)])) as Record<
-        string,
-        number
-      >
+      return Object.fromEntries(rows.map(({ card, document }) => [card ?? '', turnedIn(document)]))
     },
     async close() {
       await server.close()

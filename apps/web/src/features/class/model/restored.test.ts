@@ -1,5 +1,5 @@
 // Property: after a restore of the class to any earlier state no work on a device is lost, and every project that a device
-// shows as saved in the class is there.
+// shows as saved exists in the class.
 import { isLong } from '@botgarten/numbers/testing'
 import fc from 'fast-check'
 import { expect, test } from 'vitest'
