@@ -63,6 +63,10 @@ function refusalOf(error: unknown): Refusal {
   return refusalOfDatabase(error) ?? new Refusal(500, 'ourFault')
 }
 
+/** After how many seconds the request may succeed; null for a refusal that a retry does not change. */
+const secondsUntilRetry = ({ status, facts }: Refusal): number | null =>
+  typeof facts['seconds'] === 'number' ? facts['seconds'] : status === 503 ? 5 : null
+
 /** Where an error was made, as `file.ts:12`: its message may hold a name. */
 function placeOf({ message, stack = '' }: Error): string {
   const place = /^ +at .*?([\w.-]+:\d+):\d+\)?$/m.exec(stack.replace(message, ''))
@@ -88,9 +92,13 @@ export async function handle(request: Request, ports: Ports, caller: Caller): Pr
     ports.log({ ...line, status: answer.status })
     return answer
   } catch (error) {
-    const { status, code, facts } = refusalOf(error)
+    const refusal = refusalOf(error)
+    const { status, code, facts } = refusal
     const ours = error instanceof Refusal ? {} : { error: nameOf(error) }
     ports.log({ ...line, status, ...ours })
-    return json(status, { error: code, ...facts })
+    const answer = json(status, { error: code, ...facts })
+    const seconds = secondsUntilRetry(refusal)
+    if (seconds !== null) answer.headers.set('retry-after', String(seconds))
+    return answer
   }
 }

@@ -6,7 +6,7 @@ import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import { afterEach, beforeEach, expect, test } from 'vitest'
 import { openClassServer, writeLink } from './class-server.ts'
-import { syncedBy } from './data-folder.ts'
+import { brokenIn, syncedBy } from './data-folder.ts'
 import type { CannotServe } from './problem.ts'
 
 let folder: string
@@ -29,16 +29,22 @@ test('two servers on one folder: the second is refused, and after the first has 
   await (await openClassServer({ data: folder })).close()
 })
 
-test('a broken database is reported at every start until a backup is taken or a new one is wanted', async () => {
-  await (await openClassServer({ data: folder })).close()
-  writeFileSync(
-    join(folder, 'botgarten.db'),
-    'not a database at all, but long enough to be read '.repeat(200),
-  )
-  expect(await problemOf({ data: folder })).toBe('broken')
-  expect(await problemOf({ data: folder })).toBe('broken')
-  await (await openClassServer({ data: folder, startOver: true })).close()
-  await (await openClassServer({ data: folder })).close()
+test.each(['botgarten.db', 'answers.db'])(
+  'a broken %s is reported at every start until a backup is restored or a new one is wanted',
+  async (name) => {
+    await (await openClassServer({ data: folder })).close()
+    writeFileSync(join(folder, name), 'not a database at all, but long enough to be read '.repeat(200))
+    expect(await problemOf({ data: folder })).toBe('broken')
+    expect(await problemOf({ data: folder })).toBe('broken')
+    await (await openClassServer({ data: folder, startOver: true })).close()
+    await (await openClassServer({ data: folder })).close()
+  },
+)
+
+test('the newest of many broken databases is named', () => {
+  for (const number of [1, 2, 10]) writeFileSync(join(folder, `answers.db.broken-${number}`), '')
+  writeFileSync(join(folder, 'botgarten.db'), '')
+  expect(brokenIn(folder)).toBe(join(folder, 'answers.db.broken-10'))
 })
 
 test.each([

@@ -1,5 +1,5 @@
 import { existsSync, mkdirSync, readdirSync, statfsSync } from 'node:fs'
-import { basename, resolve, sep } from 'node:path'
+import { join, resolve } from 'node:path'
 import { CannotServe, causeIn } from './problem.ts'
 
 // Programs that copy a folder elsewhere copy a database while it is written, and children's work with it.
@@ -43,9 +43,18 @@ export function prepareDataFolder(folder: string): string {
   return path
 }
 
+/** The databases of a folder: the lab's, and the answers to questionnaires. */
+const databases = ['botgarten.db', 'answers.db']
+
 /** A database that was broken and set aside, with nothing in its place yet; null for none. */
 export function brokenIn(folder: string): string | null {
-  if (existsSync(`${folder}${sep}botgarten.db`)) return null
-  const aside = readdirSync(folder).filter((name) => /^botgarten\.db\.broken-\d+$/.test(basename(name)))
-  return aside.length > 0 ? `${folder}${sep}${aside.toSorted().at(-1)}` : null
+  for (const name of databases.filter((one) => !existsSync(join(folder, one)))) {
+    const asides = readdirSync(folder).filter((one) => /^\.broken-\d+$/.test(one.replace(name, '')))
+    const newest = asides.toSorted(byNumber).at(-1)
+    if (newest !== undefined) return join(folder, newest)
+  }
+  return null
 }
+
+const numberOf = (name: string) => Number(name.split('-').at(-1))
+const byNumber = (one: string, other: string) => numberOf(one) - numberOf(other)

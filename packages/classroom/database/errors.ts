@@ -28,8 +28,15 @@ const byCode: { readonly [code: string]: readonly [status: number, code: string]
   '57P03': [503, 'busy'],
   ECONNREFUSED: [503, 'busy'],
   ECONNRESET: [503, 'busy'],
+  EPIPE: [503, 'busy'],
+  ETIMEDOUT: [503, 'busy'],
+  // The socket of a database that is not running.
+  ENOENT: [503, 'busy'],
   ENOSPC: [507, 'diskFull'],
 }
+
+const lostConnection =
+  /^(Connection terminated|timeout exceeded|Query read timeout|Client has encountered a connection error|Client was closed)/
 
 /** The code of an error of SQLite (`SQLITE_FULL`), PostgreSQL (`53100`) or the system; '' where it has none. */
 export const codeOf = (error: unknown): string =>
@@ -40,7 +47,7 @@ export function refusalOfDatabase(error: unknown): Refusal | null {
   const code = codeOf(error)
   const known = byCode[code] ?? byCode[code.split('_').slice(0, 2).join('_')]
   if (known) return new Refusal(...known)
-  // pg gives a lost connection no code.
-  const lost = error instanceof Error && /^(Connection terminated|timeout exceeded)/.test(error.message)
+  // pg gives a lost connection no code, nor a database that does not answer.
+  const lost = error instanceof Error && lostConnection.test(error.message)
   return lost ? new Refusal(503, 'busy') : null
 }

@@ -14,6 +14,13 @@ const user = 'botgarten'
 export interface Postgres {
   /** Makes an empty database. @returns its address */
   newDatabase(): Promise<string>
+  /** Kills all its processes at once, as the OOM killer or a lost machine does. */
+  crash(): Promise<void>
+  /** Starts it again after a crash. */
+  start(): Promise<void>
+  /** Stops all its processes without ending them, until `thaw`. */
+  freeze(): void
+  thaw(): void
   stop(): Promise<void>
 }
 
@@ -105,12 +112,15 @@ export async function startPostgres(
     `unix_socket_directories=${folder}`,
     `fsync=${options.fsync ? 'on' : 'off'}`,
   ]
-  const server = spawn(
-    join(native, 'bin', 'postgres'),
-    ['-D', data, ...settings.flatMap((setting) => ['-c', setting])],
-    { ...asNobody, cwd: folder, stdio: ['ignore', 'ignore', 'pipe'] },
-  )
-  await ready(server)
+  let server: ReturnType<typeof spawn>
+  const start = async () => {
+    const all = ['-D', data, ...settings.flatMap((setting) => ['-c', setting])]
+    server = spawn(join(native, 'bin', 'postgres'), all, {
+      ...{ ...asNobody, cwd: folder, stdio: ['ignore', 'ignore', 'pipe'] },
+    })
+    await ready(server)
+  }
+  await start()
   const address = (name: string) => `postgres://${user}@localhost/${name}?host=${encodeURIComponent(folder)}`
   let count = 0
   return {
@@ -122,6 +132,16 @@ export async function startPostgres(
       await client.end()
       return address(name)
     },
+    crash: async () => {
+      const ended = new Promise((resolve) => server.once('exit', resolve))
+      signal(server, 'KILL')
+      await ended
+      // A process that was killed does not delete its lock file.
+      rmSync(join(data, 'postmaster.pid'), { force: true })
+    },
+    start,
+    freeze: () => signal(server, 'STOP'),
+    thaw: () => signal(server, 'CONT'),
     stop: async () => {
       const ended = new Promise((resolve) => server.once('exit', resolve))
       server.kill('SIGINT')
@@ -129,6 +149,13 @@ export async function startPostgres(
       rmSync(folder, { recursive: true, force: true })
     },
   }
+}
+
+/** Sends a signal to the server and all its processes. */
+function signal({ pid }: ReturnType<typeof spawn>, name: 'KILL' | 'STOP' | 'CONT'): void {
+  const { stdout } = spawnSync('ps', ['-o', 'pid=', '--ppid', String(pid)], { encoding: 'utf8' })
+  const children = stdout.trim().split(/\s+/).filter(Boolean).map(Number)
+  for (const one of [pid!, ...children]) process.kill(one, `SIG${name}`)
 }
 
 function ready(server: ReturnType<typeof spawn>): Promise<void> {

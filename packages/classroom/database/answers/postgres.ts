@@ -1,6 +1,6 @@
-import { Kysely, PostgresDialect, sql } from 'kysely'
+import { Kysely, PostgresDialect } from 'kysely'
 import pg from 'pg'
-import { asNumbers } from '../postgres-numbers.ts'
+import { openPool } from '../postgres-pool.ts'
 import type { AnswersDatabase } from './database.ts'
 import type { AnswerTables } from './tables.ts'
 
@@ -15,6 +15,14 @@ interface Place {
 
 /** What is there already, or is not allowed here, is seen by what comes next. */
 const tried = (client: pg.Client, query: string) => client.query(query).catch(() => null)
+
+/** A connection of its own. If it breaks between two queries, the next query rejects. */
+async function connect(address: string): Promise<pg.Client> {
+  const client = new pg.Client({ connectionString: address })
+  client.on('error', () => {})
+  await client.connect()
+  return client
+}
 
 /** Makes the role where it is missing. @returns whether this user may act as it: before PostgreSQL 16 nobody is asked so */
 async function takeRole(client: pg.Client): Promise<boolean> {
@@ -41,8 +49,7 @@ async function ownedSchema(client: pg.Client, schema: string): Promise<string | 
 
 /** Where answers lie beside the tables of an address. @throws the database's error */
 async function placeOn(address: string): Promise<Place> {
-  const client = new pg.Client({ connectionString: address })
-  await client.connect()
+  const client = await connect(address)
   try {
     const { rows } = await client.query<{ schema: string | null }>('select current_schema() as schema')
     const beside = rows[0]?.schema ?? 'public'
@@ -67,29 +74,30 @@ export function openAnswersOn(address: string): AnswersDatabase {
     })
     return found
   }
-  const pool = async () => {
-    const { address: own } = await place()
-    const made = new pg.Pool({
-      ...{ connectionString: own, types: asNumbers, max: 4, connectionTimeoutMillis: 5000 },
-    })
-    // A connection that breaks while nobody uses it: the next query opens another one.
-    made.on('error', () => {})
-    return made
-  }
+  const pool = async () => openPool((await place()).address, 4)
   const db = new Kysely<AnswerTables>({ dialect: new PostgresDialect({ pool }) })
   return {
     ...{ db, locks: true, copy: null },
     schema: async () => (await place()).schema,
-    vacuum: async () => void (await sql`vacuum (full) answer, published`.execute(db)),
+    vacuum: async () => vacuum((await place()).address),
     close: () => db.destroy(),
+  }
+}
+
+/** Writes the tables anew. It has no time limit: it takes as long as there are answers. */
+async function vacuum(address: string): Promise<void> {
+  const client = await connect(address)
+  try {
+    await client.query('vacuum (full) answer, published')
+  } finally {
+    await client.end()
   }
 }
 
 /** Removes the answers beside the tables of an address, with their schema. */
 export async function dropAnswers(address: string): Promise<void> {
   const { schema, address: own } = await placeOn(address)
-  const client = new pg.Client({ connectionString: own })
-  await client.connect()
+  const client = await connect(own)
   try {
     await client.query(`drop schema ${client.escapeIdentifier(schema)} cascade`)
   } finally {
