@@ -32,4 +32,52 @@ onBothDatabases((fresh) => {
     await everyNight(server.ports)
     expect((await save(2)).body).toMatchObject({ revision: 3 })
   })
+
+  const [hour, day, year] = [3_600_000, 86_400_000, 365 * 86_400_000]
+  test.each([
+    ['an hour', hour],
+    ['a day', day],
+    ['a year', year],
+  ])(
+    'a lesson that was closed while the clock was %s ahead locks nobody out of the next one',
+    async (_, ahead) => {
+      const database = await fresh()
+      const server = new Server(database, quickAccounts(database))
+      const teacher = await server.firstTeacher()
+      const { id, code } = await server.openClass(teacher)
+      const child = await server.pupil(code, 'Fuchs')
+      server.now += ahead
+      await teacher.post(`/classes/${id}/close`)
+      server.now -= ahead
+      expect((await teacher.post(`/classes/${id}/open`)).status).toBeLessThan(300)
+      const read = async (who: typeof child) => (await who.browser.get('/projects')).status
+      // The lesson is another one: the pictures are asked once, and are enough.
+      expect(await read(child)).toBe(401)
+      expect((await child.browser.post('/me/pictures', { pictures: child.pictures })).status).toBe(204)
+      expect(await read(child)).toBe(200)
+      expect(await read(await server.pupil(code, 'Eule'))).toBe(200)
+    },
+  )
+
+  test.each([
+    ['ahead', hour],
+    ['ahead', day],
+    ['ahead', year],
+    ['back', -hour],
+    ['back', -day],
+    ['back', -year],
+  ])('a clock that is set %s by %i ms in a lesson asks for the pictures at most once', async (_, change) => {
+    const database = await fresh()
+    const server = new Server(database, quickAccounts(database))
+    const { code } = await server.openClass(await server.firstTeacher())
+    const child = await server.pupil(code, 'Fuchs')
+    server.now += change
+    if ((await child.browser.get('/projects')).status === 401)
+      expect((await child.browser.post('/me/pictures', { pictures: child.pictures })).status).toBe(204)
+    expect((await child.browser.get('/projects')).status).toBe(200)
+    server.now -= change
+    if ((await child.browser.get('/projects')).status === 401)
+      expect((await child.browser.post('/me/pictures', { pictures: child.pictures })).status).toBe(204)
+    expect((await child.browser.get('/projects')).status).toBe(200)
+  })
 })

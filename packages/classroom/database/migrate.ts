@@ -3,6 +3,7 @@ import type { Database } from './database.ts'
 import { migrateAnswers } from './answers/migrate.ts'
 import { first } from './first.ts'
 import { gallery } from './gallery.ts'
+import { lessons } from './lessons.ts'
 import { live } from './live.ts'
 import { marks } from './marks.ts'
 import { thrown } from './thrown.ts'
@@ -19,6 +20,7 @@ export const migrations = ({ kind }: Pick<Database, 'kind'>) => ({
   '2026-12-together': together,
   '2026-12-together-switch': togetherSwitch,
   'step-008-marks': marks,
+  'step-009-lessons': lessons,
 })
 
 const migrator = (database: Database) =>

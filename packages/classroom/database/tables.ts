@@ -52,7 +52,10 @@ export interface ClassTable {
   code: string
   joiningUntil: number
   openedAt: number | null
-  closedAt: number
+  /** No longer read: until lessons were counted it decided who had shown the pictures in this one. */
+  closedAt: Generated<number>
+  /** One more with each lesson that was closed. */
+  lesson: Generated<number>
   /** ISO day. */
   endsOn: string
   /** On which of the days that the server ran the teacher was shown that the end is near. */
@@ -103,6 +106,8 @@ interface PupilSessionTable {
   class: string
   /** When the pupil joined or showed the pictures. */
   provenAt: number
+  /** The lesson of the class in which that was. */
+  lesson: number
 }
 
 interface ProjectTable {

@@ -23,7 +23,10 @@ export async function startSession(
   const token = `${pupil.class}.${newToken(random)}`
   await db
     .insertInto('pupilSession')
-    .values({ tokenHash: hashOf(token), pupil: pupil.id, class: pupil.class, provenAt: now() })
+    .values((row) => ({
+      ...{ tokenHash: hashOf(token), pupil: pupil.id, class: pupil.class, provenAt: now() },
+      lesson: row.selectFrom('class').select('lesson').where('id', '=', pupil.class),
+    }))
     .execute()
   return token
 }
@@ -42,11 +45,13 @@ export async function readPupil(
     .selectFrom('pupilSession')
     .innerJoin('pupil', 'pupil.id', 'pupilSession.pupil')
     .innerJoin('class', 'class.id', 'pupilSession.class')
-    .select(['pupil.id', 'pupil.class', 'pupil.nickname', 'pupilSession.provenAt', 'class.closedAt'])
+    .select(['pupil.id', 'pupil.class', 'pupil.nickname', 'pupilSession.provenAt'])
+    .select(['pupilSession.lesson as proven', 'class.lesson'])
     .where('tokenHash', '=', tokenHash)
     .executeTakeFirst()
   if (!row) return await refuseEnded(db, token)
-  const fresh = row.provenAt > row.closedAt && now() - row.provenAt < lesson
+  // A clock that was set back since is no proof that it was a moment ago.
+  const fresh = row.proven === row.lesson && Math.abs(now() - row.provenAt) < lesson
   return { id: row.id, class: row.class, nickname: row.nickname, session: tokenHash, fresh }
 }
 
@@ -67,7 +72,14 @@ export async function endSession(db: Db, session: string): Promise<void> {
 }
 
 export async function proveSession(db: Db, session: string, now: number): Promise<void> {
-  await db.updateTable('pupilSession').set({ provenAt: now }).where('tokenHash', '=', session).execute()
+  await db
+    .updateTable('pupilSession')
+    .set((row) => ({
+      provenAt: now,
+      lesson: row.selectFrom('class').select('lesson').whereRef('class.id', '=', 'pupilSession.class'),
+    }))
+    .where('tokenHash', '=', session)
+    .execute()
 }
 
 export async function endSessionsOfClass(db: Db, classId: string): Promise<void> {

@@ -81,7 +81,7 @@ async function open({ ports, who }: Call<undefined>): Promise<Answer> {
 }
 
 async function close({ ports, who }: Call<undefined>): Promise<Answer> {
-  await closeClass(ports.database.db, who.class!.id, ports.now())
+  await closeClass(ports.database.db, who.class!.id)
   ports.live.askAttention(who.class!.id, false)
   ports.live.end(who.class!.id, 'pupils', 'closed')
   return {}

@@ -29,8 +29,12 @@ export async function changeClass(db: Db, id: string, change: Updateable<ClassTa
 }
 
 /** The lesson is over: nobody is new any more, no hand is up, nobody is asked. */
-export async function closeClass(db: Db, id: string, now: number): Promise<void> {
-  await changeClass(db, id, { openedAt: null, closedAt: now, joiningUntil: 0 })
+export async function closeClass(db: Db, id: string): Promise<void> {
+  await db
+    .updateTable('class')
+    .set((row) => ({ openedAt: null, joiningUntil: 0, lesson: row('lesson', '+', 1) }))
+    .where('id', '=', id)
+    .execute()
   await db.updateTable('pupil').set({ isNew: 0, handAt: null }).where('class', '=', id).execute()
   await clearQuestions(db, id)
   await endPairs(db, id)
