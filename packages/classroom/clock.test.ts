@@ -39,7 +39,7 @@ onBothDatabases((fresh) => {
     ['a day', day],
     ['a year', year],
   ])(
-    'a lesson that was closed while the clock was %s ahead locks nobody out of the next one',
+    'a lesson that was closed while the clock was %s ahead locks no one out of the next one',
     async (_, ahead) => {
       const database = await fresh()
       const server = new Server(database, quickAccounts(database))
@@ -51,7 +51,7 @@ onBothDatabases((fresh) => {
       server.now -= ahead
       expect((await teacher.post(`/classes/${id}/open`)).status).toBeLessThan(300)
       const read = async (who: typeof child) => (await who.browser.get('/projects')).status
-      // The lesson is another one: the pictures are asked once, and are enough.
+      // The lesson is another one: one look at the pictures is enough.
       expect(await read(child)).toBe(401)
       expect((await child.browser.post('/me/pictures', { pictures: child.pictures })).status).toBe(204)
       expect(await read(child)).toBe(200)
