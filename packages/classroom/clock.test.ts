@@ -51,7 +51,7 @@ onBothDatabases((fresh) => {
       server.now -= ahead
       expect((await teacher.post(`/classes/${id}/open`)).status).toBeLessThan(300)
       const read = async (who: typeof child) => (await who.browser.get('/projects')).status
-      // The lesson is another one: one look at the pictures is enough.
+      // The lesson is another one: the pupil shows the pictures once.
       expect(await read(child)).toBe(401)
       expect((await child.browser.post('/me/pictures', { pictures: child.pictures })).status).toBe(204)
       expect(await read(child)).toBe(200)
