@@ -21,6 +21,8 @@ export interface Postgres {
   /** Stops all its processes without ending them, until `thaw`. */
   freeze(): void
   thaw(): void
+  /** Copies its files as they are on the disk. @returns puts them back, as a machine does that is reset, or a late replica */
+  snapshot(): Promise<() => Promise<void>>
   stop(): Promise<void>
 }
 
@@ -121,6 +123,19 @@ export async function startPostgres(
     await ready(server)
   }
   await start()
+  const crash = async () => {
+    const ended = new Promise((resolve) => server.once('exit', resolve))
+    signal(server, 'KILL')
+    await ended
+    // A process that was killed does not delete its lock file.
+    rmSync(join(data, 'postmaster.pid'), { force: true })
+  }
+  const copyFiles = async (from: string, to: string) => {
+    await crash()
+    rmSync(to, { recursive: true, force: true })
+    await run('cp', ['-R', from, to], { ...asNobody, cwd: folder })
+    await start()
+  }
   const address = (name: string) => `postgres://${user}@localhost/${name}?host=${encodeURIComponent(folder)}`
   let count = 0
   return {
@@ -132,16 +147,15 @@ export async function startPostgres(
       await client.end()
       return address(name)
     },
-    crash: async () => {
-      const ended = new Promise((resolve) => server.once('exit', resolve))
-      signal(server, 'KILL')
-      await ended
-      // A process that was killed does not delete its lock file.
-      rmSync(join(data, 'postmaster.pid'), { force: true })
-    },
+    crash,
     start,
     freeze: () => signal(server, 'STOP'),
     thaw: () => signal(server, 'CONT'),
+    snapshot: async () => {
+      const copy = join(folder, 'snapshot')
+      await copyFiles(data, copy)
+      return () => copyFiles(copy, data)
+    },
     stop: async () => {
       const ended = new Promise((resolve) => server.once('exit', resolve))
       server.kill('SIGINT')
