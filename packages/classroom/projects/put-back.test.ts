@@ -16,7 +16,7 @@ import { quickAccounts, Server } from '../testing/world.ts'
 
 interface Way {
   readonly open: () => Promise<Database>
-  /** Stores the present state. @returns puts it back while the database is closed */
+  /** Stores the current state. @returns puts it back while the database is closed */
   readonly store: (database: Database) => Promise<() => Promise<void>>
 }
 
