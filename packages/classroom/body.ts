@@ -3,7 +3,7 @@ import { Refusal } from './refusal.ts'
 import type { Route } from './route.ts'
 
 const mostOfForm = 16_000
-const mostOfProject = 5_000_000
+export const mostOfProject = 5_000_000
 
 /** Reads a request's bytes and stops at the limit, whatever its header says. */
 async function bytesOf(request: Request, most: number): Promise<Uint8Array> {

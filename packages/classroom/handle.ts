@@ -1,10 +1,10 @@
-import { bodyOf } from './body.ts'
+import { bodyOf, mostOfProject } from './body.ts'
 import { codeOf, refusalOfDatabase } from './database/errors.ts'
 import { newToken } from './hashes.ts'
 import { cookie, cookieIn, deviceCookie } from './joining/cookies.ts'
 import type { Caller, Ports } from './ports.ts'
 import { Refusal } from './refusal.ts'
-import type { Answer } from './route.ts'
+import type { Answer, Call, Route } from './route.ts'
 import { findRoute, type Found } from './routes.ts'
 import { whoAsks } from './who.ts'
 
@@ -44,6 +44,28 @@ async function answerTo(request: Request, found: Found, ports: Ports, caller: Ca
   const { headers } = request
   refuseForeign(request, ports.publicOrigin)
   const who = await whoAsks(ports, route.roles, headers, caller, at['class'])
+  const pupil = who.pupil?.id
+  if (pupil !== undefined) ports.limits.request(pupil)
+  const uploaded =
+    isUpload(route) && pupil !== undefined ? ports.limits.upload(pupil, bytesIn(headers)) : null
+  try {
+    return await answerOf(request, found, { ports, caller, who })
+  } finally {
+    uploaded?.()
+  }
+}
+
+const isUpload = ({ body }: Route) => body === 'project'
+
+/** Bytes that a request announces; as many as it may have, if it announces none. */
+const bytesIn = (headers: Headers) => Number(headers.get('content-length') ?? mostOfProject)
+
+async function answerOf(
+  request: Request,
+  { route, at }: Found,
+  { ports, caller, who }: Pick<Call<unknown>, 'ports' | 'caller' | 'who'>,
+): Promise<Response> {
+  const { headers } = request
   const body = await bodyOf(request, route)
   const known = cookieIn(headers, deviceCookie)
   const query = new URL(request.url).searchParams

@@ -1,5 +1,6 @@
 import type { Database } from './database/database.ts'
 import type { Wifi } from './database/tables.ts'
+import type { Limits } from './limits.ts'
 import type { Hub } from './live/hub.ts'
 import type { LoadedForm } from '@botgarten/content/questionnaires'
 import type { Question } from '@botgarten/content/questions'
@@ -132,6 +133,8 @@ export interface Ports {
   readonly announced: (caller: Caller) => string | null
   /** The first teacher is there: the link that lies about is of no use any more. */
   readonly teacherMade: () => void
+  /** How much one pupil may ask of this node. */
+  readonly limits: Limits
   /** Who is where, and the streams of pages. */
   readonly live: Hub
   /** All cards, in the order of the home page. */

@@ -110,6 +110,32 @@ onBothDatabases((fresh) => {
     expect(await thief.post('/return', right)).toMatchObject({ status: 429, body: { error: 'deviceLocked' } })
   })
 
+  test('a device makes ten new pupils in ten minutes at most', async () => {
+    const { code } = await server.openClass(teacher)
+    const device = server.browser('10.1.2.1')
+    await device.post('/look', { code })
+    for (let count = 0; count < 10; count++)
+      expect((await device.post('/join', { code, nickname: `Igel ${count}` })).status).toBe(201)
+    expect(await device.post('/join', { code, nickname: 'Igel' })).toMatchObject({
+      ...{ status: 429, body: { error: 'tooManyTries', seconds: 600 } },
+    })
+    server.later(11)
+    expect((await device.post('/join', { code, nickname: 'Igel' })).status).toBe(201)
+  })
+
+  test('a class has 100 pupils at most, and is as it was for those who are in', async () => {
+    const { id, code } = await server.openClass(teacher)
+    const first = await server.pupil(code, 'Fuchs')
+    for (let count = 1; count < 100; count++) await server.pupil(code, `Kind ${count}`)
+    const late = server.browser()
+    expect(await late.post('/join', { code, nickname: 'Eule' })).toMatchObject({
+      ...{ status: 409, body: { error: 'classHasAll' } },
+    })
+    expect((await first.browser.get('/projects')).status).toBe(200)
+    await teacher.delete(`/classes/${id}/pupils/${first.id}`)
+    expect((await late.post('/join', { code, nickname: 'Eule' })).status).toBe(201)
+  })
+
   test('a closed class, a code that never was and one that is none are answered alike', async () => {
     const { id, code } = await server.openClass(teacher)
     await teacher.post(`/classes/${id}/close`)

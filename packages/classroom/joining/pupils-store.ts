@@ -21,6 +21,15 @@ export async function addPupil(db: Db, pupil: NewPupil): Promise<boolean> {
   return added !== undefined
 }
 
+export async function countPupils(db: Db, classId: string): Promise<number> {
+  const { count } = await db
+    .selectFrom('pupil')
+    .select((row) => row.fn.countAll<number>().as('count'))
+    .where('class', '=', classId)
+    .executeTakeFirstOrThrow()
+  return count
+}
+
 export const pupilCalled = (db: Db, classId: string, nicknameKey: string) =>
   db
     .selectFrom('pupil')

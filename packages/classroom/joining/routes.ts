@@ -8,9 +8,27 @@ import { codeKey } from './code.ts'
 import { cookie, pupilCookie } from './cookies.ts'
 import { nicknameFrom, nicknameKey } from './nickname.ts'
 import { newSecret, pictures } from './pictures.ts'
-import { addPupil, classToJoin, countWrongOf, pupilCalled, pupilOf, setHand, unlock } from './pupils-store.ts'
+import {
+  addPupil,
+  classToJoin,
+  countPupils,
+  countWrongOf,
+  pupilCalled,
+  pupilOf,
+  setHand,
+  unlock,
+} from './pupils-store.ts'
 import { endSession, proveSession, startSession } from './sessions-store.ts'
-import { countWrong, countWrongPictures, refuseLockedDevice, refuseThrottled } from './throttle-store.ts'
+import {
+  countJoin,
+  countWrong,
+  countWrongPictures,
+  refuseLockedDevice,
+  refuseThrottled,
+} from './throttle-store.ts'
+
+/** A class of a school has up to 36 pupils. */
+const mostPupils = 100
 
 const short = v.pipe(v.string(), v.maxLength(100))
 const threePictures = v.strictTuple([v.picklist(pictures), v.picklist(pictures), v.picklist(pictures)])
@@ -37,13 +55,15 @@ async function look(call: Call<{ readonly code: string }>): Promise<Answer> {
 }
 
 async function join(call: Call<{ readonly code: string; readonly nickname: string }>): Promise<Answer> {
-  const { ports, body, caller } = call
+  const { ports, body, caller, triers } = call
   const { id: classId } = await classFor(call)
   const nickname = nicknameFrom(body.nickname)
   if (nickname === null) throw new Refusal(400, 'nickname')
+  await countJoin(clocked(ports), triers)
   const id = newToken(ports.random)
   const secret = newSecret(ports.random)
   const token = await ports.database.db.transaction().execute(async (inside) => {
+    if ((await countPupils(inside, classId)) >= mostPupils) throw new Refusal(409, 'classHasAll')
     const added = await addPupil(inside, {
       ...{ id, class: classId, nickname, nicknameKey: nicknameKey(nickname) },
       pictures: hashOfPictures(ports, id, secret),

@@ -70,6 +70,18 @@ async function countOne(db: Db, key: string, endsAt: number): Promise<number> {
   return count
 }
 
+/** New pupils of one device within ten minutes: a class may share it, one after the other. */
+const mostJoins = 10
+
+/** Counts a new pupil of a device. @throws Refusal 429 if it has made too many */
+export async function countJoin({ db, now, secret }: Clocked, { device }: Triers): Promise<void> {
+  // A device without a cookie is known by its address only, which a whole school may share: the class itself is bounded.
+  if (device === null) return
+  await db.deleteFrom('attempt').where('endsAt', '<=', now).execute()
+  const count = await countOne(db, keyedHash(secret, 'joins', device), now + windowLength)
+  if (count > mostJoins) throw new Refusal(429, 'tooManyTries', { seconds: windowLength / 1000 })
+}
+
 const nights = 18 * 60 * minutes
 const wrongPicturesADevice = 15
 

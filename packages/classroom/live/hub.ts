@@ -23,7 +23,10 @@ interface Stream {
   reading: boolean
 }
 
-type Opened = Pick<Stream, 'class' | 'pupil' | 'teacher' | 'read'>
+type Opened = Pick<Stream, 'class' | 'pupil' | 'teacher' | 'read'> & {
+  /** Called once, when the stream has ended. */
+  readonly closed?: () => void
+}
 
 interface Attention {
   readonly endsAt: number
@@ -182,8 +185,11 @@ export class Hub {
 
   // Streams.
 
-  open(opened: Opened): Response {
-    const events = new EventStream(() => void this.streams.delete(stream))
+  open({ closed, ...opened }: Opened): Response {
+    const events = new EventStream(() => {
+      this.streams.delete(stream)
+      closed?.()
+    })
     const stream: Stream = { ...opened, events, openedAt: this.now(), dirty: true, reading: false }
     this.streams.add(stream)
     void this.show(stream)

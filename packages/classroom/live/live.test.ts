@@ -201,6 +201,16 @@ onBothDatabases((fresh) => {
     await state(stream, ({ class: { cards } }) => cards === null)
   })
 
+  test('a pupil has eight streams at most, and one that is closed makes room', async () => {
+    const streams = [stream]
+    while (streams.length < 8) streams.push(await fox.browser.events('/me/stream'))
+    const ninth = () => fox.browser.get('/me/stream')
+    expect(await ninth()).toMatchObject({ status: 429, body: { error: 'tooManyStreams' } })
+    await streams.pop()!.stop()
+    expect((await ninth()).status).toBe(200)
+    for (const one of streams) await one.stop()
+  })
+
   test('streams end with the lesson, the pupil and the class, with their reason', async () => {
     const end = async (events: Events) => (await events.until(({ event }) => event === 'end')).data
     await teacher.delete(of(`/pupils/${otter.id}`))

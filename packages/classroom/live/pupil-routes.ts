@@ -20,7 +20,8 @@ function stream({ ports, who, headers }: Call<undefined>): Promise<Response> {
       throw error
     }
   }
-  return Promise.resolve(ports.live.open({ class: classId, pupil: id, teacher: null, read }))
+  const closed = ports.limits.stream(id)
+  return Promise.resolve(ports.live.open({ class: classId, pupil: id, teacher: null, read, closed }))
 }
 
 function report({ ports, who, body }: Call<v.InferOutput<typeof here>>): Promise<Answer> {

@@ -136,17 +136,17 @@ const tables = [
 
 /** All rows of a database, as a dump has them. */
 async function dump(address: string) {
-  const { db, close } = openPostgres(address)
+  const database = openPostgres(address)
   const rows = []
   for (const table of tables)
     rows.push(
       (
         await sql<{
           row: string
-        }>`select row_to_json(one)::text as row from ${sql.table(table)} as one`.execute(db)
+        }>`select row_to_json(one)::text as row from ${sql.table(table)} as one`.execute(database.db)
       ).rows,
     )
-  await close()
+  await database.close()
   return rows
 }
 

@@ -3,7 +3,7 @@ import { Refusal } from '../refusal.ts'
 import { route, type Answer, type Call, type Route } from '../route.ts'
 import { knowsMark, markOf } from './marks-store.ts'
 import { deleteProject, projectsOf, thrownOf, versionOf, versionsOf } from './projects-store.ts'
-import { mostSpace } from './saves-store.ts'
+import { mostProjects, mostSpace } from './saves-store.ts'
 
 /** Ids are made on devices; each pupil has a space of their own. */
 const idOfDevice = /^[\w-]{8,64}$/
@@ -51,6 +51,8 @@ async function save({ ports, who, at, query, body }: Call<string>): Promise<Answ
   const key = { pupil, class: classId, project, save: saveId, base, onto }
   const saved = await ports.save({ ...key, checked, at: ports.now(), random: newToken(ports.random) })
   if (saved.kind === 'conflict') throw anotherVersion(saved)
+  if (saved.kind === 'tooManyProjects')
+    throw new Refusal(422, 'projectRefused', { reason: saved.kind, most: mostProjects })
   if (saved.kind === 'classFull') throw new Refusal(507, 'classFull')
   const { revision, mark, space } = saved
   return { body: { revision, hash: checked.hash, mark, full: space >= mostSpace * 0.8 } }

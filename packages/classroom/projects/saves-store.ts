@@ -33,6 +33,11 @@ export type Saved =
   /** The class holds another version; revision 0: none. */
   | { readonly kind: 'conflict'; readonly revision: number; readonly hash?: string }
   | { readonly kind: 'classFull' }
+  /** The pupil's own. */
+  | { readonly kind: 'tooManyProjects' }
+
+/** A child makes some forty projects in a year. */
+export const mostProjects = 100
 
 /** 0.5 GB a class. */
 export const mostSpace = 500_000_000
@@ -45,6 +50,7 @@ export async function saveInside(db: Db, save: Save, most = mostSpace): Promise<
     await noteAnswered(db, save, save.base)
     return await saved(db, save, save.base)
   }
+  if (save.base === 0 && (await isNewAndTooMany(db, save))) return { kind: 'tooManyProjects' }
   const revision = await takeRevision(db, save)
   if (revision === null) return await conflictOrSame(db, save)
   // First: the new version takes the place in the file that the old one leaves, and half as much is written.
@@ -119,6 +125,15 @@ async function lastRevision(db: Db, pupil: string, project: string): Promise<num
     .where('project', '=', project)
     .executeTakeFirst()
   return row?.revision ?? 0
+}
+
+async function isNewAndTooMany(db: Db, { pupil, project }: Save): Promise<boolean> {
+  const { count } = await db
+    .selectFrom('project')
+    .select((row) => row.fn.countAll<number>().as('count'))
+    .where('pupil', '=', pupil)
+    .executeTakeFirstOrThrow()
+  return count >= mostProjects && (await headOf(db, pupil, project)) === null
 }
 
 /** The same save on another connection, the same work from another device, or a conflict. */

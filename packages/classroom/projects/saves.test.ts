@@ -136,6 +136,27 @@ onBothDatabases((fresh) => {
     expect((await save(browser.twin(), 0, projectText('same'))).body).toMatchObject({ revision: 1 })
   })
 
+  test('two of the largest projects of one pupil are read at once; a third is refused until they are', async () => {
+    const { browser } = await pupil()
+    const { promise: isReading, resolve: goOn } = Promise.withResolvers<void>()
+    const checkProject: Server['ports']['checkProject'] = (text) =>
+      isReading.then(() => server.ports.checkProject(text))
+    const slow = new Server(server.ports.database, { checkProject, accounts: server.ports.accounts })
+    slow.now = server.now
+    const child = slow.browser()
+    for (const [name, value] of browser.cookies) child.cookies.set(name, value)
+    const large = (at: number) =>
+      child.put(`/projects/project-${at}?base=0&save=${newSave()}`, ' '.repeat(4_900_000))
+    const sent = [large(0), large(1), large(2)]
+    const refused = await Promise.race(sent)
+    expect(refused).toMatchObject({ status: 429, body: { error: 'tooMuchAtOnce', seconds: 2 } })
+    expect(refused.headers.get('retry-after')).toBe('2')
+    goOn()
+    const statuses = (await Promise.all(sent)).map(({ status }) => status)
+    expect(statuses.toSorted()).toEqual([422, 422, 429])
+    expect((await large(2)).status).toBe(422)
+  })
+
   test('of twenty saves at once on one revision one is taken, and the others are told', async () => {
     const { browser } = await pupil()
     await save(browser, 0, projectText('start'))
@@ -268,6 +289,18 @@ onBothDatabases((fresh) => {
     expect(both.map(({ status }) => status)).toEqual([200, 200])
     const marks = both.map(({ body }) => (body as { mark: string }).mark.split('.')[0])
     expect(marks.toSorted()).toEqual(['1', '2'])
+  })
+
+  test('a pupil has 100 projects at most; what is there is saved as before, and one that is deleted makes room', async () => {
+    const { browser } = await pupil()
+    for (let count = 0; count < 100; count++)
+      expect((await save(browser, 0, projectText('a'), newSave(), `project-${count}`)).status).toBe(200)
+    expect(await save(browser, 0, projectText('a'), newSave(), 'project-100')).toMatchObject({
+      ...{ status: 422, body: { error: 'projectRefused', reason: 'tooManyProjects', most: 100 } },
+    })
+    expect((await save(browser, 1, projectText('b'), newSave(), 'project-7')).status).toBe(200)
+    expect((await browser.delete('/projects/project-8?base=1')).status).toBe(200)
+    expect((await save(browser, 0, projectText('a'), newSave(), 'project-100')).status).toBe(200)
   })
 
   test('saves are taken in after the lesson, and nothing is read before the pictures', async () => {

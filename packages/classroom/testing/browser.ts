@@ -58,6 +58,9 @@ export class Browser {
     if (cookie !== '') all.set('cookie', cookie)
     if (method !== 'GET' && !all.has('origin')) all.set('origin', host)
     if (text !== null && !all.has('content-type')) all.set('content-type', 'application/json')
+    // As over HTTP, where a sender always names it.
+    if (text !== null && !all.has('content-length'))
+      all.set('content-length', String(Buffer.byteLength(text)))
     return this.send(
       new Request(`${host}/api/class${path}`, {
         method,

@@ -4,6 +4,7 @@ import { handle } from '../handle.ts'
 import type { Caller, LogLine, Ports, Tombstone } from '../ports.ts'
 import { checkProject } from '../projects/checked.ts'
 import { noBus } from '../live/bus.ts'
+import { Limits } from '../limits.ts'
 import { Hub } from '../live/hub.ts'
 import { ChosenCodes } from '../questionnaires/codes.ts'
 import { saveQueueOn } from '../projects/save-queue.ts'
@@ -48,6 +49,7 @@ export class Server {
       publicOrigin: null,
       announced: () => 'http://lab.test',
       teacherMade: () => {},
+      limits: new Limits(() => performance.now()),
       live: new Hub(noBus, () => this.now),
       cards: () =>
         Promise.resolve([{ id: 'friendship', starts: 3, title: { en: 'Friendship', de: 'Freundschaft' } }]),

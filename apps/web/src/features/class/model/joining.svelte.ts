@@ -18,7 +18,7 @@ export interface Refused {
 
 const known = [
   ...['noOpenClass', 'nickname', 'nicknameTaken', 'wrongPictures'],
-  ...['nicknameLocked', 'deviceLocked', 'tooManyTries'],
+  ...['nicknameLocked', 'deviceLocked', 'tooManyTries', 'classHasAll'],
 ]
 
 export function refusedBy(reply: Reply): Refused {

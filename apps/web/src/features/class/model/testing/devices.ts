@@ -15,6 +15,7 @@ export type Pupil = Awaited<ReturnType<Server['pupil']>>
 const folder = mkdtempSync(join(tmpdir(), 'botgarten-devices-'))
 let database: Database
 let server: Server
+let teacher: Awaited<ReturnType<Server['firstTeacher']>>
 let code: string
 let nicknames = 0
 
@@ -22,13 +23,17 @@ beforeAll(async () => {
   database = openSqlite(join(folder, 'class.db'))
   await migrate(database)
   server = new Server(database)
-  ;({ code } = await server.openClass(await server.firstTeacher()))
+  teacher = await server.firstTeacher()
 })
 afterAll(async () => {
   await database.close()
   rmSync(folder, { recursive: true, force: true })
 })
-export const newPupil = () => server.pupil(code, `Kind ${++nicknames}`)
+/** A pupil who has just joined; fifty are in a class. */
+export async function newPupil() {
+  if (nicknames % 50 === 0) ({ code } = await server.openClass(teacher))
+  return server.pupil(code, `Kind ${++nicknames}`)
+}
 
 /** The outcome of a request. `late`: it arrives much later, when the device has long given up. */
 export type Fate = 'arrives' | 'isLost' | 'answerIsLost' | 'comesTwice' | 'late'
