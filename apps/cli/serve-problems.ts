@@ -10,6 +10,7 @@ const keys: { readonly [problem: string]: Key } = {
   networkFolder: 'serve.networkFolder',
   noFolder: 'serve.noFolder',
   noDatabase: 'serve.noDatabase',
+  newerData: 'serve.newerData',
   noKey: 'serve.noKey',
   otherKey: 'serve.otherKey',
   broken: 'serve.broken',

@@ -34,6 +34,16 @@ test('a page of somebody else changes nothing, on any route', async () => {
   }
 })
 
+test.each([
+  ['same-origin', 404],
+  ['none', 404],
+  ['same-site', 403],
+  ['cross-site', 403],
+])('a request from a page whose browser calls it %s is answered %i', async (site, status) => {
+  const headers = { 'sec-fetch-site': site }
+  expect((await server.browser().ask('POST', '/look', { code: 'x' }, headers)).status).toBe(status)
+})
+
 test('a request without an origin changes nothing', async () => {
   const request = new Request('http://lab.test/api/class/look', { method: 'POST', body: '{}' })
   expect((await server.ask(request)).status).toBe(403)

@@ -13,6 +13,9 @@ export const base = '/api/class'
 /** Pages of others must not make a browser change anything: what changes something says where it comes from. */
 function refuseForeign({ method, headers, url }: Request, publicOrigin: string | null): void {
   if (method === 'GET') return
+  // Browsers that name it know more than an origin tells: whether the schemes are the same.
+  const site = headers.get('sec-fetch-site')
+  if (site !== null && site !== 'same-origin' && site !== 'none') throw new Refusal(403, 'foreignPage')
   const origin = headers.get('origin')
   if (origin !== null && URL.canParse(origin)) {
     if (publicOrigin !== null && origin === publicOrigin) return

@@ -1,6 +1,6 @@
 // The class server as Request → Response. It knows the program's parser and the content, and nothing of the lab.
 export { base, handle } from './handle.ts'
-export { migrate, needsMigration } from './database/migrate.ts'
+export { migrate, needsMigration, NewerData } from './database/migrate.ts'
 export { openPostgres } from './database/postgres.ts'
 export { openSqlite } from './database/sqlite.ts'
 export type { Database } from './database/database.ts'

@@ -1,10 +1,11 @@
 import { once } from 'node:events'
 import { createServer } from 'node:http'
 import type { AddressInfo } from 'node:net'
-import { mkdirSync, mkdtempSync, readFileSync, rmSync, statSync, writeFileSync } from 'node:fs'
+import { chmodSync, mkdirSync, mkdtempSync, readFileSync, rmSync, statSync, writeFileSync } from 'node:fs'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import { afterEach, beforeEach, expect, test } from 'vitest'
+import { openSqlite } from '@botgarten/classroom'
 import { openClassServer, writeLink } from './class-server.ts'
 import { brokenIn, syncedBy } from './data-folder.ts'
 import type { CannotServe } from './problem.ts'
@@ -38,6 +39,28 @@ test.each(['botgarten.db', 'answers.db'])(
     expect(await problemOf({ data: folder })).toBe('broken')
     await (await openClassServer({ data: folder, startOver: true })).close()
     await (await openClassServer({ data: folder })).close()
+  },
+)
+
+test('data of a later version is not opened, and a sentence says so', async () => {
+  await (await openClassServer({ data: folder })).close()
+  const database = openSqlite(join(folder, 'botgarten.db'))
+  const step = { name: 'step-999-later', timestamp: '' }
+  await database.db
+    .insertInto('kysely_migration' as never)
+    .values(step as never)
+    .execute()
+  await database.close()
+  expect(await problemOf({ data: folder })).toBe('newerData')
+})
+
+test.skipIf(process.platform === 'win32')(
+  'the databases are for their owner alone, also in a folder that was there before',
+  async () => {
+    chmodSync(folder, 0o755)
+    await (await openClassServer({ data: folder })).close()
+    for (const name of ['botgarten.db', 'answers.db', 'secret.key'])
+      expect(statSync(join(folder, name)).mode & 0o77).toBe(0)
   },
 )
 

@@ -9,6 +9,7 @@ import {
   isKeyOf,
   lastBackup,
   migrate,
+  NewerData,
   noBus,
   openDataFolder,
   openPostgres,
@@ -69,12 +70,17 @@ export function writeLink(folder: string, link: string): string {
   return path
 }
 
+const cannotOpen = (error: unknown) =>
+  error instanceof NewerData
+    ? new CannotServe('newerData')
+    : new CannotServe('noDatabase', { why: causeIn(error) })
+
 async function openFile(folder: string, startOver: boolean): Promise<Database> {
   const before = startOver ? null : brokenIn(folder)
   const opened =
     before === null
       ? await openDataFolder(folder).catch((error: unknown) => {
-          throw new CannotServe('noDatabase', { why: causeIn(error) })
+          throw cannotOpen(error)
         })
       : { kind: 'broken' as const, aside: before, lastBackup: lastBackup(folder) }
   if (opened.kind === 'open') return opened.database
@@ -90,7 +96,7 @@ async function openServer(address: string): Promise<Database> {
     await migrate(database)
     return database
   } catch (error) {
-    throw new CannotServe('noDatabase', { why: causeIn(error) })
+    throw cannotOpen(error)
   }
 }
 

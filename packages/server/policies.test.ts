@@ -17,9 +17,9 @@ test('a prerendered page is sent with the policy of its meta, and what a meta ca
   writeFileSync(join(folder, 'lab', 'fear.html'), page("script-src 'self' 'sha256-b='"))
   writeFileSync(join(folder, 'lab', 'index.html'), page("script-src 'self'"))
   expect(Object.fromEntries(readPolicies(folder))).toEqual({
-    '/': "script-src 'self' 'sha256-a='; frame-ancestors 'self'",
-    '/lab/fear': "script-src 'self' 'sha256-b='; frame-ancestors 'self'",
-    '/lab': "script-src 'self'; frame-ancestors 'self'",
+    '/': "script-src 'self' 'sha256-a='; form-action 'self'; frame-ancestors 'self'",
+    '/lab/fear': "script-src 'self' 'sha256-b='; form-action 'self'; frame-ancestors 'self'",
+    '/lab': "script-src 'self'; form-action 'self'; frame-ancestors 'self'",
   })
 })
 

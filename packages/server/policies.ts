@@ -1,8 +1,8 @@
 import { readdirSync, readFileSync } from 'node:fs'
 import { join } from 'node:path'
 
-/** What a page's <meta> cannot say. */
-const frames = "frame-ancestors 'self'"
+/** Rules that a page's <meta> does not have: who may show it in a frame, and where its forms may send to. */
+const frames = "form-action 'self'; frame-ancestors 'self'"
 
 /** For answers that are no page of ours. */
 export const baseline = `default-src 'self'; object-src 'none'; base-uri 'none'; ${frames}`

@@ -1,4 +1,4 @@
-import { Migrator } from 'kysely'
+import { DEFAULT_MIGRATION_TABLE, Migrator, sql } from 'kysely'
 import type { Database } from './database.ts'
 import { migrateAnswers } from './answers/migrate.ts'
 import { first } from './first.ts'
@@ -29,6 +29,24 @@ const migrator = (database: Database) =>
     provider: { getMigrations: () => Promise.resolve(migrations(database)) },
   })
 
+/** A later version of the program has written this database. */
+export class NewerData extends Error {
+  override readonly name = 'NewerData'
+}
+
+/** @throws NewerData if this database has taken steps that this version does not know */
+export async function refuseNewer({ db, kind }: Database): Promise<void> {
+  const known = Object.keys(migrations({ kind }))
+  // A database without the table has taken no step at all.
+  const tables = await db.introspection.getTables({ withInternalKyselyTables: true })
+  if (!tables.some(({ name }) => name === DEFAULT_MIGRATION_TABLE)) return
+  const { rows } = await sql<{
+    name: string
+  }>`select name from ${sql.table(DEFAULT_MIGRATION_TABLE)}`.execute(db)
+  const unknown = rows.map(({ name }) => name).filter((name) => !known.includes(name))
+  if (unknown.length > 0) throw new NewerData(`Unknown steps: ${unknown.join(', ')}`)
+}
+
 /** Are there steps that this database has not taken? Then a copy is made first. */
 export async function needsMigration(database: Database): Promise<boolean> {
   const steps = await migrator(database).getMigrations()
@@ -37,6 +55,7 @@ export async function needsMigration(database: Database): Promise<boolean> {
 
 /** Takes the steps that are missing, forward only, under the migrator's lock. @throws the error of the step that failed */
 export async function migrate(database: Database): Promise<void> {
+  await refuseNewer(database)
   await migrateAnswers(database.answers)
   const { error } = await migrator(database).migrateToLatest()
   if (error !== undefined) throw error instanceof Error ? error : new Error('A migration failed.')

@@ -1,13 +1,13 @@
 // The folder that holds everything of a server on SQLite: the database, its key, its backups and the list of deletions.
 import { randomBytes } from 'node:crypto'
-import { existsSync, mkdirSync, readFileSync, renameSync, writeFileSync } from 'node:fs'
+import { chmodSync, existsSync, mkdirSync, readFileSync, renameSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'
 import { migrateAnswers } from '../database/answers/migrate.ts'
 import { answersBeside } from '../database/answers/sqlite.ts'
 import type { Database } from '../database/database.ts'
 import { codeOf } from '../database/errors.ts'
 import { isSound } from '../database/sound.ts'
-import { migrate, needsMigration } from '../database/migrate.ts'
+import { migrate, needsMigration, refuseNewer } from '../database/migrate.ts'
 import { openSqlite } from '../database/sqlite.ts'
 import { backupInto, lastBackup } from './backups.ts'
 
@@ -39,6 +39,8 @@ export async function openDataFolder(folder: string): Promise<Opened> {
     return { kind: 'broken', aside: setAside(broken, 'broken'), lastBackup: lastBackup(folder) }
   const database = openSqlite(file)
   try {
+    for (const one of [file, answersBeside(file)]) chmodSync(one, 0o600)
+    await refuseNewer(database)
     await migrateAnswers(database.answers)
     if (!isNew && (await needsMigration(database))) await backupInto(folder, database, 'before-migration')
     await migrate(database)
