@@ -48,7 +48,7 @@ test('data of a later version is not opened, and a sentence says so', async () =
   const step = { name: 'step-999-later', timestamp: '' }
   await database.db
     .insertInto('kysely_migration' as never)
-    .values(step as never)
+    .values(step)
     .execute()
   await database.close()
   expect(await problemOf({ data: folder })).toBe('newerData')
