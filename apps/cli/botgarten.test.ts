@@ -125,6 +125,30 @@ describe('botgarten run', () => {
     expect((await botgarten('run', wrong)).stdout).toMatch(/asserted wrongly {2}pos-14: expected 14, got 13/)
   })
 
+  it('says in a sentence that the picture of the floor is damaged', async () => {
+    const asset = 'a'.repeat(64)
+    const base64 = Buffer.from('89504e470d0a1a0a00', 'hex').toString('base64')
+    const bo = { id: 'bo', pose: { x: 50, y: 50, heading: 0 }, program: 'main', brain: 'b' }
+    const config = { wheelDiameter: 5.6, trackWidth: 11, sensors: {}, drive: { left: 'B', right: 'C' } }
+    const path = file(
+      'damaged-floor.json',
+      JSON.stringify({
+        ...{ botgarten: 1, name: 'Damaged', brains: {} },
+        assets: { [asset]: { type: 'image/png', base64 } },
+        programs: { main: { stacks: [], config: { stacks: [] } } },
+        world: {
+          ...{ size: { width: 200, height: 150 }, floor: { asset } },
+          ...{ areas: [], lines: [], obstacles: [], robots: [{ ...bo, config }] },
+        },
+      }),
+    )
+    const { status, stderr } = await botgarten('run', path)
+    expect(stderr).toBe(
+      'botgarten: The picture of the floor is damaged and cannot be read. Choose another floor in the lab.\n',
+    )
+    expect(status).toBe(1)
+  })
+
   it('says in words what it says in JSON', async () => {
     expect((await botgarten('run', 'friendship', '--solution')).stdout).toMatch(/passed {2}near at \d/)
   })

@@ -14,6 +14,7 @@ import { version } from '@botgarten/programs'
 import type { Command } from './commands.ts'
 import { CallError, FileError } from './errors.ts'
 import { readText } from './files.ts'
+import { floorOf } from './floor.ts'
 import { note } from './notes.ts'
 import { options } from './options.ts'
 import { message } from './words.ts'
@@ -37,7 +38,7 @@ function replayOnce(args: string[]): string {
   refuse(path, faults)
   if (lines.length === 0) throw new FileError('file.emptyLog', { path })
   const played = playAgain(lines, {
-    floorOf: content.floorOf,
+    floorOf,
     checksOf: (place) => content.card(place)?.card.checks ?? [],
   })
   refuse(path, played.faults)

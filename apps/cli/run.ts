@@ -11,6 +11,7 @@ import type { Command } from './commands.ts'
 import { CallError, FileError } from './errors.ts'
 import { numberIn, options, wholeNumberIn } from './options.ts'
 import { isOpenRoberta, readProjectFile } from './project-file.ts'
+import { floorOf } from './floor.ts'
 import { findMap } from './maps.ts'
 import { withWeights } from './weights.ts'
 import { message, problemMessage } from './words.ts'
@@ -107,7 +108,7 @@ function fileRun(path: string, values: Values): Runnable {
     : project
   return {
     document,
-    floor: content.floorOf(document.world, project.assets),
+    floor: floorOf(document.world, project.assets),
     checks: found?.card.checks ?? [],
   }
 }

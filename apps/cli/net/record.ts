@@ -8,6 +8,7 @@ import { TICKS_PER_SECOND } from '@botgarten/simulation'
 import type { Command } from '../commands.ts'
 import { CallError } from '../errors.ts'
 import { write } from '../files.ts'
+import { floorOf } from '../floor.ts'
 import { numberIn, options, wholeNumberIn } from '../options.ts'
 import { readProjectFile } from '../project-file.ts'
 import { message } from '../words.ts'
@@ -73,7 +74,7 @@ function written(
 ): { readonly examples: Examples; readonly hash: string } {
   const robot = document.world.robots.find((one) => one.program === program)!
   const lab = createLab()
-  lab.load(document, content.floorOf(document.world, project.assets), { seed, checks: [] })
+  lab.load(document, floorOf(document.world, project.assets), { seed, checks: [] })
   const drive = { id: 'program-1', by: 'program', seed } as const
   lab.record({ robot: robot.id, network: network.id, drive, every: Math.round(TICKS_PER_SECOND / rate) })
   lab.start()
