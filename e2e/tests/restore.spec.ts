@@ -2,7 +2,7 @@
 import { mkdtempSync, rmSync } from 'node:fs'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
-import { backup, restore } from '@botgarten/classroom'
+import { backup, restore } from '../../packages/classroom/index.ts'
 import { openClassServer, startServer } from '../../packages/server/index.ts'
 import { Child, leftEye, leftWheel } from '../child.ts'
 import { Pupil } from '../child-class.ts'

@@ -5,6 +5,7 @@ import { afterEach, beforeEach, expect, test } from 'vitest'
 import type { Database } from '../database/database.ts'
 import { migrate } from '../database/migrate.ts'
 import { openSqlite } from '../database/sqlite.ts'
+import { Limits } from '../limits.ts'
 import { projectText } from '../testing/projects.ts'
 import { quickAccounts, Server } from '../testing/world.ts'
 import { saveQueueOn } from './save-queue.ts'
@@ -32,6 +33,12 @@ function counted() {
     },
   })
   return { save: saveQueueOn({ ...database, db }), commits: () => commits }
+}
+
+/** For a pupil who saves as fast as one can: each request finds its bucket full. */
+function unlimited() {
+  let elapsed = 0
+  return new Limits(() => (elapsed += 60_000))
 }
 
 async function classWith(children: number, changes: Partial<Server['ports']>) {
@@ -71,7 +78,7 @@ test('with 30 ms more for each wait for the disk no save of a class of 35 waits 
 })
 
 test('the journal of the file does not grow without end, also where one save follows the other', async () => {
-  const [pupil] = await classWith(1, {})
+  const [pupil] = await classWith(1, { limits: unlimited() })
   for (let at = 0; at < 400; at++)
     await pupil!.put(`/projects/project-1?base=${at}&save=save-${1000 + at}`, text(at))
   expect(statSync(join(folder, 'class.db-wal')).size).toBeLessThan(20_000_000)
@@ -81,7 +88,10 @@ test('the journal of the file does not grow without end, also where one save fol
 test('between saves the journal is put away, before a commit has to do it', async () => {
   let times = 0
   const checkpoint = () => (times++, database.checkpoint!())
-  const [pupil] = await classWith(1, { save: saveQueueOn({ ...database, checkpoint }) })
+  const [pupil] = await classWith(1, {
+    limits: unlimited(),
+    save: saveQueueOn({ ...database, checkpoint }),
+  })
   for (let at = 0; at < 300; at++) {
     await pupil!.put(`/projects/project-1?base=${at}&save=save-${1000 + at}`, text(at))
     await new Promise(setImmediate)
@@ -94,7 +104,10 @@ test('a disk that is too full to put the journal away breaks no save', async () 
   const checkpoint = () => {
     throw Object.assign(new Error(''), { code: 'SQLITE_FULL' })
   }
-  const [pupil] = await classWith(1, { save: saveQueueOn({ ...database, checkpoint }) })
+  const [pupil] = await classWith(1, {
+    limits: unlimited(),
+    save: saveQueueOn({ ...database, checkpoint }),
+  })
   for (let at = 0; at < 150; at++) {
     const answer = await pupil!.put(`/projects/project-1?base=${at}&save=save-${1000 + at}`, text(at))
     expect(answer.status).toBe(200)
