@@ -21,8 +21,8 @@ export function basedOn({ id, seen = [] }: SyncRecord, at: ClassVersion, synced:
 }
 
 /** Whether this device's work was made from the version of the class, though it is based on a later one. Then it replaces it. */
-export const isBehind = ({ base, seen = [] }: SyncRecord, has: ClassVersion): boolean =>
-  has.revision !== base && seen.some((one) => isSame(one, has))
+export const isBehind = ({ seen = [] }: SyncRecord, has: ClassVersion): boolean =>
+  seen.some((one) => isSame(one, has))
 
 /** The number of a mark among those of its pupil. */
 const numberOf = (mark: string) => Number(mark.split('.')[0])
@@ -72,7 +72,9 @@ function ofOwn(
   known: boolean,
 ): Outcome {
   const { id, base, hash, seen } = sync
-  if (base === 0 || sync.conflict !== undefined) return 'leave'
+  // Without the other version there is nothing to choose: this one is new to the class.
+  if (sync.conflict !== undefined) return has ? 'leave' : { ...unknown(id), seen }
+  if (base === 0) return 'leave'
   // Lost there: it is sent again as a new one.
   if (!has) return thrownAt !== undefined && thrownAt >= base ? 'leave' : { ...unknown(id), seen }
   if (has.revision === base) {

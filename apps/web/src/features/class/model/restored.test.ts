@@ -3,11 +3,20 @@
 import { isLong } from '@botgarten/numbers/testing'
 import fc from 'fast-check'
 import { expect, test } from 'vitest'
-import { backUp, Cable, headsIn, inBins, newDevice, newPupil, settle, Work } from './testing/devices.ts'
-import { play, stepsWithRestores } from './testing/steps.ts'
+import {
+  backUp,
+  headsIn,
+  inBins,
+  newDevice,
+  scene,
+  settle,
+  takeOneBack,
+  type Device,
+} from './testing/devices.ts'
+import { playAndSettle, stepsWithRestores } from './testing/steps.ts'
 
 /** The names of the projects that a device says are in the class, by their ids. */
-async function saidToBeInClass({ page }: Awaited<ReturnType<typeof newDevice>>): Promise<string[]> {
+async function saidToBeInClass({ page }: Device): Promise<string[]> {
   const names: string[] = []
   for (const [id, { kind }] of await page.whereabouts())
     if (kind === 'class') names.push((await page.load(id))!.project.name)
@@ -21,14 +30,7 @@ test(
     const devices = [await newDevice(), await newDevice()] as const
     await fc.assert(
       fc.asyncProperty(stepsWithRestores, fc.boolean(), async (steps, own) => {
-        const pupil = await newPupil()
-        const cable = new Cable(pupil)
-        const work = new Work()
-        for (const device of devices) await device.clear()
-        await play(steps, { devices, cable, work, pupil })
-        await settle(devices, cable, own)
-        const heads = await headsIn(pupil)
-        expect(work.lostWith([...heads, ...(await inBins(devices))])).toEqual([])
+        const { cable, heads } = await playAndSettle(steps, devices, own)
         for (const { page } of devices) await page.fetchWork(cable.ask)
         for (const device of devices)
           for (const name of await saidToBeInClass(device)) expect(heads).toContain(name)
@@ -39,10 +41,7 @@ test(
 )
 
 test('changes saved after the backup are sent again, also a new project, without a question', async () => {
-  const laptop = await newDevice()
-  const pupil = await newPupil()
-  const cable = new Cable(pupil)
-  const work = new Work()
+  const { laptop, pupil, cable, work } = await scene()
   await work.edit(laptop, 'friendship')
   await settle([laptop], cable, true)
   const putBack = await backUp(pupil)
@@ -60,10 +59,7 @@ test('changes saved after the backup are sent again, also a new project, without
 })
 
 test('a change after a restore replaces the earlier version, without a question', async () => {
-  const laptop = await newDevice()
-  const pupil = await newPupil()
-  const cable = new Cable(pupil)
-  const work = new Work()
+  const { laptop, pupil, cable, work } = await scene()
   await work.edit(laptop, 'fear')
   await settle([laptop], cable, true)
   const putBack = await backUp(pupil)
@@ -77,10 +73,7 @@ test('a change after a restore replaces the earlier version, without a question'
 })
 
 test('two devices differ after a restore to a revision that both know: the child chooses', async () => {
-  const [laptop, tablet] = [await newDevice(), await newDevice()]
-  const pupil = await newPupil()
-  const cable = new Cable(pupil)
-  const work = new Work()
+  const { laptop, tablet, pupil, cable, work } = await scene()
   await work.edit(laptop, 'fear')
   await settle([laptop, tablet], cable, true)
   const putBack = await backUp(pupil)
@@ -98,10 +91,7 @@ test('two devices differ after a restore to a revision that both know: the child
 })
 
 test('a revision that was saved onto another one of the same number is refused, also by a page that did not look', async () => {
-  const [laptop, tablet] = [await newDevice(), await newDevice()]
-  const pupil = await newPupil()
-  const cable = new Cable(pupil)
-  const work = new Work()
+  const { laptop, tablet, pupil, cable, work } = await scene()
   await work.edit(laptop, 'fear')
   await settle([laptop, tablet], cable, true)
   const putBack = await backUp(pupil)
@@ -117,10 +107,7 @@ test('a revision that was saved onto another one of the same number is refused, 
 })
 
 test('newer work of a restored class is loaded if it was made from the work here; otherwise the child chooses', async () => {
-  const [laptop, tablet] = [await newDevice(), await newDevice()]
-  const pupil = await newPupil()
-  const cable = new Cable(pupil)
-  const work = new Work()
+  const { laptop, tablet, pupil, cable, work } = await scene()
   await work.edit(laptop, 'fear')
   await settle([laptop, tablet], cable, true)
   await work.edit(laptop, 'friendship')
@@ -141,10 +128,7 @@ test('newer work of a restored class is loaded if it was made from the work here
 })
 
 test('a deleted project is deleted again after a restore, and is in the bin of each device', async () => {
-  const [laptop, tablet] = [await newDevice(), await newDevice()]
-  const pupil = await newPupil()
-  const cable = new Cable(pupil)
-  const work = new Work()
+  const { laptop, tablet, pupil, cable, work } = await scene()
   await work.edit(laptop, 'fear')
   await settle([laptop, tablet], cable, true)
   const putBack = await backUp(pupil)
@@ -159,10 +143,7 @@ test('a deleted project is deleted again after a restore, and is in the bin of e
 })
 
 test('work that another device has saved since a restore is not deleted with the earlier version', async () => {
-  const [laptop, tablet] = [await newDevice(), await newDevice()]
-  const pupil = await newPupil()
-  const cable = new Cable(pupil)
-  const work = new Work()
+  const { laptop, tablet, pupil, cable, work } = await scene()
   await work.edit(laptop, 'fear')
   await settle([laptop, tablet], cable, true)
   const putBack = await backUp(pupil)
@@ -177,10 +158,8 @@ test('work that another device has saved since a restore is not deleted with the
 })
 
 test('a project that is missing because another device deleted it is not sent again', async () => {
-  const [laptop, tablet] = [await newDevice(), await newDevice()]
-  const pupil = await newPupil()
-  const cable = new Cable(pupil)
-  await new Work().edit(laptop, 'fear')
+  const { laptop, tablet, pupil, cable, work } = await scene()
+  await work.edit(laptop, 'fear')
   await settle([laptop, tablet], cable, true)
   await laptop.page.throwAway('fear')
   await laptop.page.sendAll(cable.ask)
@@ -188,4 +167,36 @@ test('a project that is missing because another device deleted it is not sent ag
   expect(await tablet.page.load('fear')).toBeNull()
   await settle([laptop, tablet], cable, true)
   expect(await headsIn(pupil)).toEqual([])
+})
+
+test('a project that was restored from the bin is sent again if the class was restored to when it lay there', async () => {
+  const { laptop, pupil, cable, work } = await scene()
+  await work.edit(laptop, 'fear')
+  await settle([laptop], cable, true)
+  await laptop.page.throwAway('fear')
+  await settle([laptop], cable, true)
+  const putBack = await backUp(pupil)
+  await takeOneBack(laptop)
+  await settle([laptop], cable, true)
+  await putBack()
+  await laptop.page.fetchWork(cable.ask)
+  expect((await laptop.page.load('fear'))?.project.name).toBe('work 1')
+  expect(await laptop.page.sendAll(cable.ask)).toBeNull()
+  expect(await headsIn(pupil)).toEqual(['work 1'])
+})
+
+test('once a device has compared itself with a restored class, it remembers the mark of that class', async () => {
+  const { laptop, pupil, cable, work } = await scene()
+  await work.edit(laptop, 'fear')
+  await settle([laptop], cable, true)
+  const putBack = await backUp(pupil)
+  for (let edits = 0; edits < 3; edits++) {
+    await work.edit(laptop, 'fear')
+    await settle([laptop], cable, true)
+  }
+  await putBack()
+  const markOfClass = async () => ((await pupil.browser.get('/projects')).body as { mark: string }).mark
+  expect(await laptop.page.seenMark()).not.toBe(await markOfClass())
+  await laptop.page.fetchWork(cable.ask)
+  expect(await laptop.page.seenMark()).toBe(await markOfClass())
 })

@@ -11,11 +11,12 @@ import {
   namesOfVersions,
   newDevice,
   newPupil,
+  scene,
   settle,
   takeOneBack,
   Work,
 } from './testing/devices.ts'
-import { play, someSteps } from './testing/steps.ts'
+import { playAndSettle, someSteps } from './testing/steps.ts'
 
 test(
   'two devices edit, throw away, lose the network, crash and send twice: nothing is lost, nothing is doubled',
@@ -24,14 +25,7 @@ test(
     const devices = [await newDevice(), await newDevice()] as const
     await fc.assert(
       fc.asyncProperty(someSteps, fc.boolean(), async (steps, own) => {
-        const pupil = await newPupil()
-        const cable = new Cable(pupil)
-        const work = new Work()
-        for (const device of devices) await device.clear()
-        await play(steps, { devices, cable, work, pupil })
-        await settle(devices, cable, own)
-        const heads = await headsIn(pupil)
-        expect(work.lostWith([...heads, ...(await inBins(devices))])).toEqual([])
+        const { pupil, heads } = await playAndSettle(steps, devices, own)
         expect(new Set(heads).size).toBe(heads.length)
         for (const one of ['fear', 'friendship']) {
           const names = await namesOfVersions(pupil, one)
@@ -47,6 +41,17 @@ test(
               { kind: 'send', device: 0, fate: 'arrives' },
               { kind: 'throw', device: 0, id: 'friendship' },
               { kind: 'back', device: 0 },
+            ],
+            false,
+          ],
+          // The version in the class is deleted before the child has chosen.
+          [
+            [
+              { kind: 'edit', device: 0, id: 'fear' },
+              { kind: 'send', device: 0, fate: 'arrives' },
+              { kind: 'throw', device: 0, id: 'fear' },
+              { kind: 'edit', device: 1, id: 'fear' },
+              { kind: 'sendAll', device: 1 },
             ],
             false,
           ],
@@ -76,10 +81,8 @@ test('a child unplugs with three unsent saves, another signs in and plugs in: no
 })
 
 test('what is thrown away is thrown away in the class and on the other device, and comes back from the bin', async () => {
-  const [laptop, tablet] = [await newDevice(), await newDevice()]
-  const pupil = await newPupil()
-  const cable = new Cable(pupil)
-  await new Work().edit(laptop, 'fear')
+  const { laptop, tablet, pupil, cable, work } = await scene()
+  await work.edit(laptop, 'fear')
   await settle([laptop, tablet], cable, true)
   expect(await tablet.page.load('fear')).not.toBeNull()
   cable.fate = 'isLost'
@@ -100,10 +103,7 @@ test('what is thrown away is thrown away in the class and on the other device, a
 })
 
 test('work that another device has done since is not thrown away with what was before it', async () => {
-  const [laptop, tablet] = [await newDevice(), await newDevice()]
-  const pupil = await newPupil()
-  const cable = new Cable(pupil)
-  const work = new Work()
+  const { laptop, tablet, pupil, cable, work } = await scene()
   await work.edit(laptop, 'fear')
   await settle([laptop, tablet], cable, true)
   await work.edit(tablet, 'fear')
@@ -131,6 +131,28 @@ test('what the class does not take stays on the device, and the next change is s
   expect(await device.page.sendNext(picky)).toBe('none')
   await work.edit(device, 'fear')
   expect(await device.page.sendAll(picky)).toBeNull()
+  expect(await headsIn(pupil)).toEqual(['work 2'])
+})
+
+test('a project that is one too many for the class is sent again once another one is deleted', async () => {
+  const { laptop, pupil, cable, work } = await scene()
+  await work.edit(laptop, 'friendship')
+  expect(await laptop.page.sendAll(cable.ask)).toBeNull()
+  await work.edit(laptop, 'fear')
+  const facts = { reason: 'tooManyProjects' }
+  let isFull = true
+  const full: Ask = (method, path, body) => {
+    if (method === 'DELETE') isFull = false
+    return isFull && method === 'PUT'
+      ? Promise.resolve({ kind: 'refused', status: 422, code: 'projectRefused', facts })
+      : cable.ask(method, path, body)
+  }
+  expect(await laptop.page.sendAll(full)).toBeNull()
+  expect((await laptop.page.whereabouts()).get('fear')).toEqual({ kind: 'refused', ...facts })
+  await laptop.page.throwAway('friendship')
+  expect(await laptop.page.sendAll(full)).toBeNull()
+  expect((await laptop.page.whereabouts()).get('fear')).toEqual({ kind: 'waiting' })
+  expect(await laptop.page.sendAll(full)).toBeNull()
   expect(await headsIn(pupil)).toEqual(['work 2'])
 })
 

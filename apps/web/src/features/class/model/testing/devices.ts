@@ -77,16 +77,17 @@ export async function newDevice() {
     globalThis.indexedDB = factory
     vi.resetModules()
     const { sendAll, sendNext } = await import('../sending.ts')
-    const [projects, outbox, arriving, bin, { database: opened }] = await Promise.all([
+    const [projects, outbox, arriving, bin, { database: opened }, { seenMark }] = await Promise.all([
       import('#storage/projects.ts'),
       import('#storage/outbox.ts'),
       import('../arriving.ts'),
       import('#storage/bin.ts'),
       import('#storage/database.ts'),
+      import('#storage/class-versions.ts'),
     ])
     await opened()
     const member = () => import('../member.svelte.ts')
-    return { ...projects, ...outbox, sendAll, sendNext, ...arriving, ...bin, opened, member }
+    return { ...projects, ...outbox, sendAll, sendNext, ...arriving, ...bin, opened, seenMark, member }
   }
   let page = await pages()
   return {
@@ -155,6 +156,14 @@ export class Work {
       }
     return [...this.parents.keys()].filter((mark) => !found.has(mark))
   }
+}
+
+/** A pupil with a laptop and a tablet, the cable of both to the class, and the work on them. */
+export async function scene() {
+  const [laptop, tablet] = [await newDevice(), await newDevice()]
+  const pupil = await newPupil()
+  const cable = new Cable(pupil)
+  return { laptop, tablet, pupil, cable, work: new Work() }
 }
 
 let copies = 0

@@ -1,14 +1,19 @@
 // Steps of two devices of a pupil and of the class, in any order.
 import fc from 'fast-check'
+import { expect } from 'vitest'
 import {
   backUp,
+  Cable,
   choose,
+  headsIn,
+  inBins,
+  newPupil,
+  settle,
   takeOneBack,
-  type Cable,
+  Work,
   type Device,
   type Fate,
   type Pupil,
-  type Work,
 } from './devices.ts'
 
 export interface Step {
@@ -59,8 +64,29 @@ export const stepsWithRestores = fc.array(
   { maxLength: 30 },
 )
 
+/**
+ * Takes the steps with two devices that nobody has used, and lets them settle: no work may be lost.
+ * @param own whether a child that has to choose goes on with its own version
+ * @returns the pupil, the cable, and the names of the projects in the class
+ */
+export async function playAndSettle(
+  steps: readonly Step[],
+  devices: readonly [Device, Device],
+  own: boolean,
+): Promise<{ readonly pupil: Pupil; readonly cable: Cable; readonly heads: readonly string[] }> {
+  const pupil = await newPupil()
+  const cable = new Cable(pupil)
+  const work = new Work()
+  for (const device of devices) await device.clear()
+  await play(steps, { devices, cable, work, pupil })
+  await settle(devices, cable, own)
+  const heads = await headsIn(pupil)
+  expect(work.lostWith([...heads, ...(await inBins(devices))])).toEqual([])
+  return { pupil, cable, heads }
+}
+
 /** Takes the steps one after the other. */
-export async function play(
+async function play(
   steps: readonly Step[],
   {
     devices,
