@@ -91,10 +91,18 @@ export async function classOfTest(
   publicAddress?: string,
 ): Promise<ClassOfTest> {
   const server = await serverWithData(publicAddress)
-  const teacher = new Asker(server.url)
-  const token = await server.classServer.firstTeacher()
+  return nextClass({ ...server, teacher: await firstTeacher(server) }, language)
+}
+
+/** Makes the first teacher of a server, who is signed in. */
+export async function firstTeacher({
+  url,
+  classServer,
+}: Pick<ClassOfTest, 'url' | 'classServer'>): Promise<Asker> {
+  const teacher = new Asker(url)
+  const token = await classServer.firstTeacher()
   await done(teacher, 'POST', '/teachers', { token, username: 'm.weber', password: 'kastanie im regen' })
-  return nextClass({ ...server, teacher }, language)
+  return teacher
 }
 
 /** One more class 5b on a server that has a teacher. */

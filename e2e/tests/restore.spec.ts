@@ -7,7 +7,7 @@ import { openClassServer, startServer } from '../../packages/server/index.ts'
 import { Child, leftEye, leftWheel } from '../child.ts'
 import { Pupil } from '../child-class.ts'
 import { ProjectList } from '../child-projects.ts'
-import { Asker } from '../class-server.ts'
+import { firstTeacher, nextClass } from '../class-server.ts'
 import { expect, test } from '../house.ts'
 
 // Work must not be lost: a fault here gets no further try.
@@ -23,17 +23,11 @@ async function classOnDisk() {
     return { ...(await startServer({ port, host: '127.0.0.1', classServer })), classServer }
   }
   let server = await start(0)
-  const teacher = new Asker(server.url)
-  const token = await server.classServer.firstTeacher()
-  await teacher.ask('POST', '/teachers', { token, username: 'm.weber', password: 'kastanie im regen' })
-  const about = { name: '5b', language: 'en', grade: 5, endsOn: server.classServer.ports.day(120) }
-  const { id } = (await teacher.ask('POST', '/classes', about)).body as { id: string }
-  await teacher.ask('POST', `/classes/${id}/open`)
-  const { words } = (await teacher.ask('GET', `/classes/${id}`)).body as { words: readonly string[] }
+  const { code } = await nextClass({ ...server, teacher: await firstTeacher(server) }, 'en')
   const file = join(data, 'copy.db')
   return {
     url: server.url,
-    code: words.join(' '),
+    code,
     backUp: () => backup(server.classServer.ports.database, file),
     async restore() {
       await server.close()

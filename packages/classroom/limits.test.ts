@@ -20,7 +20,7 @@ const refusal = (act: () => unknown) => {
   }
 }
 
-test('after 300 requests at once a pupil gets 30 a second, and is told when', () => {
+test('after 300 requests at once a pupil gets 30 a second, and each refusal names the seconds to wait', () => {
   for (let count = 0; count < 300; count++) limits.request('fox')
   expect(refusal(() => limits.request('fox'))).toEqual({ status: 429, code: 'tooFast', seconds: 1 })
   now += 1000

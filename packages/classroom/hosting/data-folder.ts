@@ -39,7 +39,7 @@ export async function openDataFolder(folder: string): Promise<Opened> {
     return { kind: 'broken', aside: setAside(broken, 'broken'), lastBackup: lastBackup(folder) }
   const database = openSqlite(file)
   try {
-    for (const one of [file, answersBeside(file)]) chmodSync(one, 0o600)
+    for (const one of [file, answersBeside(file)]) forOwnerAlone(one)
     await refuseNewer(database)
     await migrateAnswers(database.answers)
     if (!isNew && (await needsMigration(database))) await backupInto(folder, database, 'before-migration')
@@ -49,6 +49,15 @@ export async function openDataFolder(folder: string): Promise<Opened> {
     throw error
   }
   return { kind: 'open', database }
+}
+
+/** Only the owner may read the file. A file of another user of this machine is not changed. */
+function forOwnerAlone(file: string): void {
+  try {
+    chmodSync(file, 0o600)
+  } catch (error) {
+    if (codeOf(error) !== 'EPERM') throw error
+  }
 }
 
 /** Renames a database with what belongs to it; an older one of that name stays. @returns the new name */

@@ -10,6 +10,7 @@ import {
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import { afterEach, beforeEach, expect, test } from 'vitest'
+import { openedIn } from '../testing/databases.ts'
 import { projectText } from '../testing/projects.ts'
 import { Server } from '../testing/world.ts'
 import { backup, lastBackup, nightlyBackup } from './backups.ts'
@@ -21,11 +22,7 @@ let folder: string
 beforeEach(() => void (folder = mkdtempSync(join(tmpdir(), 'botgarten-data-'))))
 afterEach(() => rmSync(folder, { recursive: true, force: true }))
 
-async function open() {
-  const opened = await openDataFolder(folder)
-  if (opened.kind === 'broken') throw new Error('The database is broken.')
-  return opened.database
-}
+const open = () => openedIn(folder)
 
 async function serverOn(at = folder) {
   const database = await open()

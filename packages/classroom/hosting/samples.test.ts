@@ -4,10 +4,11 @@ import { cpSync, mkdtempSync, readdirSync, readFileSync, rmSync } from 'node:fs'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import { afterEach, beforeEach, expect, test } from 'vitest'
+import { openedIn } from '../testing/databases.ts'
 import { projectText } from '../testing/projects.ts'
 import { Server } from '../testing/world.ts'
 import { accountsOn } from '../teaching/accounts.ts'
-import { openDataFolder, secretIn } from './data-folder.ts'
+import { secretIn } from './data-folder.ts'
 import { restore } from './restore.ts'
 
 interface Known {
@@ -35,9 +36,7 @@ afterEach(() => rmSync(folder, { recursive: true, force: true }))
 
 /** A server on the folder, a minute after the sample was made. */
 async function serverOn({ madeAt }: Known) {
-  const opened = await openDataFolder(folder)
-  if (opened.kind === 'broken') throw new Error('The database is broken.')
-  const { database } = opened
+  const database = await openedIn(folder)
   const secret = secretIn(folder)
   const server = new Server(database, { secret, accounts: accountsOn(database, secret) })
   server.now = madeAt + 60_000

@@ -114,8 +114,12 @@ onBothDatabases((fresh) => {
     const { code } = await server.openClass(teacher)
     const device = server.browser('10.1.2.1')
     await device.post('/look', { code })
-    for (let count = 0; count < 10; count++)
+    await server.pupil(code, 'Fuchs')
+    for (let count = 0; count < 10; count++) {
+      // A nickname that another one has makes no pupil.
+      expect((await device.post('/join', { code, nickname: 'Fuchs' })).status).toBe(409)
       expect((await device.post('/join', { code, nickname: `Igel ${count}` })).status).toBe(201)
+    }
     expect(await device.post('/join', { code, nickname: 'Igel' })).toMatchObject({
       ...{ status: 429, body: { error: 'tooManyTries', seconds: 600 } },
     })

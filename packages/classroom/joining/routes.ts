@@ -24,6 +24,7 @@ import {
   countWrong,
   countWrongPictures,
   refuseLockedDevice,
+  refuseMoreJoins,
   refuseThrottled,
 } from './throttle-store.ts'
 
@@ -59,7 +60,7 @@ async function join(call: Call<{ readonly code: string; readonly nickname: strin
   const { id: classId } = await classFor(call)
   const nickname = nicknameFrom(body.nickname)
   if (nickname === null) throw new Refusal(400, 'nickname')
-  await countJoin(clocked(ports), triers)
+  await refuseMoreJoins(clocked(ports), triers)
   const id = newToken(ports.random)
   const secret = newSecret(ports.random)
   const token = await ports.database.db.transaction().execute(async (inside) => {
@@ -72,6 +73,7 @@ async function join(call: Call<{ readonly code: string; readonly nickname: strin
     if (!added) throw new Refusal(409, 'nicknameTaken')
     return await startSession(inside, ports, { id, class: classId })
   })
+  await countJoin(clocked(ports), triers)
   ports.live.changed(classId, [id])
   const cookies = [cookie(pupilCookie, token, caller)]
   return { status: 201, body: { id, class: classId, nickname, pictures: secret }, cookies }

@@ -73,13 +73,33 @@ async function countOne(db: Db, key: string, endsAt: number): Promise<number> {
 /** New pupils of one device within ten minutes: a class may share it, one after the other. */
 const mostJoins = 10
 
-/** Counts a new pupil of a device. @throws Refusal 429 if it has made too many */
-export async function countJoin({ db, now, secret }: Clocked, { device }: Triers): Promise<void> {
-  // A device without a cookie is known by its address only, which a whole school may share: the class itself is bounded.
-  if (device === null) return
+/**
+ * The key of the new pupils of a device; null for a device without a cookie: it is known by its address only, which a whole
+ * school may share, and the class itself is bounded.
+ */
+const joinsOf = ({ device }: Triers, secret: Uint8Array) =>
+  device === null ? null : keyedHash(secret, 'joins', device)
+
+/** @throws Refusal 429 for a device that has made too many pupils */
+export async function refuseMoreJoins({ db, now, secret }: Clocked, triers: Triers): Promise<void> {
+  const key = joinsOf(triers, secret)
+  if (key === null) return
+  const row = await db
+    .selectFrom('attempt')
+    .select(['count', 'endsAt'])
+    .where('key', '=', key)
+    .where('endsAt', '>', now)
+    .executeTakeFirst()
+  if (row && row.count >= mostJoins)
+    throw new Refusal(429, 'tooManyTries', { seconds: Math.ceil((row.endsAt - now) / 1000) })
+}
+
+/** Counts a pupil that a device has made. */
+export async function countJoin({ db, now, secret }: Clocked, triers: Triers): Promise<void> {
+  const key = joinsOf(triers, secret)
+  if (key === null) return
   await db.deleteFrom('attempt').where('endsAt', '<=', now).execute()
-  const count = await countOne(db, keyedHash(secret, 'joins', device), now + windowLength)
-  if (count > mostJoins) throw new Refusal(429, 'tooManyTries', { seconds: windowLength / 1000 })
+  await countOne(db, key, now + windowLength)
 }
 
 const nights = 18 * 60 * minutes

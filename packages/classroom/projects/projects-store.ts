@@ -2,8 +2,8 @@ import type { Db } from '../database/database.ts'
 import { assetsOf, recount } from './assets-store.ts'
 import { renewMark } from './marks-store.ts'
 
-/** A pupil's projects with the hash of their newest version. */
-export const projectsOf = (db: Db, pupil: string) =>
+/** A pupil's projects, each with its newest version. */
+const withHeads = (db: Db, pupil: string) =>
   db
     .selectFrom('project')
     .innerJoin('version', (join) =>
@@ -12,8 +12,12 @@ export const projectsOf = (db: Db, pupil: string) =>
         .onRef('version.project', '=', 'project.id')
         .onRef('version.revision', '=', 'project.revision'),
     )
-    .select(['id', 'project.revision', 'hash', 'name', 'card', 'project.savedAt'])
     .where('project.pupil', '=', pupil)
+
+/** A pupil's projects with the hash of their newest version. */
+export const projectsOf = (db: Db, pupil: string) =>
+  withHeads(db, pupil)
+    .select(['id', 'project.revision', 'hash', 'name', 'card', 'project.savedAt'])
     .orderBy('project.savedAt', 'desc')
     .orderBy('id')
     .execute()
@@ -68,16 +72,8 @@ export async function headOf(
   pupil: string,
   id: string,
 ): Promise<{ readonly revision: number; readonly hash: string } | null> {
-  const row = await db
-    .selectFrom('project')
-    .innerJoin('version', (join) =>
-      join
-        .onRef('version.pupil', '=', 'project.pupil')
-        .onRef('version.project', '=', 'project.id')
-        .onRef('version.revision', '=', 'project.revision'),
-    )
+  const row = await withHeads(db, pupil)
     .select(['version.revision', 'version.hash'])
-    .where('project.pupil', '=', pupil)
     .where('project.id', '=', id)
     .executeTakeFirst()
   return row ?? null

@@ -8,8 +8,9 @@ import type { Database } from '../database/database.ts'
 import { migrate } from '../database/migrate.ts'
 import { openPostgres } from '../database/postgres.ts'
 import { backup } from '../hosting/backups.ts'
-import { databaseIn, openDataFolder } from '../hosting/data-folder.ts'
+import { databaseIn } from '../hosting/data-folder.ts'
 import { restore } from '../hosting/restore.ts'
+import { openedIn } from '../testing/databases.ts'
 import { noPostgres, startPostgres, type Postgres } from '../testing/postgres.ts'
 import { projectText } from '../testing/projects.ts'
 import { quickAccounts, Server } from '../testing/world.ts'
@@ -57,11 +58,7 @@ describe('a data folder', () => {
   beforeAll(() => void (folder = mkdtempSync(join(tmpdir(), 'botgarten-put-back-'))))
   afterAll(() => rmSync(folder, { recursive: true, force: true }))
 
-  const openIn = (name: string) => async () => {
-    const opened = await openDataFolder(join(folder, name))
-    if (opened.kind === 'broken') throw new Error('The database is broken.')
-    return opened.database
-  }
+  const openIn = (name: string) => () => openedIn(join(folder, name))
 
   test('is put back from a backup', () =>
     noticesPuttingBack({

@@ -21,6 +21,7 @@ const tables = [
   'asset',
   'versionAsset',
   'thrown',
+  'mark',
 ] as const
 const pixel = { type: 'image/png', base64: 'iVBORw0KGgo=' }
 

@@ -84,7 +84,7 @@ export function openAnswersOn(address: string): AnswersDatabase {
   }
 }
 
-/** Writes the tables anew. It has no time limit: it takes as long as there are answers. */
+/** Rewrites the tables. It has no time limit, since it takes longer the more answers there are. */
 async function vacuum(address: string): Promise<void> {
   const client = await connect(address)
   try {

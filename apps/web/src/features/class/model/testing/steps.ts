@@ -65,8 +65,8 @@ export const stepsWithRestores = fc.array(
 )
 
 /**
- * Takes the steps with two devices that nobody has used, and lets them settle: no work may be lost.
- * @param own whether a child that has to choose goes on with its own version
+ * Takes the steps with two empty devices, and lets them settle: no work may be lost.
+ * @param own whether a child that has to choose takes its own version
  * @returns the pupil, the cable, and the names of the projects in the class
  */
 export async function playAndSettle(
