@@ -1,5 +1,5 @@
 import { execFileSync } from 'node:child_process'
-import { cpSync, existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
+import { cpSync, existsSync, mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs'
 import { tmpdir } from 'node:os'
 import { dirname, join } from 'node:path'
 import { Trouble } from '../prepare/run.mjs'
@@ -36,8 +36,8 @@ export class Copy {
   readonly #house: string
   #folder: string | null = null
   #warm: Warm | null = null
-  /** The file whose tests have passed without any fault. */
-  #trusted: string | null = null
+  /** The room whose tests have passed without any fault. */
+  #trusted: Room | null = null
 
   private constructor(house: string) {
     this.#house = house
@@ -72,20 +72,19 @@ export class Copy {
 
   /** @throws Trouble where the tests fail without the fault */
   async outcomeOf({ file, text }: Mutant, room: Room): Promise<Outcome> {
-    if (this.#trusted !== file) await this.#refuseFailing(file, room)
-    this.#trusted = file
-    const { kind } = await this.#vitest.ask({ file, text, ...asked(room) })
-    if (kind === 'ready') throw new Error('Vitest has started again.')
+    if (this.#trusted !== room) await this.#refuseFailing(room)
+    this.#trusted = room
+    const { kind } = await this.#vitest.ask({ fault: { file, text }, ...asked(room) })
+    if (kind === 'ready' || kind === 'progress') throw new Error('Vitest has started again.')
     return kind
   }
 
   /** Tests that fail without any fault would kill every mutant. */
-  async #refuseFailing(file: string, room: Room): Promise<void> {
-    const text = readFileSync(join(this.#house, file), 'utf8')
+  async #refuseFailing(room: Room): Promise<void> {
     for (let left = 1; ; left--) {
-      const answer = await this.#vitest.askFirst({ file, text, ...asked(room) })
+      const answer = await this.#vitest.ask({ fault: null, ...asked(room) })
       if (answer.kind !== 'killed' && answer.kind !== 'timeout') return
-      const why = `The tests of ${file} fail as it is: ${'by' in answer ? answer.by : answer.kind}`
+      const why = `The tests of ${room.name} fail as they are: ${'by' in answer ? answer.by : answer.kind}`
       if (left === 0) throw new Trouble(why)
       // A busy machine may have made them wait too long.
       console.log(why)

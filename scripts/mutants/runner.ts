@@ -1,12 +1,11 @@
 // One warm Vitest in a copy of the tree. Its parent sends files with a fault and gets back whether a test has failed.
 import { existsSync, readFileSync, renameSync, writeFileSync } from 'node:fs'
-import { join } from 'node:path'
+import { dirname, join } from 'node:path'
 import { createVitest, type TestModule, type TestSpecification } from 'vitest/node'
 
 export interface Request {
-  /** Both below the copy's folder. */
-  readonly file: string
-  readonly text: string
+  /** A file below the copy's folder, and its text with a fault; null: all tests of the folders run without a fault. */
+  readonly fault: { readonly file: string; readonly text: string } | null
   /** Tests outside of these folders are not asked. */
   readonly tests: readonly string[]
   /** Tests that are asked whatever they import. */
@@ -14,59 +13,80 @@ export interface Request {
 }
 
 export type Answer =
-  { readonly kind: 'ready' } | { readonly kind: 'killed' | 'survived' | 'unasked'; readonly by?: string }
+  /** `progress`: a test has ended. */
+  | { readonly kind: 'ready' | 'progress' }
+  | { readonly kind: 'killed' | 'survived' | 'unasked'; readonly by?: string }
 
 const root = process.cwd()
 const say = (answer: Answer) => process.send!(answer)
 
 const vitest = await createVitest('test', {
   ...{ root, watch: false, run: true, bail: 1, maxWorkers: 1, fileParallelism: false },
-  ...{ reporters: [{}], silent: true, testTimeout: 20_000, passWithNoTests: true, cache: false },
+  ...{
+    reporters: [{ onTestCaseResult: () => void say({ kind: 'progress' }) }],
+    silent: true,
+    testTimeout: 20_000,
+    passWithNoTests: true,
+    cache: false,
+  },
 })
 
+/** Groups of tests in the order in which they run: the first group that fails ends the run. */
 type Tests = readonly (readonly TestSpecification[])[]
 const specs = new Map<string, Promise<Tests>>()
 
-/** The tests that are asked about a file: those that are called like it, then the others. */
-function testsOf({ file, tests, walking }: Request): Promise<Tests> {
-  const found = specs.get(file) ?? related(join(root, file), tests, walking)
+/** The tests that are asked about a file: those that are called like it, those in its folder, then the others. */
+function testsOf(file: string, request: Request): Promise<Tests> {
+  const found = specs.get(file) ?? related(join(root, file), request)
   specs.set(file, found)
   return found
 }
 
-async function related(path: string, folders: readonly string[], walking: readonly string[]): Promise<Tests> {
+const below = (folders: readonly string[]) => folders.map((folder) => join(root, folder, '/'))
+
+async function related(path: string, { tests, walking }: Request): Promise<Tests> {
   vitest.config.related = [path]
-  const importing = await vitest.getRelevantTestSpecifications(
-    folders.map((folder) => join(root, folder, '/')),
-  )
+  const importing = await vitest.getRelevantTestSpecifications(below(tests))
   const asked = new Set(importing.map(({ moduleId }) => moduleId))
   const found = walking.length === 0 ? [] : await vitest.globTestSpecifications([...walking])
   const all = [...importing, ...found.filter(({ moduleId }) => !asked.has(moduleId))]
   const name = path.replace(/(\.svelte)?\.ts$/, '.')
-  const isOwn = ({ moduleId }: TestSpecification) => moduleId.startsWith(name)
-  return [all.filter(isOwn), all.filter((one) => !isOwn(one))].filter(({ length }) => length > 0)
+  const distance = ({ moduleId }: TestSpecification) =>
+    moduleId.startsWith(name) ? 0 : dirname(moduleId) === dirname(path) ? 1 : 2
+  return [0, 1, 2]
+    .map((one) => all.filter((spec) => distance(spec) === one))
+    .filter(({ length }) => length > 0)
+}
+
+async function wholeRoom({ tests, walking }: Request): Promise<Tests> {
+  return [await vitest.globTestSpecifications([...below(tests), ...walking])]
 }
 
 async function ask(request: Request): Promise<Answer> {
-  const { file, text } = request
+  if (request.fault === null) return await run(await wholeRoom(request))
+  const { file, text } = request.fault
   const path = join(root, file)
   const before = readFileSync(path, 'utf8')
-  const chosen = await testsOf(request)
+  const chosen = await testsOf(file, request)
   if (chosen.length === 0) return { kind: 'unasked' }
   put(path, text)
   try {
-    for (const some of chosen) {
-      const { testModules, unhandledErrors } = await vitest.runTestSpecifications([...some])
-      // Vitest also gives what failed in runs before and was not asked now.
-      const asked = new Set(some.map(({ moduleId }) => moduleId))
-      const failed = testModules.find((one) => asked.has(one.moduleId) && one.state() === 'failed')
-      if (failed) return { kind: 'killed', by: reasonOf(failed) }
-      if (unhandledErrors.length > 0) return { kind: 'killed' }
-    }
-    return { kind: 'survived' }
+    return await run(chosen)
   } finally {
     put(path, before)
   }
+}
+
+async function run(groups: Tests): Promise<Answer> {
+  for (const some of groups) {
+    const { testModules, unhandledErrors } = await vitest.runTestSpecifications([...some])
+    // Vitest also gives what failed in runs before and was not asked now.
+    const asked = new Set(some.map(({ moduleId }) => moduleId))
+    const failed = testModules.find((one) => asked.has(one.moduleId) && one.state() === 'failed')
+    if (failed) return { kind: 'killed', by: reasonOf(failed) }
+    if (unhandledErrors.length > 0) return { kind: 'killed' }
+  }
+  return { kind: 'survived' }
 }
 
 function reasonOf(failed: TestModule): string {

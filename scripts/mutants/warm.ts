@@ -3,46 +3,30 @@ import { readFileSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'
 import type { Answer, Request } from './runner.ts'
 
-/** A first request reads all code. */
-const FIRST = 240_000
-/** A fault may make tests so many times as slow, or take so long, before it counts as an endless loop. */
-const [SLOWER, LEAST] = [5, 60_000]
+/** Reading all code until the first test ends takes at most so long, ms. */
+const STARTS = 240_000
+/** Between two ends of tests, ms. A fault that takes longer is an endless loop, since a test itself may take 60 s. */
+const SILENT = 150_000
 
 /** A warm Vitest that is started again when a fault has made it hang. */
 export class Warm {
   readonly #copy: string
   #child: ChildProcess | null = null
-  #isFirst = true
-  /** How long the tests of this file took without a fault. */
-  #took = 0
 
   constructor(copy: string) {
     this.#copy = copy
   }
 
-  /** Asks about a file as it is: how long that takes says how long a fault may take. */
-  async askFirst(request: Request): Promise<Answer | { readonly kind: 'timeout' }> {
-    const began = performance.now()
-    const answer = await this.#ask(request, FIRST)
-    this.#took = performance.now() - began
-    return answer
-  }
-
   /** `timeout`: no answer came; the fault has been found by its endless loop. */
-  ask(request: Request): Promise<Answer | { readonly kind: 'timeout' }> {
-    return this.#ask(request, this.#isFirst ? FIRST : Math.max(LEAST, SLOWER * this.#took))
-  }
-
-  async #ask(request: Request, most: number): Promise<Answer | { readonly kind: 'timeout' }> {
+  async ask(request: Request): Promise<Answer | { readonly kind: 'timeout' }> {
     const child = this.#child ?? (await this.#start())
-    const path = join(this.#copy, request.file)
-    const before = readFileSync(path, 'utf8')
-    const answer = await answerOf(child, request, most)
-    this.#isFirst = false
+    const path = request.fault && join(this.#copy, request.fault.file)
+    const before = path && readFileSync(path, 'utf8')
+    const answer = await answerOf(child, request)
     if (answer.kind === 'timeout') {
       this.close()
       // A process that hangs cannot take its fault back itself.
-      writeFileSync(path, before)
+      if (path && before !== null) writeFileSync(path, before)
     }
     return answer
   }
@@ -55,8 +39,7 @@ export class Warm {
       stdio: ['ignore', 'ignore', 'inherit', 'ipc'],
     })
     this.#child = child
-    this.#isFirst = true
-    const ready = await answerOf(child, null, FIRST)
+    const ready = await answerOf(child, null)
     if (ready.kind !== 'ready') throw new Error('Vitest does not start.')
     return child
   }
@@ -71,17 +54,21 @@ export class Warm {
 function answerOf(
   child: ChildProcess,
   request: Request | null,
-  most: number,
 ): Promise<Answer | { readonly kind: 'timeout' }> {
   return new Promise((resolve) => {
     const end = (answer: Answer | { readonly kind: 'timeout' }) => {
       clearTimeout(timer)
-      child.off('message', end).off('exit', lost)
+      child.off('message', hear).off('exit', lost)
       resolve(answer)
     }
     const lost = () => end({ kind: 'timeout' })
-    const timer = setTimeout(lost, most)
-    child.once('message', end).once('exit', lost)
+    let timer = setTimeout(lost, STARTS)
+    const hear = (answer: Answer) => {
+      if (answer.kind !== 'progress') return end(answer)
+      clearTimeout(timer)
+      timer = setTimeout(lost, SILENT)
+    }
+    child.on('message', hear).once('exit', lost)
     if (request) child.send(request)
   })
 }
