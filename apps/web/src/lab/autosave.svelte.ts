@@ -4,7 +4,7 @@ import type { LabEvent } from './change.ts'
 
 /** The autosave of one project, as the screen sees it. */
 export class ProjectAutosave extends Autosave {
-  #seen = $state.raw<SaveStatus>({ id: '', state: 'saved', storage: 'ok', refusal: null })
+  #seen = $state.raw<SaveStatus>({ id: '', revision: 0, state: 'saved', storage: 'ok', refusal: null })
 
   constructor(id: string, revision: number) {
     super(id, revision, (status) => (this.#seen = status))
@@ -16,6 +16,9 @@ export class ProjectAutosave extends Autosave {
   }
   get id() {
     return this.#seen.id
+  }
+  get revision() {
+    return this.#seen.revision
   }
   get state() {
     return this.#seen.state

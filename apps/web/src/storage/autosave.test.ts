@@ -136,9 +136,11 @@ describe('saving by itself', () => {
     await save('friendship', named('before'), 0)
     const { revision } = (await load('friendship'))!
     const { autosave, changes } = begin('friendship', revision)
-    expect(autosave.status).toEqual({ id: 'friendship', state: 'saved', storage: 'ok', refusal: null })
+    const given = { id: 'friendship', state: 'saved', storage: 'ok', refusal: null }
+    expect(autosave.status).toEqual({ ...given, revision })
     changes('after')
     await autosave.flush()
+    expect(autosave.status).toEqual({ ...given, revision: revision + 1 })
     expect(await load('friendship')).toMatchObject({ revision: revision + 1, project: { name: 'after' } })
   })
 

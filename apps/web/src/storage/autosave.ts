@@ -12,6 +12,8 @@ export const AGAIN = 10_000
 
 export interface SaveStatus {
   readonly id: string
+  /** Of the project on this device; 0: it was never saved. */
+  readonly revision: number
   /** `elsewhere`: another tab has saved this project · `gone`: another tab has thrown it away. */
   readonly state: 'saving' | 'saved' | 'failed' | 'elsewhere' | 'gone'
   /** Why nothing can be saved. `tooMuch`: it could not be opened again; `refusal` says what is too much. */
@@ -45,7 +47,7 @@ export class Autosave {
   /** @param report is called with every new status */
   constructor(id: string, revision: number, report: (status: SaveStatus) => void) {
     this.#place = { id, revision }
-    this.#status = { id, state: 'saved', storage: 'ok', refusal: null }
+    this.#status = { id, revision, state: 'saved', storage: 'ok', refusal: null }
     this.#report = report
     this.#stopListening = whenChangedElsewhere(id, (news) => this.#hear(news))
   }
@@ -55,7 +57,7 @@ export class Autosave {
   }
 
   #set(status: Partial<SaveStatus>): void {
-    this.#status = { ...this.#status, ...status }
+    this.#status = { ...this.#status, ...status, revision: this.#place.revision }
     this.#report(this.#status)
   }
 
@@ -66,6 +68,7 @@ export class Autosave {
     } else if (news.name !== undefined && news.revision === revision + 1) {
       // Only the name is another one: both can go on.
       this.#place.revision = news.revision
+      this.#set({})
       this.whenRenamed(news.name)
     } else if (news.revision > revision) this.#set({ state: 'elsewhere' })
   }

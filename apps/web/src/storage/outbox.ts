@@ -22,7 +22,9 @@ export type { OutboxRecord } from './database.ts'
 
 /** Where a project is. `waiting`: on this device alone, or with changes that the class does not have yet. */
 export type Whereabouts =
-  | { readonly kind: 'class' | 'waiting' }
+  /** The class has this revision of the device. */
+  | { readonly kind: 'class'; readonly revision: number }
+  | { readonly kind: 'waiting' }
   | { readonly kind: 'conflict'; readonly revision: number }
   | { readonly kind: 'refused'; readonly reason: string }
 
@@ -32,7 +34,7 @@ function whereIs(revision: number, sync: SyncRecord | undefined, isOnItsWay: boo
   const { conflict, refused, synced = 0 } = sync ?? {}
   if (conflict !== undefined) return { kind: 'conflict', revision: conflict }
   if (isOnItsWay) return { kind: 'waiting' }
-  if (revision === synced) return { kind: 'class' }
+  if (revision === synced) return { kind: 'class', revision }
   if (refused?.revision === revision) return { kind: 'refused', reason: refused.reason }
   return { kind: 'waiting' }
 }

@@ -34,7 +34,7 @@ const isOn = async ({ page }: Device, id: string) => (await page.load(id)) !== n
 test('before the class has confirmed a project, the page does not call it saved in the class', async () => {
   const { device, pupil, cable, member } = await begin()
   await member.outbox.flush()
-  expect(member.placeOf('fear')).toEqual({ kind: 'class' })
+  expect(member.placeOf('fear')).toMatchObject({ kind: 'class' })
   expect(member.allConfirmed).toBe(true)
   // The page is opened again while the class cannot be reached.
   cable.fate = 'isLost'

@@ -1,5 +1,4 @@
 import { expect, test } from 'vitest'
-import { stateOf } from './chip.ts'
 import { waitAfter } from './outbox.ts'
 import { passage } from './pupil.ts'
 
@@ -12,14 +11,6 @@ test('"yes" is enough within a lesson, then the pictures are asked, and without 
   expect(passage('away', false)).toBe('locked')
   expect(passage('otherPupil', true)).toBe('signedOut')
   expect(passage('ended', true)).toBe('ended')
-})
-
-test('the chip lets the device speak first, then a choice, then why nothing is sent', () => {
-  expect(stateOf('failed', { kind: 'waiting' }, 'away')).toBeNull()
-  expect(stateOf('saved', { kind: 'conflict', revision: 2 }, 'away')).toBe('conflict')
-  expect(stateOf('saved', { kind: 'waiting' }, 'away')).toBe('away')
-  expect(stateOf('saved', { kind: 'waiting' }, null)).toBe('onItsWay')
-  expect(stateOf('saved', { kind: 'class' }, null)).toBe('class')
 })
 
 test('after each failure it waits twice as long, at most about a minute', () => {

@@ -68,7 +68,7 @@ test('a change after a restore replaces the earlier version, without a question'
   await putBack()
   await work.edit(laptop, 'fear')
   expect(await laptop.page.sendAll(cable.ask)).toBeNull()
-  expect((await laptop.page.whereabouts()).get('fear')).toEqual({ kind: 'class' })
+  expect((await laptop.page.whereabouts()).get('fear')).toMatchObject({ kind: 'class' })
   expect(await headsIn(pupil)).toEqual(['work 3'])
 })
 
