@@ -24,10 +24,12 @@ async function starts(child: Child, server: EmptyServer, steps: number) {
   if (steps > 2) await expect(child.button('teacher.rehearseNow')).toBeVisible()
   if (steps > 3) await child.presses('teacher.rehearseSkip')
   if (steps > 4) await child.presses('teacher.backUpNow')
-  if (steps > 4) await expect(page.getByRole('link', { name: child.word('teacher.toClass') })).toBeVisible()
+  if (steps > 4) await expect(child.button('teacher.phrase.written')).toBeVisible()
+  if (steps > 5) await child.presses('teacher.phrase.written')
+  if (steps > 5) await expect(page.getByRole('link', { name: child.word('teacher.toClass') })).toBeVisible()
 }
 
-const steps = ['account', 'class', 'wifi', 'rehearse', 'backup', 'done']
+const steps = ['account', 'class', 'wifi', 'rehearse', 'backup', 'phrase', 'done']
 
 /** A rehearsal as the server tells of it. */
 async function rehearses(child: Child, server: EmptyServer, events: readonly object[], isOver: boolean) {

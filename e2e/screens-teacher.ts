@@ -226,6 +226,16 @@ const account: readonly ClassScreen[] = [
     },
   },
   {
+    name: 'teacher-backup-phrase',
+    async show(child, made) {
+      await made.teacher.ask('POST', '/backup/phrase', { password: null })
+      await teaches(child.page, made)
+      await child.page.goto('/teacher/health')
+      await child.presses('teacher.phrase.show')
+      await expect(child.words('teacher.phrase.askPassword')).toBeVisible()
+    },
+  },
+  {
     name: 'teacher-classes',
     async show(child, made) {
       const day = made.classServer.ports.day(10)

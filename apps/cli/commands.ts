@@ -47,6 +47,7 @@ export const commands: Commands = {
   serve: async () => (await import('./serve.ts')).serve,
   doctor: async () => (await import('./doctor.ts')).doctor,
   backup: async () => (await import('./backup.ts')).backup,
+  phrase: async () => (await import('./backup.ts')).phrase,
   restore: async () => (await import('./backup.ts')).restore,
   teacher: {
     reset: async () => (await import('./teacher.ts')).reset,

@@ -35,13 +35,22 @@ test.each([
 
 test('a backup is made while a server runs, and is not put back while it does', async () => {
   const server = await withTeacher()
-  const file = join(data, 'copy.db')
-  expect((await botgarten('backup', file, '--data', data)).status).toBe(0)
-  const refused = await botgarten('restore', file, '--data', data)
+  const file = join(data, 'copy.age')
+  const made = await botgarten('backup', file, '--data', data)
+  expect(made.status).toBe(0)
+  // The phrase is shown with the first backup, and from then on by its own command.
+  const [phrase] = /(?:[a-z]+-){9}[a-z]+/.exec(made.stdout)!
+  const next = await botgarten('backup', join(data, 'next.age'), '--data', data)
+  expect(next.stdout).not.toContain(phrase)
+  expect((await botgarten('phrase', '--data', data)).stdout).toContain(phrase)
+  const paper = join(data, 'paper.txt')
+  writeFileSync(paper, `${phrase.toUpperCase().replaceAll('-', ' ')}\n`)
+  const putBack = () => botgarten('restore', file, '--phrase-file', paper, '--data', data)
+  const refused = await putBack()
   expect(refused).toMatchObject({ status: 1 })
   expect(refused.stderr).toContain('running on')
   await server.close()
-  const restored = await botgarten('restore', file, '--data', data)
+  const restored = await putBack()
   expect(restored).toMatchObject({ status: 0 })
   expect(restored.stdout).toContain('before-restore')
   const again = await openClassServer({ data })
@@ -49,6 +58,46 @@ test('a backup is made while a server runs, and is not put back while it does', 
     { username: 'm.weber' },
   ])
   await again.close()
+})
+
+test('on another machine a backup is restored with its phrase; what is not known there is said', async () => {
+  const server = await withTeacher()
+  await server.close()
+  const [file, paper, elsewhere] = ['copy.age', 'paper.txt', 'elsewhere'].map((name) => join(data, name))
+  const { stdout } = await botgarten('backup', file!, '--data', data)
+  writeFileSync(paper!, /(?:[a-z]+-){9}[a-z]+/.exec(stdout)![0])
+  const call = ['restore', file!, '--phrase-file', paper!, '--data', elsewhere!]
+  const restored = await botgarten(...call)
+  expect(restored).toMatchObject({ status: 0 })
+  expect(restored.stdout).toContain('--deleted FILE')
+  expect(restored.stdout).toContain('/trust')
+  const list = join(data, 'deleted.jsonl')
+  writeFileSync(list, '')
+  expect((await botgarten(...call, '--deleted', list)).stdout).not.toContain('--deleted FILE')
+  expect((await botgarten(...call, '--deleted', join(data, 'nothing'))).stderr).toContain('does not exist')
+  const again = await openClassServer({ data: elsewhere! })
+  expect(await again.ports.accounts.isPassword(await teacherIn(again), teacher.password)).toBe(true)
+  await again.close()
+})
+
+const teacherIn = async ({ ports }: Awaited<ReturnType<typeof openClassServer>>) =>
+  (await ports.database.db.selectFrom('teacher').select('id').executeTakeFirstOrThrow()).id
+
+test('a backup that cannot be used says why, and changes nothing', async () => {
+  await (await withTeacher()).close()
+  const [file, paper, cut] = ['copy.age', 'paper.txt', 'cut.age'].map((name) => join(data, name))
+  await botgarten('backup', file!, '--data', data)
+  const before = readFileSync(join(data, 'botgarten.db'))
+  writeFileSync(paper!, 'ten other words')
+  writeFileSync(cut!, readFileSync(file!).subarray(0, 5000))
+  const answer = await botgarten('restore', file!, '--phrase-file', paper!, '--data', data)
+  expect(answer.stderr).toContain('misread')
+  const { stdout } = await botgarten('phrase', '--data', data)
+  writeFileSync(paper!, /(?:[a-z]+-){9}[a-z]+/.exec(stdout)![0])
+  const cutAnswer = await botgarten('restore', cut!, '--phrase-file', paper!, '--data', data)
+  expect(cutAnswer).toMatchObject({ status: 1 })
+  expect(cutAnswer.stderr).toContain('not complete')
+  expect(readFileSync(join(data, 'botgarten.db')).equals(before)).toBe(true)
 })
 
 test('what is no backup changes nothing', async () => {

@@ -117,6 +117,7 @@ test(
     await child.presses('teacher.wifiSkip')
     await child.presses('teacher.rehearseSkip')
     await child.presses('teacher.backUpNow')
+    await child.presses('teacher.phrase.written')
     await link(child, 'teacher.toClass').click()
     await expect(page.getByRole('navigation', { name: child.word('teacher.views') })).toBeVisible()
     await child.presses('teacher.person', { name: 'k.otto' })

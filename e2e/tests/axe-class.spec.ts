@@ -31,7 +31,14 @@ const screens = [
   ...['join-nickname', 'join-pictures', 'join-return-wrong', 'are-you', 'hand-up', 'class-versions'],
   ...['two-devices', 'class-ended', 'attention', 'from-teacher', 'closed-card', 'free-today'],
   ...['gallery', 'gallery-brain', 'gallery-share', 'class-gallery', 'together'],
-  ...['teacher-health', 'class-projector-wifi', 'class-wifi', 'class-look-inside', 'class-matrix'],
+  ...[
+    'teacher-health',
+    'teacher-backup-phrase',
+    'class-projector-wifi',
+    'class-wifi',
+    'class-look-inside',
+    'class-matrix',
+  ],
   ...['class-pupils', 'class-data', 'class-questionnaires', 'class-results', 'class-question-code'],
 ]
 const all: readonly ClassState[] = [...pupilScreens, ...teacherScreens]
@@ -159,7 +166,7 @@ for (const state of [...screens.map(shown), ...others])
   test(`axe finds nothing in a class: ${state.name}`, ({ child, school }) =>
     findsNothing(child, { [state.name]: () => state.show(child, school) }))
 
-for (const name of ['account', 'wifi', 'done', null]) {
+for (const name of ['account', 'wifi', 'phrase', 'done', null]) {
   const screen = startScreens.find((one) => one.name === (name ? `first-start-${name}` : 'first-start'))!
   test(`axe finds nothing where a teacher starts: ${screen.name}`, async ({
     browser,

@@ -1,6 +1,11 @@
 // Rooms: teacher, server
 // By address: a teacher comes by a bookmark of the own page.
-import { Asker, classOfTest } from '../class-server.ts'
+import { mkdtempSync, rmSync } from 'node:fs'
+import { tmpdir } from 'node:os'
+import { join } from 'node:path'
+import { restore } from '../../packages/classroom/index.ts'
+import { openClassServer, startServer } from '../../packages/server/index.ts'
+import { Asker, classOfTest, pupilOf } from '../class-server.ts'
 import { expect, test as base } from '../house.ts'
 import { teaches } from '../made-class.ts'
 import { languagesOf } from '../words.ts'
@@ -15,7 +20,7 @@ const test = base.extend<{ school: School }>({
     await school.close()
   },
   baseURL: ({ school }, use) => use(school.url),
-  complaints: [/^A request to http:\/\/localhost:\d+\//],
+  complaints: [/^A request to http:\/\/(?:localhost|127\.0\.0\.1):\d+\//, /403 \(Forbidden\)/],
 })
 // Work must not be lost: a fault here gets no further try.
 test.describe.configure({ retries: 0 })
@@ -41,6 +46,55 @@ for (const language of languagesOf(import.meta.filename))
       await expect(page.getByText(child.word('doctor.backup.none'))).toHaveCount(0)
       const day = school.classServer.ports.day(0)
       await expect(page.getByText(child.word('doctor.backup.made', { day, count: 1 }))).toBeVisible()
+    })
+
+    test('a backup is downloaded, and opened on another machine with the words that the page shows', async ({
+      child,
+      page,
+      school,
+    }) => {
+      await pupilOf(school.url, school.code, 'Fuchs')
+      await teaches(page, school)
+      await page.goto('/teacher/health')
+      await child.presses('teacher.backUpNow')
+      await child.presses('teacher.phrase.show')
+      const words = page.getByText(/^(?:[a-z]+-){9}[a-z]+$/)
+      const phrase = await words.innerText()
+      await child.presses('parts.close')
+      await expect(words).toHaveCount(0)
+
+      // Whoever comes later to the open page needs the password.
+      await child.presses('teacher.phrase.show')
+      const password = page.getByLabel(child.word('teacher.password'), { exact: true })
+      await password.fill('kastanie im schnee')
+      await child.presses('teacher.phrase.open')
+      await expect(page.getByText(child.word('teacher.refused.passwordWrong'))).toBeVisible()
+      await password.fill('kastanie im regen')
+      await page.keyboard.press('Enter')
+      await expect(words).toHaveText(phrase)
+      await child.presses('parts.close')
+
+      const downloads = page.waitForEvent('download')
+      await page.getByRole('link', { name: child.word('teacher.backUpDownload') }).click()
+      const download = await downloads
+      expect(download.suggestedFilename()).toBe(`botgarten-000001-${school.classServer.ports.day(0)}.age`)
+      const folder = mkdtempSync(join(tmpdir(), 'botgarten-elsewhere-'))
+      const [file, data] = [join(folder, 'download.age'), join(folder, 'data')]
+      await download.saveAs(file)
+      expect(await restore(data, file, { day: school.classServer.ports.day(0), phrase })).toMatchObject({
+        ...{ kind: 'restored', before: null },
+      })
+      const classServer = await openClassServer({ data })
+      const elsewhere = await startServer({ port: 0, host: '127.0.0.1', classServer })
+      // A browser sends cookies to every port of a machine.
+      await page.context().clearCookies()
+      await page.goto(`${elsewhere.url}/teacher`)
+      await page.getByLabel(child.word('teacher.username'), { exact: true }).fill('m.weber')
+      await password.fill('kastanie im regen')
+      await page.keyboard.press('Enter')
+      await expect(page.getByText('5b', { exact: true }).first()).toBeVisible()
+      await elsewhere.close()
+      rmSync(folder, { recursive: true })
     })
 
     test('a teacher who was invited sees it without the folder and the sizes', async ({

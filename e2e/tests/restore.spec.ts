@@ -2,7 +2,7 @@
 import { mkdtempSync, rmSync } from 'node:fs'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
-import { backup, restore } from '../../packages/classroom/index.ts'
+import { backup, phraseOf, restore } from '../../packages/classroom/index.ts'
 import { openClassServer, startServer } from '../../packages/server/index.ts'
 import { Child, leftEye, leftWheel } from '../child.ts'
 import { Pupil } from '../child-class.ts'
@@ -24,14 +24,20 @@ async function classOnDisk() {
   }
   let server = await start(0)
   const { code } = await nextClass({ ...server, teacher: await firstTeacher(server) }, 'en')
-  const file = join(data, 'copy.db')
+  const file = join(data, 'copy.age')
+  let phrase = ''
   return {
     url: server.url,
     code,
-    backUp: () => backup(server.classServer.ports.database, file),
+    async backUp() {
+      const { database, secret, day } = server.classServer.ports
+      await backup({ database, secret, folder: data, day: day(0) }, file)
+      phrase = await phraseOf(database, secret)
+    },
     async restore() {
+      const day = server.classServer.ports.day(0)
       await server.close()
-      expect(await restore(data, file)).toMatchObject({ kind: 'restored' })
+      expect(await restore(data, file, { day, phrase })).toMatchObject({ kind: 'restored' })
       server = await start(server.port)
     },
     /** The newest weights that the class has, by card. */

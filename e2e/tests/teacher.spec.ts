@@ -84,6 +84,8 @@ test('a teacher starts a server, leads a lesson and deletes the class', async ({
     // Nothing but the class and its Wi-Fi is remembered: it may be rehearsed again, or not.
     await teacher.button('rehearseSkip').click()
     await teacher.button('backUpNow').click()
+    await expect(page.getByText(/^(?:[a-z]+-){9}[a-z]+$/)).toBeVisible()
+    await teacher.button('phrase.written').click()
     await expect(teacher.link('toClass')).toBeVisible()
   })
 

@@ -28,9 +28,18 @@ export { accountsOn, type Accounts } from './teaching/accounts.ts'
 export { carryOut } from './teaching/deleting-store.ts'
 export { firstTeacherToken, hasTeacher } from './teaching/first-teacher.ts'
 export { everyNight } from './teaching/every-night.ts'
-export { backup, lastBackup, nightliesIn, nightlyBackup } from './hosting/backups.ts'
+export {
+  backup,
+  lastBackup,
+  nightliesIn,
+  nightlyBackup,
+  type Nightly,
+  type Stored,
+} from './hosting/backups.ts'
+export { markPhraseShown, phraseFrom, phraseOf, phraseShown } from './hosting/phrase-store.ts'
 export { isKeyOf } from './hosting/key-store.ts'
 export { openLock } from './hosting/lock.ts'
 export { openDataFolder, secretIn } from './hosting/data-folder.ts'
 export { restore } from './hosting/restore.ts'
+export { isSealed } from './hosting/sealed-file.ts'
 export { bury, buriedIn } from './hosting/tombstones.ts'

@@ -98,6 +98,13 @@ export interface Host {
   readonly backups: () => { readonly count: number; readonly last: string | null } | null
   /** Makes the copy of today. */
   readonly backUp: () => Promise<void>
+  /** The newest copy, encrypted; null before the first one. */
+  readonly newestBackup: () => {
+    readonly name: string
+    /** Bytes. */
+    readonly size: number
+    readonly body: ReadableStream<Uint8Array>
+  } | null
   /**
    * Plays a lesson on a server of its own beside this one, whose data it never touches.
    * @param stop ends it early; its outcome is then rejected

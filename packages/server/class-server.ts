@@ -26,7 +26,7 @@ import { startLive } from './live.ts'
 import { resetByFile } from './reset.ts'
 import { startNights } from './nights.ts'
 import { postgresBus } from './postgres-bus.ts'
-import { portsOn } from './ports.ts'
+import { dayHere, portsOn } from './ports.ts'
 import { CannotServe, causeIn } from './problem.ts'
 import { ReachedRecord } from './reached.ts'
 
@@ -75,14 +75,14 @@ const cannotOpen = (error: unknown) =>
     ? new CannotServe('newerData')
     : new CannotServe('noDatabase', { why: causeIn(error) })
 
-async function openFile(folder: string, startOver: boolean): Promise<Database> {
+async function openFile(folder: string, secret: Uint8Array, startOver: boolean): Promise<Database> {
   const before = startOver ? null : brokenIn(folder)
   const opened =
     before === null
-      ? await openDataFolder(folder).catch((error: unknown) => {
+      ? await openDataFolder(folder, { secret, day: dayHere(0) }).catch((error: unknown) => {
           throw cannotOpen(error)
         })
-      : { kind: 'broken' as const, aside: before, lastBackup: lastBackup(folder) }
+      : { kind: 'broken' as const, aside: before, lastBackup: lastBackup(folder)?.file ?? null }
   if (opened.kind === 'open') return opened.database
   const { aside, lastBackup: backup } = opened
   throw backup === null
@@ -101,7 +101,7 @@ async function openServer(address: string): Promise<Database> {
 }
 
 /** The key of codes and pictures. Several nodes on one database share it: `BOTGARTEN_KEY` names its file. */
-function keyFor(folder: string): Uint8Array {
+export function keyFor(folder: string): Uint8Array {
   const named = process.env['BOTGARTEN_KEY']
   if (!named) return secretIn(folder)
   if (!existsSync(named)) throw new CannotServe('noKey', { path: named })
@@ -127,7 +127,7 @@ export async function openClassServer(options: ClassOptions): Promise<ClassServe
   try {
     const secret = keyFor(folder)
     const database = await (options.database === undefined
-      ? openFile(folder, options.startOver ?? false)
+      ? openFile(folder, secret, options.startOver ?? false)
       : openServer(options.database))
     await checkKey(database, secret, folder)
     await resetByFile({ accounts: accountsOn(database, secret) }, folder)

@@ -1,5 +1,6 @@
 // One process that serves the lab and the class: the class's routes with a real clock, disk and database.
-export { openClassServer, writeLink, type ClassOptions, type ClassServer } from './class-server.ts'
+export { keyFor, openClassServer, writeLink, type ClassOptions, type ClassServer } from './class-server.ts'
+export { dayHere } from './ports.ts'
 export { resetTeacher } from './reset.ts'
 export { prepareDataFolder } from './data-folder.ts'
 export { certificatesIn } from './https/key-folder.ts'

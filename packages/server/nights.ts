@@ -1,19 +1,16 @@
 import { everyNight, hasTeacher, lastBackup, nightlyBackup, type Ports } from '@botgarten/classroom'
-import { basename } from 'node:path'
 import { causeIn } from './problem.ts'
 
 const every = 10 * 60_000
 const quietFrom = 2
 
-/** Has the copy of a day been made? */
-const isMade = (folder: string, day: string) => basename(lastBackup(folder) ?? '') === `${day}.db`
-
 /** Does what is due: once a day, from two in the night on, or as soon as the server runs on that day. */
 async function doNightly(ports: Ports, folder: string): Promise<void> {
   await everyNight(ports)
+  const { database, secret } = ports
   const day = ports.day(0)
-  if (ports.database.backup === null || isMade(folder, day)) return
-  if (await hasTeacher(ports)) await nightlyBackup(folder, ports.database, day)
+  if (database.backup === null || lastBackup(folder)?.day === day) return
+  if (await hasTeacher(ports)) await nightlyBackup({ database, secret, folder, day })
 }
 
 /** Looks every ten minutes whether a day began. @returns stops it, and waits for what runs */

@@ -1,11 +1,14 @@
 import { randomBytes } from 'node:crypto'
-import { statfsSync } from 'node:fs'
+import { createReadStream, statfsSync, statSync } from 'node:fs'
+import { basename } from 'node:path'
+import { Readable } from 'node:stream'
 import {
   accountsOn,
   ChosenCodes,
   Hub,
   Limits,
   noBus,
+  lastBackup,
   nightlyBackup,
   nightliesIn,
   type Bus,
@@ -26,7 +29,7 @@ import { rehearsalsAt } from './rehearsals.ts'
 import { ownWifi } from './own-wifi.ts'
 
 /** The ISO day where this machine stands, so many days from today. */
-function dayHere(offset: number): string {
+export function dayHere(offset: number): string {
   const date = new Date()
   date.setDate(date.getDate() + offset)
   const parts = [date.getFullYear(), date.getMonth() + 1, date.getDate()]
@@ -38,7 +41,7 @@ function logTrouble({ method, route, status, error = '' }: LogLine): void {
   if (status >= 500) console.error(`${method} ${route} ${status} ${error}`.trim())
 }
 
-function hostOf(database: Database, { folder, address, reached }: PortOptions): Host {
+function hostOf(database: Database, secret: Uint8Array, { folder, address, reached }: PortOptions): Host {
   const memory = () => process.memoryUsage.rss()
   const { addresses } = reached
   const otherDevice = () => reached.record.otherDevice
@@ -60,12 +63,22 @@ function hostOf(database: Database, { folder, address, reached }: PortOptions): 
     version: root.version,
     backups: () => {
       if (database.backup === null) return null
-      const days = nightliesIn(folder).map((name) => name.slice(0, -'.db'.length))
-      return { count: days.length, last: days.at(-1) ?? null }
+      const nights = nightliesIn(folder)
+      return { count: nights.length, last: nights.at(-1)?.day ?? null }
     },
-    backUp: () => nightlyBackup(folder, database, dayHere(0)),
+    backUp: () => nightlyBackup({ database, secret, folder, day: dayHere(0) }),
+    newestBackup: () => newestBackup(folder),
     rehearse: rehearsalsAt({ data: folder, database: address }),
   }
+}
+
+/** The newest backup as a stream; null before there is one. */
+function newestBackup(folder: string) {
+  const last = lastBackup(folder)
+  if (last === null) return null
+  const { size } = statSync(last.file)
+  const body = Readable.toWeb(createReadStream(last.file)) as ReadableStream<Uint8Array>
+  return { name: basename(last.file), size, body }
 }
 
 export interface PortOptions {
@@ -106,7 +119,7 @@ export function portsOn(database: Database, secret: Uint8Array, options: PortOpt
     cards: cardsInWorker(),
     questionnaires: questionnairesInWorker(),
     codes: new ChosenCodes(),
-    host: hostOf(database, options),
+    host: hostOf(database, secret, options),
   }
   return { ports, close: checker.close }
 }

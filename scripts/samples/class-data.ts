@@ -2,7 +2,7 @@
 // `npm run samples -- FOLDER`. Tests of later versions open it. `known.json` holds the secrets of its pupils.
 import { mkdirSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'
-import { backup, handle } from '../../packages/classroom/index.ts'
+import { backup, handle, phraseOf } from '../../packages/classroom/index.ts'
 import { openClassServer } from '../../packages/server/index.ts'
 
 const data = process.argv[2]
@@ -73,7 +73,10 @@ for (const nickname of ['Fuchs', 'Eule']) {
 }
 await back()
 mkdirSync(join(data, 'backups'), { recursive: true })
-await backup(classServer.ports.database, join(data, 'backups', `${classServer.ports.day(0)}.db`))
-const known = { madeAt: Date.now(), class: id, code, pupils, teacher: { cookies: teacher.cookies() } }
+const { database, secret } = classServer.ports
+const day = classServer.ports.day(0)
+await backup({ database, secret, folder: data, day }, join(data, 'backups', `000001-${day}.age`))
+const phrase = await phraseOf(database, secret)
+const known = { madeAt: Date.now(), class: id, code, phrase, pupils, teacher: { cookies: teacher.cookies() } }
 writeFileSync(join(data, 'known.json'), `${JSON.stringify(known, null, 2)}\n`)
 await classServer.close()

@@ -47,10 +47,11 @@ export async function refuseNewer({ db, kind }: Database): Promise<void> {
   if (unknown.length > 0) throw new NewerData(`Unknown steps: ${unknown.join(', ')}`)
 }
 
-/** Are there steps that this database has not taken? Then a copy is made first. */
+/** Has an earlier version written this database? Then a copy is made before its tables change. */
 export async function needsMigration(database: Database): Promise<boolean> {
   const steps = await migrator(database).getMigrations()
-  return steps.some(({ executedAt }) => executedAt === undefined)
+  const taken = steps.filter(({ executedAt }) => executedAt !== undefined).length
+  return taken > 0 && taken < steps.length
 }
 
 /** Takes the steps that are missing, forward only, under the migrator's lock. @throws the error of the step that failed */

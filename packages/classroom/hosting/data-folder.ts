@@ -1,6 +1,6 @@
 // The folder that holds everything of a server on SQLite: the database, its key, its backups and the list of deletions.
 import { randomBytes } from 'node:crypto'
-import { chmodSync, existsSync, mkdirSync, readFileSync, renameSync, writeFileSync } from 'node:fs'
+import { chmodSync, existsSync, mkdirSync, readFileSync, renameSync, rmSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'
 import { migrateAnswers } from '../database/answers/migrate.ts'
 import { answersBeside } from '../database/answers/sqlite.ts'
@@ -9,11 +9,11 @@ import { codeOf } from '../database/errors.ts'
 import { isSound } from '../database/sound.ts'
 import { migrate, needsMigration, refuseNewer } from '../database/migrate.ts'
 import { openSqlite } from '../database/sqlite.ts'
-import { backupInto, lastBackup } from './backups.ts'
+import { backupInto, lastBackup, removeUnfinished, type Stored } from './backups.ts'
 
 export const databaseIn = (folder: string): string => join(folder, 'botgarten.db')
 
-/** The key of codes and pictures: made once, readable by its owner alone, in no backup. */
+/** The key of codes, pictures and the passphrase of backups: made once, readable by its owner alone. */
 export function secretIn(folder: string): Uint8Array {
   mkdirSync(folder, { recursive: true })
   const file = join(folder, 'secret.key')
@@ -26,29 +26,47 @@ type Opened =
   /** A file was broken: it is kept under another name, and nothing was put in its place. */
   | { readonly kind: 'broken'; readonly aside: string; readonly lastBackup: string | null }
 
+/** For the copy that is made before tables change. */
+export interface Opening {
+  readonly secret: Uint8Array
+  /** Today, an ISO day. */
+  readonly day: string
+}
+
 /**
  * Opens the database of a folder, and makes it where there is none. Before its tables change it is copied.
  * @throws the database's error where the file is sound and cannot be opened
  */
-export async function openDataFolder(folder: string): Promise<Opened> {
+export async function openDataFolder(folder: string, opening: Opening): Promise<Opened> {
   mkdirSync(folder, { recursive: true })
   const file = databaseIn(folder)
   const isNew = !existsSync(file)
   const broken = [file, answersBeside(file)].find((one) => existsSync(one) && !isSound(one))
   if (broken !== undefined)
-    return { kind: 'broken', aside: setAside(broken, 'broken'), lastBackup: lastBackup(folder) }
+    return { kind: 'broken', aside: setAside(broken, 'broken'), lastBackup: lastBackup(folder)?.file ?? null }
   const database = openSqlite(file)
   try {
     for (const one of [file, answersBeside(file)]) forOwnerAlone(one)
     await refuseNewer(database)
     await migrateAnswers(database.answers)
-    if (!isNew && (await needsMigration(database))) await backupInto(folder, database, 'before-migration')
+    removeUnfinished(folder)
+    if (!isNew && (await needsMigration(database)))
+      await copyBeforeMigration({ database, folder, ...opening })
     await migrate(database)
   } catch (error) {
     await database.close()
     throw error
   }
   return { kind: 'open', database }
+}
+
+const beforeMigration = 'before-migration'
+
+async function copyBeforeMigration(stored: Stored): Promise<void> {
+  await backupInto(stored, beforeMigration)
+  // Earlier versions wrote it without encryption.
+  for (const end of ['db', 'answers.db'])
+    rmSync(join(stored.folder, 'backups', `${beforeMigration}.${end}`), { force: true })
 }
 
 /** Only the owner may read the file. A file of another user of this machine is not changed. */

@@ -10,11 +10,14 @@ import {
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import { afterEach, beforeEach, expect, test } from 'vitest'
+import type { Database } from '../database/database.ts'
 import { openedIn } from '../testing/databases.ts'
 import { projectText } from '../testing/projects.ts'
 import { Server } from '../testing/world.ts'
+import { storedIn, today } from '../testing/backups.ts'
 import { backup, lastBackup, nightlyBackup } from './backups.ts'
 import { databaseIn, openDataFolder, secretIn } from './data-folder.ts'
+import { phraseOf } from './phrase-store.ts'
 import { restore } from './restore.ts'
 import { bury, buriedIn } from './tombstones.ts'
 
@@ -23,6 +26,14 @@ beforeEach(() => void (folder = mkdtempSync(join(tmpdir(), 'botgarten-data-'))))
 afterEach(() => rmSync(folder, { recursive: true, force: true }))
 
 const open = () => openedIn(folder)
+
+/** Makes a backup. @returns restores it into a folder, with the phrase of its server */
+async function backedUp(database: Database, file = join(folder, 'copy.age')) {
+  const stored = storedIn(folder, database)
+  await backup(stored, file)
+  const phrase = await phraseOf(database, stored.secret)
+  return { file, phrase, restore: (into = folder) => restore(into, file, { day: today, phrase }) }
+}
 
 async function serverOn(at = folder) {
   const database = await open()
@@ -46,10 +57,9 @@ test('a backup made while children save is sound and holds what was acknowledged
   const { database, server, code } = await serverOn()
   const child = await server.pupil(code, 'Fuchs')
   for (let base = 0; base < 5; base++) await save(child.browser, base)
-  const file = join(folder, 'copy.db')
-  await Promise.all([backup(database, file), save(child.browser, 5), save(child.browser, 6)])
+  const [copy] = await Promise.all([backedUp(database), save(child.browser, 5), save(child.browser, 6)])
   await database.close()
-  expect(await restore(folder, file)).toMatchObject({ kind: 'restored' })
+  expect(await copy.restore()).toMatchObject({ kind: 'restored' })
   const again = await open()
   const rows = await again.db.selectFrom('project').select('revision').execute()
   expect(rows[0]!.revision).toBeGreaterThanOrEqual(5)
@@ -58,11 +68,12 @@ test('a backup made while children save is sound and holds what was acknowledged
 
 test('one copy a night is made, and seven are kept', async () => {
   const database = await open()
-  for (let day = 10; day < 20; day++) await nightlyBackup(folder, database, `2026-11-${day}`)
+  const stored = storedIn(folder, database)
+  for (let day = 10; day < 20; day++) await nightlyBackup({ ...stored, day: `2026-11-${day}` })
   expect(readdirSync(join(folder, 'backups')).toSorted()).toEqual(
-    Array.from({ length: 7 }, (_, at) => [`2026-11-${13 + at}.answers.db`, `2026-11-${13 + at}.db`]).flat(),
+    Array.from({ length: 7 }, (_, at) => `00000${4 + at}-2026-11-${13 + at}.age`.slice(-21)),
   )
-  expect(lastBackup(folder)).toBe(join(folder, 'backups', '2026-11-19.db'))
+  expect(lastBackup(folder)).toMatchObject({ day: '2026-11-19', number: 10 })
   await database.close()
 })
 
@@ -71,11 +82,10 @@ test('what was deleted after a backup does not come back with it', async () => {
   const [gone, stays] = [await server.pupil(code, 'Verschwunden'), await server.pupil(code, 'Geblieben')]
   await save(gone.browser, 0)
   await save(stays.browser, 0)
-  const file = join(folder, 'copy.db')
-  await backup(database, file)
+  const copy = await backedUp(database)
   await teacher.delete(`/classes/${id}/pupils/${gone.id}`)
   await database.close()
-  await restore(folder, file)
+  expect(await copy.restore()).toMatchObject({ kind: 'restored', deletionsUnknown: false })
   const again = await open()
   const rows = await again.db.selectFrom('pupil').select('nickname').execute()
   expect(rows).toEqual([{ nickname: 'Geblieben' }])
@@ -94,15 +104,18 @@ test('a deletion whose line was cut off spoils no other', () => {
 
 test('a broken database is set aside unchanged, and the last backup is offered', async () => {
   const database = await open()
-  await nightlyBackup(folder, database, '2026-11-23')
+  const stored = { ...storedIn(folder, database), day: '2026-11-23' }
+  await nightlyBackup(stored)
+  const phrase = await phraseOf(database, stored.secret)
   await database.close()
   const bytes = readFileSync(databaseIn(folder))
   bytes.fill(0xff, 4096 * 2, 4096 * 6)
   writeFileSync(databaseIn(folder), bytes)
-  const opened = await openDataFolder(folder)
-  expect(opened).toMatchObject({ kind: 'broken', lastBackup: join(folder, 'backups', '2026-11-23.db') })
+  const opened = await openDataFolder(folder, stored)
+  const last = join(folder, 'backups', '000001-2026-11-23.age')
+  expect(opened).toMatchObject({ kind: 'broken', lastBackup: last })
   expect(readFileSync((opened as { aside: string }).aside).equals(bytes)).toBe(true)
-  await restore(folder, lastBackup(folder)!)
+  await restore(folder, last, { day: today, phrase })
   const again = await open()
   expect(await again.db.selectFrom('class').selectAll().execute()).toEqual([])
   await again.close()
@@ -114,6 +127,8 @@ test('what is no backup replaces nothing', async () => {
   const before = readFileSync(databaseIn(folder))
   writeFileSync(join(folder, 'holiday.jpg'), 'x'.repeat(9000))
   for (const name of ['holiday.jpg', 'missing.db'])
-    expect(await restore(folder, join(folder, name))).toEqual({ kind: 'notABackup' })
+    expect(await restore(folder, join(folder, name), { day: today, phrase: null })).toEqual({
+      kind: 'notABackup',
+    })
   expect(readFileSync(databaseIn(folder)).equals(before)).toBe(true)
 })

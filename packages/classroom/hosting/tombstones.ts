@@ -28,11 +28,22 @@ function read(line: string): readonly Tombstone[] {
   }
 }
 
-/** All deletions, the oldest first. A line that was not finished was never carried out. */
-export const buriedIn = (folder: string): readonly Tombstone[] =>
-  existsSync(fileIn(folder))
-    ? readFileSync(fileIn(folder), 'utf8')
-        .split('\n')
-        .filter((line) => line !== '')
-        .flatMap(read)
-    : []
+/** The list as it is in the file; empty before the first deletion. */
+export const tombstonesIn = (folder: string): string =>
+  existsSync(fileIn(folder)) ? readFileSync(fileIn(folder), 'utf8') : ''
+
+/** The deletions of a list, the oldest first. The deletion of an unfinished line was never executed. */
+export const readTombstones = (list: string): readonly Tombstone[] =>
+  list
+    .split('\n')
+    .filter((line) => line !== '')
+    .flatMap(read)
+
+/** All deletions of a data folder. */
+export const buriedIn = (folder: string): readonly Tombstone[] => readTombstones(tombstonesIn(folder))
+
+/** Adds the deletions of another list that are missing here. */
+export function addTombstones(folder: string, list: readonly Tombstone[]): void {
+  const known = new Set(buriedIn(folder).map(({ kind, id }) => `${kind} ${id}`))
+  for (const one of list) if (!known.has(`${one.kind} ${one.id}`)) bury(folder, one)
+}

@@ -8,12 +8,15 @@ import type { Database } from '../database/database.ts'
 import { migrate } from '../database/migrate.ts'
 import { openPostgres } from '../database/postgres.ts'
 import { backup } from '../hosting/backups.ts'
-import { databaseIn } from '../hosting/data-folder.ts'
+import { databaseIn, secretIn } from '../hosting/data-folder.ts'
+import { phraseOf } from '../hosting/phrase-store.ts'
 import { restore } from '../hosting/restore.ts'
 import { openedIn } from '../testing/databases.ts'
 import { noPostgres, startPostgres, type Postgres } from '../testing/postgres.ts'
 import { projectText } from '../testing/projects.ts'
 import { quickAccounts, Server } from '../testing/world.ts'
+
+const day = '2026-11-24'
 
 interface Way {
   readonly open: () => Promise<Database>
@@ -64,10 +67,12 @@ describe('a data folder', () => {
     noticesPuttingBack({
       open: openIn('restored'),
       store: async (database) => {
-        const file = join(folder, 'backup.db')
-        await backup(database, file)
+        const [own, file] = [join(folder, 'restored'), join(folder, 'backup.age')]
+        const secret = secretIn(own)
+        await backup({ database, secret, folder: own, day }, file)
+        const phrase = await phraseOf(database, secret)
         return async () =>
-          expect(await restore(join(folder, 'restored'), file)).toMatchObject({ kind: 'restored' })
+          expect(await restore(own, file, { day, phrase })).toMatchObject({ kind: 'restored' })
       },
     }))
 

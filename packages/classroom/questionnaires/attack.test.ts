@@ -10,7 +10,7 @@ import type { Database } from '../database/database.ts'
 import { migrate } from '../database/migrate.ts'
 import { openPostgres } from '../database/postgres.ts'
 import { openSqlite } from '../database/sqlite.ts'
-import { backup } from '../hosting/backups.ts'
+import { openedBackup } from '../testing/backups.ts'
 import type { Browser } from '../testing/browser.ts'
 import { noPostgres, startPostgres, type Postgres } from '../testing/postgres.ts'
 import { quickAccounts, Server } from '../testing/world.ts'
@@ -79,6 +79,7 @@ describe('files of SQLite', () => {
     rmSync(folder, { recursive: true, force: true })
   })
   const bytesOf = (name: string) => readFileSync(join(folder, name), 'latin1')
+  const copiedAnswers = async () => (await openedBackup({ database, folder }))['answers.db']!
 
   test('no place and no order says whose an answer is, neither while it is open nor once it is closed', async () => {
     const found: Record<string, number[]> = {
@@ -103,8 +104,7 @@ describe('files of SQLite', () => {
         'rows, closed',
         rows.map(({ id }) => id),
       )
-      await backup(database, join(folder, 'copy.db'))
-      look('backup', orderIn(bytesOf('copy.answers.db'), ids))
+      look('backup', orderIn(await copiedAnswers(), ids))
     }
     for (const [of, agreements] of Object.entries(found)) nothingIsKnown(agreements, of)
   }, 120_000)
@@ -113,18 +113,23 @@ describe('files of SQLite', () => {
     const lesson = await playLesson(server, teacher, form, { pupils: 6, chance: chanceOf(3) })
     await endLesson(server, teacher, lesson, form)
     const [{ code = '' } = {}] = await database.answers.db.selectFrom('answer').select('code').execute()
-    await backup(database, join(folder, 'copy.db'))
-    const names = readdirSync(folder)
-    expect(names.filter((name) => name.includes('answers')).toSorted()).toEqual([
+    const copy = await openedBackup({ database, folder })
+    expect(Object.keys(copy)).toEqual([
       'answers.db',
-      'copy.answers.db',
+      'botgarten.db',
+      'deleted.jsonl',
+      'manifest.json',
+      'secret.key',
     ])
-    const ofLab = names
-      .filter((name) => !name.includes('answers'))
-      .map(bytesOf)
-      .join('')
+    expect(readdirSync(folder).filter((name) => name.includes('answers'))).toEqual(['answers.db'])
+    const ofLab = [
+      ...readdirSync(folder)
+        .filter((name) => name.includes('botgarten'))
+        .map(bytesOf),
+      ...Object.entries(copy).map(([name, bytes]) => (name === 'answers.db' ? '' : bytes)),
+    ].join('')
     for (const trace of [...answersOf(lesson), lesson.key, code!]) expect(ofLab).not.toContain(trace)
-    const ofAnswers = bytesOf('answers.db') + bytesOf('copy.answers.db')
+    const ofAnswers = bytesOf('answers.db') + copy['answers.db']!
     const sessions = await database.db.selectFrom('pupilSession').select('tokenHash').execute()
     const traces = [...lesson.pupils.flatMap(({ id, nickname }) => [id, nickname]), 'project-1', '192.168']
     for (const trace of [...traces, ...sessions.map(({ tokenHash }) => tokenHash)])
@@ -147,10 +152,7 @@ describe('files of SQLite', () => {
   test('two backups never differ by fewer than five people', async () => {
     const lesson = await playLesson(server, teacher, form, { pupils: 7, chance: chanceOf(3) })
     const at = `/classes/${lesson.class}/questionnaires`
-    const copied = async () => {
-      await backup(database, join(folder, 'copy.db'))
-      return orderIn(bytesOf('copy.answers.db'), [...answersOf(lesson), 'e'.repeat(32)]).length
-    }
+    const copied = async () => orderIn(await copiedAnswers(), [...answersOf(lesson), 'e'.repeat(32)]).length
     expect(await copied()).toBe(0)
     await endLesson(server, teacher, lesson, form)
     expect(await copied()).toBe(7)

@@ -17,3 +17,13 @@ export async function setPassword(db: Db, teacher: string, hash: string): Promis
 export async function endSessionsOfTeacher(db: Db, teacher: string): Promise<void> {
   await db.deleteFrom('teacherSession').where('userId', '=', teacher).execute()
 }
+
+/** Hash of a teacher's password; null if there is none. */
+export async function passwordHashOf(db: Db, teacher: string): Promise<string | null> {
+  const row = await db
+    .selectFrom('account')
+    .select('password')
+    .where('userId', '=', teacher)
+    .executeTakeFirst()
+  return row?.password ?? null
+}

@@ -4,7 +4,7 @@ import type { Database } from '../database/database.ts'
 import { keyedHash } from '../hashes.ts'
 import type { Caller } from '../ports.ts'
 import { Refusal } from '../refusal.ts'
-import { endSessionsOfTeacher, setPassword, teacherCalled } from './accounts-store.ts'
+import { endSessionsOfTeacher, passwordHashOf, setPassword, teacherCalled } from './accounts-store.ts'
 
 /** A teacher who is signed in. */
 export interface Teacher {
@@ -33,6 +33,8 @@ export interface Accounts {
   teacherOf(headers: Headers, caller: Caller): Promise<Teacher | null>
   /** @returns the teacher's id; null where the name is taken */
   create(teacher: NewTeacher): Promise<string | null>
+  /** Is this the password of a teacher? @param id of the teacher */
+  isPassword(id: string, password: string): Promise<boolean>
   /** Gives a teacher a new password and ends all sessions. @returns whether there is such a teacher */
   reset(teacher: NewTeacher): Promise<boolean>
 }
@@ -143,5 +145,11 @@ export function accountsOn(database: Database, secret: Uint8Array, hashing?: Has
     return true
   }
 
-  return { forward, teacherOf, create, reset }
+  async function isPassword(id: string, password: string): Promise<boolean> {
+    const { password: hashing } = await auth.$context
+    const hash = await passwordHashOf(database.db, id)
+    return hash !== null && (await hashing.verify({ hash, password }))
+  }
+
+  return { forward, teacherOf, create, isPassword, reset }
 }

@@ -1,6 +1,9 @@
+import * as v from 'valibot'
 import { galleryOf } from '../gallery/about-pupil-store.ts'
 import { countAllShared } from '../gallery/shared-store.ts'
+import { markPhraseShown, phraseOf, phraseShown } from '../hosting/phrase-store.ts'
 import { pupilsOf } from '../joining/pupils-store.ts'
+import { countWrong, refuseThrottled } from '../joining/throttle-store.ts'
 import type { Ports } from '../ports.ts'
 import { projectsOf, versionOf } from '../projects/projects-store.ts'
 import { mostSpace } from '../projects/saves-store.ts'
@@ -94,10 +97,45 @@ async function backUp({ ports }: Call<undefined>): Promise<Answer> {
   return { body: { backups: ports.host.backups() } }
 }
 
+/** The newest backup as a file: encrypted, so that it may lie anywhere. */
+function download({ ports }: Call<undefined>): Promise<Response> {
+  const newest = ports.host.newestBackup()
+  if (newest === null) throw new Refusal(404, 'noBackup')
+  const headers = {
+    'content-type': 'application/octet-stream',
+    'content-length': String(newest.size),
+    'content-disposition': `attachment; filename="botgarten-${newest.name}"`,
+  }
+  return Promise.resolve(new Response(newest.body, { headers }))
+}
+
+/** The passphrase of the backups: the first time for the asking, from then on for the password. */
+async function showPhrase({ ports, who, body, triers }: Call<Asked>): Promise<Answer> {
+  const { database, secret } = ports
+  if (!database.backup) throw new Refusal(409, 'byOwnTools')
+  if (await phraseShown(database.db)) {
+    const clocked = { db: database.db, now: ports.now(), secret }
+    await refuseThrottled(clocked, triers)
+    if (body.password === null) throw new Refusal(403, 'passwordNeeded')
+    if (!(await ports.accounts.isPassword(who.teacher!.id, body.password))) {
+      await countWrong(clocked, triers)
+      throw new Refusal(403, 'passwordWrong')
+    }
+  }
+  const phrase = await phraseOf(database, secret)
+  await markPhraseShown(database.db)
+  return { body: { phrase } }
+}
+
+const asked = v.strictObject({ password: v.nullable(v.pipe(v.string(), v.maxLength(200))) })
+type Asked = v.InferOutput<typeof asked>
+
 export const dataRoutes: readonly Route[] = [
   route('GET', '/classes/:class/data', ['owner'], data),
   route('GET', '/classes/:class/export', ['owner'], exported),
   route('GET', '/health', ['teacher'], health),
   route('GET', '/findings', ['teacher'], findings),
   route('POST', '/backup', ['operator'], backUp),
+  route('GET', '/backup', ['operator'], download),
+  route('POST', '/backup/phrase', ['operator'], showPhrase, asked),
 ]

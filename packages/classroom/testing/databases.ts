@@ -6,7 +6,7 @@ import type { Database } from '../database/database.ts'
 import { migrate } from '../database/migrate.ts'
 import { openPostgres } from '../database/postgres.ts'
 import { openSqlite } from '../database/sqlite.ts'
-import { openDataFolder } from '../hosting/data-folder.ts'
+import { openDataFolder, secretIn } from '../hosting/data-folder.ts'
 import { noPostgres, startPostgres, type Postgres } from './postgres.ts'
 
 /** Makes a new database with all tables. */
@@ -14,7 +14,7 @@ export type Fresh = () => Promise<Database>
 
 /** The database of a data folder. @throws if it is broken */
 export async function openedIn(folder: string): Promise<Database> {
-  const opened = await openDataFolder(folder)
+  const opened = await openDataFolder(folder, { secret: secretIn(folder), day: '2026-11-24' })
   if (opened.kind === 'broken') throw new Error('The database is broken.')
   return opened.database
 }

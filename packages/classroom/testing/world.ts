@@ -63,6 +63,7 @@ export class Server {
           { verdict: 'folder.inUse', fine: true, facts: {} },
         ],
         ...{ backups: () => ({ count: 0, last: null }), backUp: () => Promise.resolve() },
+        newestBackup: () => null,
         rehearse: ({ pupils, seconds }, hear) => {
           hear({ pupils, joined: pupils, saves: 1, slowest: 7, seconds: 1, of: seconds })
           return Promise.resolve({ green: true, pupils, saves: 2, lost: 0, p99: 7, slowest: 7, rss: 90 })

@@ -7,14 +7,17 @@ const aDay = 86_400_000
 export interface Saved {
   /** There is a database that could be copied. */
   readonly exists: boolean
-  /** Files of the nightly copies, the oldest first: `2026-11-24.db`. */
+  /** Days of the nightly copies by the clock of their time, in the order in which they were made: `2026-11-24`. */
   readonly nights: readonly string[]
 }
 
 /** Is there a backup, and is it of these days? @param now ms since 1970 */
 export function examineBackup({ exists, nights }: Saved, now: number) {
-  const day = nights.at(-1)?.slice(0, -'.db'.length)
+  const day = nights.at(-1)
   if (day === undefined) return exists ? wrong('backup.none') : fine('backup.noData')
   const facts = { day, count: nights.length }
-  return now - Date.parse(day) > oldAfter * aDay ? wrong('backup.old', facts) : fine('backup.made', facts)
+  const age = now - Date.parse(day)
+  // The day begins up to 14 hours earlier east of Greenwich.
+  if (age < -aDay) return wrong('backup.ahead', facts)
+  return age > oldAfter * aDay ? wrong('backup.old', facts) : fine('backup.made', facts)
 }

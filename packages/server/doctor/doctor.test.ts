@@ -78,8 +78,10 @@ test.each([
 test.each([
   ['none', { exists: true, nights: [] }],
   ['noData', { exists: false, nights: [] }],
-  ['made', { exists: true, nights: ['2026-11-19.db', '2026-11-20.db'] }],
-  ['old', { exists: true, nights: ['2026-11-19.db'] }],
+  ['made', { exists: true, nights: ['2026-11-19', '2026-11-20'] }],
+  ['old', { exists: true, nights: ['2026-11-19'] }],
+  ['made', { exists: true, nights: ['2027-11-19', '2026-11-26'] }],
+  ['ahead', { exists: true, nights: ['2026-11-20', '2027-11-19'] }],
 ])('the backup is %s with %j on 25 November', (verdict, saved) =>
   expect(examineBackup(saved, Date.UTC(2026, 10, 25)).verdict).toBe(`backup.${verdict}`),
 )

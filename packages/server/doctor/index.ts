@@ -20,7 +20,7 @@ export interface Examined {
 
 const dataOf = (data: string) => ({
   exists: existsSync(join(data, 'botgarten.db')),
-  nights: nightliesIn(data),
+  nights: nightliesIn(data).map(({ day }) => day),
 })
 
 /** Looks at port, address, firewall, clock, disk, data folder and backups, in this order. */

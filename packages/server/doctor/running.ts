@@ -52,7 +52,7 @@ const isSecure = (address: string) => address.startsWith('https:')
 export function examineRunning(running: Running): readonly Finding[] {
   const { folder, addresses, devices, streams, hotSpot, now } = running
   const plain = (list: readonly string[]) => list.filter((address) => !isSecure(address))
-  const saved = { exists: true, nights: nightliesIn(folder) }
+  const saved = { exists: true, nights: nightliesIn(folder).map(({ day }) => day) }
   return [
     examineAddress(plain(addresses), plain(running.before)),
     examineFirewall(firewallHere(portOf(plain(addresses)), running.otherDevice)),

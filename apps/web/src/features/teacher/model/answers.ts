@@ -167,6 +167,8 @@ export const findings = v.object({ findings: list(finding) })
 export const sizes = v.object({ classes: list(v.object({ space: v.number(), pupils: v.number() })) })
 
 export const backedUp = v.object({ backups })
+/** Ten words with hyphens. */
+export const phraseAnswer = v.object({ phrase: v.string() })
 
 const wifi = v.object({
   name: v.string(),

@@ -1,6 +1,7 @@
 import { firstTeacherToken } from '@botgarten/classroom'
 import { expect, test } from 'vitest'
 import { apiOn, freshServer } from '../testing/class-server.ts'
+import { BackupPhrase } from './backup-phrase.svelte.ts'
 import { ServerHealth } from './server-health.svelte.ts'
 
 const findings = [
@@ -51,4 +52,25 @@ test('a copy is made by a press, and is then there', async () => {
   await health.backUp()
   expect(health.findings![0]!.verdict).toBe('backup.made')
   expect(health.refused).toBeNull()
+})
+
+test('the phrase of the backups is shown once for the asking, from then on for the right password', async () => {
+  const server = await freshServer()
+  const api = apiOn(server)
+  const token = await firstTeacherToken(server.ports)
+  await api.send('POST', '/teachers', { token, username: 'm.weber', password: 'kastanie im regen' })
+  const first = new BackupPhrase(api)
+  await first.show(null)
+  expect(first.words!.split('-')).toHaveLength(10)
+  first.hide()
+  expect(first.words).toBeNull()
+
+  const later = new BackupPhrase(api)
+  await later.show(null)
+  expect([later.words, later.refused, later.needsPassword]).toEqual([null, 'passwordNeeded', true])
+  await later.show('kastanie im schnee')
+  expect([later.words, later.refused, later.needsPassword]).toEqual([null, 'passwordWrong', true])
+  await later.show('kastanie im regen')
+  expect(later.words!.split('-')).toHaveLength(10)
+  expect(later.needsPassword).toBe(false)
 })

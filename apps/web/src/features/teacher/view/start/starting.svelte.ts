@@ -2,6 +2,7 @@ import { Account } from '../../model/account.svelte.ts'
 import { backedUp, classes, classInFull, health, type ClassInFull, type Health } from '../../model/answers.ts'
 import { Refused, type ClassApi } from '../../model/api.ts'
 import { Attempts } from '../../model/attempts.svelte.ts'
+import { BackupPhrase } from '../../model/backup-phrase.svelte.ts'
 import { RoomWifi } from '../../model/wifi.svelte.ts'
 import { Rehearsal } from '../../model/rehearsal.svelte.ts'
 
@@ -14,6 +15,7 @@ export type StepState = 'done' | 'now' | 'next'
 export class Starting {
   readonly account: Account
   readonly rehearsal: Rehearsal
+  readonly phrase: BackupPhrase
   readonly #api: ClassApi
   #school = $state.raw<ClassInFull | null>(null)
   #health = $state.raw<Health | null>(null)
@@ -28,6 +30,7 @@ export class Starting {
     this.#api = api
     this.account = new Account(api)
     this.rehearsal = new Rehearsal(api)
+    this.phrase = new BackupPhrase(api)
   }
 
   /** Empty until the account is made. */
@@ -110,12 +113,20 @@ export class Starting {
     await this.#askHealth()
   }
 
+  /** Makes the backup, then shows the phrase; where it was shown before, the step is done. */
   async backUp(): Promise<void> {
     await this.#attempts.do(async () => {
       await this.#api.ask(backedUp, 'POST', '/backup')
-      this.#saved = true
+      await this.phrase.show(null)
+      if (this.phrase.words === null) this.#saved = true
       await this.#askHealth()
     })
+  }
+
+  /** The phrase is on paper. */
+  phraseWritten(): void {
+    this.phrase.hide()
+    this.#saved = true
   }
 
   /** A server with a database of its own is backed up by that one's tools. */
