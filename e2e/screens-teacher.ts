@@ -7,7 +7,7 @@ import { projector } from './screens-projector.ts'
 
 type View = 'live' | 'cards' | 'gallery' | 'questionnaires' | 'class' | 'data'
 
-const opensView = async (child: Child, made: MadeClass, view: View) => {
+export const opensView = async (child: Child, made: MadeClass, view: View) => {
   await teaches(child.page, made)
   await child.page.goto(`/teacher?class=${made.id}&view=${view}`)
   await expect(child.page.getByRole('navigation', { name: child.word('teacher.views') })).toBeVisible()
