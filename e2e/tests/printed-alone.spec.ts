@@ -11,7 +11,7 @@ import { languagesOf } from '../words.ts'
 type School = Awaited<ReturnType<typeof nextClass>>
 
 const test = base.extend<{ school: School }>({
-  // eslint-disable-next-line no-empty-pattern -- Playwright reads the names of what is asked for
+  // eslint-disable-next-line no-empty-pattern -- Playwright reads the names of fixtures from the pattern
   school: async ({}, use) => {
     const server = await serverWithData()
     const school = await nextClass({ ...server, teacher: await firstTeacher(server) }, 'en')
