@@ -1,17 +1,34 @@
 import type { Db } from '../database/database.ts'
+import { assetsOfShared } from './shared-store.ts'
 
-/** What a pupil has in the gallery, and to what it gave its hearts: for parents who ask. */
-export async function galleryOf(db: Db, pupil: string) {
-  const shared = await db
+/** A pupil's part of the gallery, each with its pictures. */
+export async function* sharedOf(db: Db, pupil: string) {
+  const rows = await db
     .selectFrom('shared')
-    .select(['id', 'title', 'at', 'hidden', 'waiting', 'document'])
+    .select('id')
     .where('pupil', '=', pupil)
     .orderBy('at')
     .orderBy('id')
     .execute()
-  const hearts = await db.selectFrom('heart').select('shared').where('pupil', '=', pupil).execute()
-  return {
-    shared: shared.map(({ document, ...row }) => ({ ...row, project: JSON.parse(document) as unknown })),
-    hearts: hearts.map((row) => row.shared),
+  for (const { id } of rows) {
+    const row = await db
+      .selectFrom('shared')
+      .select(['title', 'at', 'hidden', 'waiting', 'document'])
+      .where('id', '=', id)
+      .executeTakeFirst()
+    // The pupil has just removed it.
+    if (!row) continue
+    const { document, ...more } = row
+    yield {
+      id,
+      ...more,
+      project: { ...(JSON.parse(document) as object), assets: await assetsOfShared(db, id) },
+    }
   }
+}
+
+/** Ids of shared projects that have a heart of this pupil. */
+export async function heartsOf(db: Db, pupil: string): Promise<readonly string[]> {
+  const rows = await db.selectFrom('heart').select('shared').where('pupil', '=', pupil).execute()
+  return rows.map((row) => row.shared)
 }

@@ -234,7 +234,7 @@ onBothDatabases((fresh) => {
     const id = await shares(owl.browser, 'b')
     await fox.browser.put(`/gallery/${id}/heart`, { on: true })
     const { body } = await teacher.get(`/classes/${classId}/pupils/${fox.id}/everything`)
-    expect(body).toMatchObject({ shared: [{ title: 'Garden a' }], hearts: [id] })
+    expect(JSON.parse(body as string)).toMatchObject({ shared: [{ title: 'Garden a' }], hearts: [id] })
   })
 
   test('a pupil shares a hundred things, and no more until one is taken back', async () => {

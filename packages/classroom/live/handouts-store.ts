@@ -26,6 +26,14 @@ export const handoutsOf = (db: Db, pupil: string) =>
     .orderBy('id')
     .execute()
 
+/** Hints and programs that a pupil was sent and has not put away, with their documents. */
+export async function* sentTo(db: Db, pupil: string) {
+  for (const handout of await handoutsOf(db, pupil)) {
+    const document = await documentOf(db, pupil, handout.id)
+    yield { ...handout, project: document ? (JSON.parse(document) as unknown) : null }
+  }
+}
+
 /** The project of a program; undefined where this pupil was not sent it, null where it is a card's own start. */
 export async function documentOf(db: Db, pupil: string, handout: string): Promise<string | null | undefined> {
   const row = await db

@@ -1,18 +1,19 @@
 import * as v from 'valibot'
-import { galleryOf } from '../gallery/about-pupil-store.ts'
+import { sharedOf } from '../gallery/about-pupil-store.ts'
 import { countAllShared } from '../gallery/shared-store.ts'
 import { markPhraseShown, phraseOf, phraseShown } from '../hosting/phrase-store.ts'
 import { pupilsOf } from '../joining/pupils-store.ts'
 import { countWrong, refuseThrottled } from '../joining/throttle-store.ts'
 import type { Ports } from '../ports.ts'
-import { projectsOf, versionOf } from '../projects/projects-store.ts'
 import { mostSpace } from '../projects/saves-store.ts'
 import { askingsOf } from '../questionnaires/askings-store.ts'
 import { Refusal } from '../refusal.ts'
 import { route, type Answer, type Call, type Route } from '../route.ts'
+import { newestIn } from './about-pupil.ts'
 import { sizesOf } from './classes-store.ts'
 import { isOperator } from './operators-store.ts'
 import { resultsOf } from './results-store.ts'
+import { arrayOf, streamed } from './streamed.ts'
 
 /** How many nights a deleted class is still in the backups. */
 const nights = 7
@@ -35,38 +36,23 @@ async function data({ ports, who }: Call<undefined>): Promise<Answer> {
   }
 }
 
-/** A class as one JSON text, a project at a time: all of it at once might not fit into the memory. */
+/** A class as one JSON text, a project at a time. */
 async function* pieces({ database: { db } }: Ports, name: string, classId: string) {
   yield `{"class":${JSON.stringify(name)},"pupils":[`
   let first = true
   for (const { id, nickname, joinedAt } of await pupilsOf(db, classId)) {
-    yield `${first ? '' : ','}{"nickname":${JSON.stringify(nickname)},"joinedAt":${joinedAt},"projects":[`
+    yield `${first ? '' : ','}{"nickname":${JSON.stringify(nickname)},"joinedAt":${joinedAt},"projects":`
     first = false
-    let mark = ''
-    for (const { id: project } of await projectsOf(db, id)) {
-      yield `${mark}${JSON.stringify({ id: project, ...(await versionOf(db, id, project)) })}`
-      mark = ','
-    }
-    yield `],"shared":${JSON.stringify((await galleryOf(db, id)).shared)}}`
+    yield* arrayOf(newestIn(db, id))
+    yield ',"shared":'
+    yield* arrayOf(sharedOf(db, id))
+    yield '}'
   }
   yield ']}'
 }
 
 function exported({ ports, who }: Call<undefined>): Promise<Response> {
-  const parts = pieces(ports, who.class!.name, who.class!.id)
-  const encoder = new TextEncoder()
-  const body = new ReadableStream<Uint8Array>({
-    async pull(controller) {
-      const { done, value } = await parts.next()
-      if (done) controller.close()
-      else controller.enqueue(encoder.encode(value))
-    },
-  })
-  const headers = {
-    'content-type': 'application/octet-stream',
-    'content-disposition': 'attachment; filename="botgarten-class.json"',
-  }
-  return Promise.resolve(new Response(body, { headers }))
+  return Promise.resolve(streamed(pieces(ports, who.class!.name, who.class!.id), 'class'))
 }
 
 /** How the server is: for the page of the first start, and for who runs it. */

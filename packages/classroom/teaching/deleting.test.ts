@@ -97,7 +97,7 @@ onBothDatabases((fresh) => {
   test('all about a pupil, for parents who ask', async () => {
     const { id, pupils } = await classWith('Luchs')
     const { body } = await teacher.get(`/classes/${id}/pupils/${pupils[0]!.id}/everything`)
-    expect(body).toMatchObject({
+    expect(JSON.parse(body as string)).toMatchObject({
       nickname: 'Luchs',
       projects: [{ id: 'project-1', project: { name: 'Garden Luchs' } }],
     })

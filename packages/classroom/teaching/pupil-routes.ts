@@ -2,14 +2,14 @@ import * as v from 'valibot'
 import { nicknameFrom, nicknameKey } from '../joining/nickname.ts'
 import { newSecret } from '../joining/pictures.ts'
 import { pupilOf, pupilsOf, rename, setHand, setPictures, unlock } from '../joining/pupils-store.ts'
-import { galleryOf } from '../gallery/about-pupil-store.ts'
-import { pairsOf } from '../together/pairs-store.ts'
 import { hashOfPictures } from '../joining/routes.ts'
 import { endSessionsOf } from '../joining/sessions-store.ts'
 import { projectsOf, versionOf } from '../projects/projects-store.ts'
 import { Refusal } from '../refusal.ts'
 import { route, type Answer, type Call, type Route } from '../route.ts'
+import { allAbout } from './about-pupil.ts'
 import { deleteForGood } from './class-routes.ts'
+import { streamed } from './streamed.ts'
 
 /** The pupil that the path names, if it is one of the class. */
 async function pupilIn({ ports, who, at }: Call<unknown>) {
@@ -79,14 +79,9 @@ async function project(call: Call<undefined>): Promise<Answer> {
 }
 
 /** All about a pupil, for parents who ask. */
-async function everything(call: Call<undefined>): Promise<Answer> {
-  const { id, nickname, joinedAt } = await pupilIn(call)
-  const { db } = call.ports.database
-  const all = []
-  for (const { id: of } of await projectsOf(db, id)) all.push({ id: of, ...(await versionOf(db, id, of)) })
-  return {
-    body: { nickname, joinedAt, projects: all, ...(await galleryOf(db, id)), pairs: await pairsOf(db, id) },
-  }
+async function everything(call: Call<undefined>): Promise<Response> {
+  const pupil = await pupilIn(call)
+  return streamed(allAbout(call.ports.database.db, pupil), pupil.nickname)
 }
 
 const one = '/classes/:class/pupils/:pupil'

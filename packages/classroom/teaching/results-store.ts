@@ -3,6 +3,9 @@ import type { Db } from '../database/database.ts'
 export const resultsOf = (db: Db, classId: string) =>
   db.selectFrom('result').select(['pupil', 'card', 'done']).where('class', '=', classId).execute()
 
+export const resultsOfPupil = (db: Db, pupil: string) =>
+  db.selectFrom('result').select(['card', 'done']).where('pupil', '=', pupil).orderBy('card').execute()
+
 /** Notes from how many start places a pupil has passed; fewer than before change nothing. */
 export async function noteResult(
   db: Db,

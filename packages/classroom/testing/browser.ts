@@ -25,6 +25,9 @@ export class Browser {
   patch = (path: string, body: unknown) => this.ask('PATCH', path, body)
   delete = (path: string, body?: unknown) => this.ask('DELETE', path, body)
 
+  /** An answer whose body the caller reads. */
+  open = (path: string) => this.raw('GET', path, undefined, {})
+
   /** @param body text as it is; anything else as JSON */
   async ask(
     method: string,

@@ -2,7 +2,6 @@ import * as answers from './answers.ts'
 import type { ClassInFull, Pupil } from './answers.ts'
 import type { ClassApi } from './api.ts'
 import { Attempts } from './attempts.svelte.ts'
-import { saveEverything } from './export.ts'
 
 /** One class as its teacher sees it, and what can be done with it. */
 export class School {
@@ -70,9 +69,6 @@ export class School {
     if (given) await this.load()
     return given?.pictures ?? null
   }
-
-  /** All about one pupil as a file, for parents who ask. */
-  saveEverything = (pupil: Pupil) => this.#attempts.try(() => saveEverything(this.#api, this.id, pupil))
 
   /** Who has done which card; null where it was refused. */
   results = () => this.#attempts.try(() => this.#api.ask(answers.results, 'GET', this.at('/results')))
