@@ -13,6 +13,8 @@ export interface Database {
   readonly backup: ((file: string) => Promise<void>) | null
   /** Moves what was committed from the journal into the file, where the database has one; commits go without it. */
   readonly checkpoint: (() => void) | null
+  /** Empties the journal, if there is one: it has earlier states of rows that were deleted. */
+  readonly emptyJournal: () => void
   close(): Promise<void>
 }
 

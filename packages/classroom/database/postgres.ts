@@ -13,5 +13,5 @@ export function openPostgres(address: string, patience?: Patience): Database {
     await answers.close()
     await db.destroy()
   }
-  return { kind: 'postgres', db, answers, backup: null, checkpoint: null, close }
+  return { kind: 'postgres', db, answers, backup: null, checkpoint: null, emptyJournal: () => {}, close }
 }

@@ -67,6 +67,7 @@ export function openSqlite(file: string): Database {
     answers,
     backup: async (copy) => void (await sqlite.backup(copy)),
     checkpoint: () => void sqlite.pragma('wal_checkpoint(PASSIVE)'),
+    emptyJournal: () => void sqlite.pragma('wal_checkpoint(TRUNCATE)'),
     close: async () => {
       await answers.close()
       await db.destroy()

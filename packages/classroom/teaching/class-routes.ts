@@ -119,6 +119,7 @@ export async function deleteForGood(ports: Ports, tombstone: { kind: 'class' | '
   await ports.bury(tombstone)
   if (tombstone.kind === 'class') await forgetClass(ports.database.answers.db, tombstone.id)
   await ports.database.db.transaction().execute((inside) => carryOut(inside, tombstone))
+  ports.database.emptyJournal()
 }
 
 export const classRoutes: readonly Route[] = [

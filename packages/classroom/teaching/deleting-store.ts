@@ -1,4 +1,5 @@
 import type { Db } from '../database/database.ts'
+import { deleteUnheld } from '../live/handouts-store.ts'
 import type { Tombstone } from '../ports.ts'
 import { recount } from '../projects/assets-store.ts'
 
@@ -13,6 +14,7 @@ export async function carryOut(db: Db, { kind, id }: Tombstone): Promise<void> {
     await db.deleteFrom('class').where('id', '=', id).execute()
   } else if (pupil) {
     await db.deleteFrom('pupil').where('id', '=', id).execute()
+    await deleteUnheld(db)
     await recount(db, pupil.class)
   }
   await db
