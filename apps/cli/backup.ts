@@ -6,14 +6,14 @@ import {
   backup as backUp,
   isSealed,
   markPhraseShown,
-  openSqlite,
   phraseFrom,
   phraseOf,
   phraseShown,
   restore as putBack,
   type Database,
 } from '@botgarten/classroom'
-import { causeIn, dayHere, keyFor, lockFolder, prepareDataFolder } from '@botgarten/server'
+import { CannotServe, causeIn, dayHere, keyFor, lockFolder, prepareDataFolder } from '@botgarten/server'
+import { withDatabase } from './class-database.ts'
 import type { Command } from './commands.ts'
 import { CallError, FileError } from './errors.ts'
 import { options, refuseMore } from './options.ts'
@@ -22,18 +22,6 @@ import { sayProblem } from './serve-problems.ts'
 import { message, type Key } from './words.ts'
 
 const data = { data: { type: 'string' } } as const
-
-/** Opens the database of a data folder for `work`, also while a server uses it. */
-async function withDatabase<T>(folder: string, work: (database: Database) => Promise<T>): Promise<T> {
-  const source = join(folder, 'botgarten.db')
-  if (!existsSync(source)) throw new FileError('serve.noData', { path: folder })
-  const database = openSqlite(source)
-  try {
-    return await work(database)
-  } finally {
-    await database.close()
-  }
-}
 
 /** `botgarten backup FILE`: one encrypted file with all that a class server has, also while it is running. */
 export const backup: Command = { options: data, execute: copy }
@@ -107,7 +95,8 @@ async function take(args: string[]): Promise<string> {
     if (restored.kind !== 'restored') throw new FileError(refusals[restored.kind]!, { path: file })
     return reportOn(file, folder, restored)
   } catch (error) {
-    throw sayProblem(error)
+    if (error instanceof FileError || error instanceof CannotServe) throw sayProblem(error)
+    throw new FileError('serve.noRestore', { path: file, folder, why: causeIn(error) })
   }
 }
 

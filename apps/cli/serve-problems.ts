@@ -9,6 +9,7 @@ const keys: { readonly [problem: string]: Key } = {
   syncedFolder: 'serve.syncedFolder',
   networkFolder: 'serve.networkFolder',
   noFolder: 'serve.noFolder',
+  readOnlyFolder: 'serve.readOnlyFolder',
   noDatabase: 'serve.noDatabase',
   newerData: 'serve.newerData',
   noKey: 'serve.noKey',

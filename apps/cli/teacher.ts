@@ -1,7 +1,6 @@
-import { existsSync } from 'node:fs'
-import { join } from 'node:path'
-import { accountsOn, openPostgres, openSqlite, secretIn } from '@botgarten/classroom'
+import { accountsOn, secretIn, type Database } from '@botgarten/classroom'
 import { resetTeacher } from '@botgarten/server'
+import { withDatabase } from './class-database.ts'
 import type { Command } from './commands.ts'
 import { CallError, FileError } from './errors.ts'
 import { options } from './options.ts'
@@ -18,15 +17,10 @@ async function renew(args: string[]): Promise<string> {
   const [name, more] = positionals
   if (name === undefined || more !== undefined) throw new CallError('call.oneTeacher')
   const folder = values.data ?? usualData
-  const file = join(folder, 'botgarten.db')
-  if (values.database === undefined && !existsSync(file))
-    throw new FileError('serve.noData', { path: folder })
-  const database = values.database === undefined ? openSqlite(file) : openPostgres(values.database)
-  try {
+  const renewIn = async (database: Database) => {
     const password = await resetTeacher(accountsOn(database, secretIn(folder)), name)
     if (password === null) throw new FileError('serve.noTeacher', { name })
     return message('serve.reset', { name, password })
-  } finally {
-    await database.close()
   }
+  return await withDatabase(folder, renewIn, values.database)
 }

@@ -1,4 +1,4 @@
-import { existsSync, mkdirSync, readdirSync, statfsSync } from 'node:fs'
+import { accessSync, constants, existsSync, mkdirSync, readdirSync, statfsSync } from 'node:fs'
 import { join, resolve } from 'node:path'
 import { CannotServe, causeIn } from './problem.ts'
 
@@ -28,7 +28,7 @@ export function isOnNetwork(folder: string): boolean {
 
 /**
  * Makes the folder that holds all of a class server where it is missing.
- * @throws {CannotServe} where it is no place for a database: synced by a program, on a network, not to be written
+ * @throws {CannotServe} where it is no place for a database: synced by a program, on a network, read-only
  */
 export function prepareDataFolder(folder: string): string {
   const path = resolve(folder)
@@ -39,8 +39,18 @@ export function prepareDataFolder(folder: string): string {
   } catch (error) {
     throw new CannotServe('noFolder', { path, why: causeIn(error) })
   }
+  refuseReadOnly(path)
   if (isOnNetwork(path)) throw new CannotServe('networkFolder', { path })
   return path
+}
+
+/** @throws {CannotServe} if nothing can be written into the folder: the disk is read-only, or the rights are missing */
+function refuseReadOnly(path: string): void {
+  try {
+    accessSync(path, constants.W_OK)
+  } catch (error) {
+    throw new CannotServe('readOnlyFolder', { path, why: causeIn(error) })
+  }
 }
 
 /** The databases of a folder: the lab's, and the answers to questionnaires. */

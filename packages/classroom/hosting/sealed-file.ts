@@ -10,6 +10,7 @@ import { pipeline } from 'node:stream/promises'
 import { Decrypter, Encrypter } from 'age-encryption'
 import { packTar, unpackTar } from 'modern-tar/fs'
 import * as v from 'valibot'
+import { codeOf } from '../database/errors.ts'
 
 /** The version that this program writes, and the latest that it reads. */
 const current = 1
@@ -113,7 +114,9 @@ export async function openSealed(file: string, phrase: string, into: string): Pr
     const isPart = (header: { name: string; type?: string }) =>
       header.type === 'file' && v.is(name, header.name)
     await pipeline(Readable.fromWeb(archive), unpackTar(into, { filter: isPart, fmode: 0o600 }))
-  } catch {
+  } catch (error) {
+    // An error of the system, such as a full disk, does not mean that the backup is damaged.
+    if (codeOf(error).startsWith('E')) throw error
     // Cut, or changed after it was made: age checks each piece of 64 kB and that the last one is present.
     return { kind: 'damaged' }
   }
