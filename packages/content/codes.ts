@@ -10,5 +10,5 @@ const read = (language: CodeLanguage): readonly string[] =>
 
 const lists: { [language in CodeLanguage]?: readonly string[] } = {}
 
-/** The 512 words that codes of classes are made of. Each is known by its first four letters. */
+/** The 1,024 words that codes of classes are made of. Each is known by its first four letters. */
 export const codeWords = (language: CodeLanguage): readonly string[] => (lists[language] ??= read(language))

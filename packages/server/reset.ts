@@ -4,7 +4,7 @@ import { join } from 'node:path'
 import type { Accounts } from '@botgarten/classroom'
 import { codeWords } from '@botgarten/content/codes'
 
-/** Four words of 512: 36 bits, and the sign-in is throttled. */
+/** Four words of 1,024: 40 bits, and the sign-in is throttled. */
 const words = 4
 
 /** A password that can be read aloud. */

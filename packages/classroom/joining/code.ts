@@ -1,23 +1,25 @@
 import { codeWords, type CodeLanguage } from '@botgarten/content/codes'
 
-const words = 3
+const words = 4
+/** Codes of older classes: they hold until their class ends. */
+const wordsBefore = 3
 const telling = 4
 
-/** Three different words for a new class: nobody wonders if a word was read twice. `random`: that many random bytes. */
+/** Four different words for a new class: nobody wonders if a word was read twice. `random`: that many random bytes. */
 export function newCode(language: CodeLanguage, random: (bytes: number) => Uint8Array): string {
   const list = codeWords(language)
   const code = new Set<string>()
   while (code.size < words) {
     const bytes = random(2)
-    // 512 words divide 65,536 evenly: all are equally likely.
+    // 1,024 words divide 65,536 evenly: all are equally likely.
     code.add(list[(bytes[0]! * 256 + bytes[1]!) % list.length]!)
   }
   return [...code].join(' ')
 }
 
 /**
- * The form in which codes are compared: of each word the first four letters, as in `kite-otte-plum`. Takes any marks
- * between the words, as well as all of them in capitals. Null for what is not three words.
+ * The form in which codes are compared: of each word the first four letters, as in `kite-otte-plum-rose`. Takes any marks
+ * between the words, as well as all of them in capitals. Null for what is not four words, or three as before.
  */
 export function codeKey(text: string): string | null {
   const parts = text
@@ -25,10 +27,13 @@ export function codeKey(text: string): string | null {
     .toLowerCase()
     .split(/[^a-z]+/)
   const starts = parts.filter((part) => part !== '').map((part) => part.slice(0, telling))
-  return starts.length === words ? starts.join('-') : null
+  return starts.length === words || starts.length === wordsBefore ? starts.join('-') : null
 }
 
-/** The complete words of a code that is known by their first letters: `kite-otte-plum` is kite, otter, plum. */
+/** Whether a code has as few words as those of older classes. */
+export const isShortCode = (key: string): boolean => key.split('-').length === wordsBefore
+
+/** The complete words of a code that is known by their first letters: `kite-otte-plum-rose` is kite, otter, plum, rose. */
 export function wordsOfKey(key: string, language: CodeLanguage): readonly string[] {
   const list = codeWords(language)
   return key.split('-').map((start) => list.find((word) => word.startsWith(start)) ?? start)

@@ -1,28 +1,33 @@
 import fc from 'fast-check'
 import { codeWords } from '@botgarten/content/codes'
 import { expect, test } from 'vitest'
-import { codeKey, newCode, wordsOfKey } from './code.ts'
+import { codeKey, isShortCode, newCode, wordsOfKey } from './code.ts'
 import { nicknameFrom, nicknameKey } from './nickname.ts'
 import { newSecret, pictures } from './pictures.ts'
 
 const random = (bytes: number) => crypto.getRandomValues(new Uint8Array(bytes))
 
 test.each([
-  'kite otter plum',
-  'KITE OTTER PLUM',
-  ' kite-otter-plum ',
-  'kite·otte·plum',
-  'kite, otterly, plums',
-])('the code %s is kite, otter, plum', (text) => expect(codeKey(text)).toBe('kite-otte-plum'))
+  'kite otter plum rope',
+  'KITE OTTER PLUM ROPE',
+  ' kite-otter-plum-rope ',
+  'kite·otte·plum·rope',
+  'kite, otterly, plums; ropes',
+])('the code %s is kite, otter, plum, rope', (text) => expect(codeKey(text)).toBe('kite-otte-plum-rope'))
 
-test.each(['', 'kite', 'kite otter', 'kite otter plum rose', '123'])('%j is no code', (text) =>
+test('a code of three words, as classes had before, is one as well', () => {
+  expect(codeKey('Kite Otter Plum')).toBe('kite-otte-plum')
+  expect(['kite-otte-plum', 'kite-otte-plum-rope', ''].map(isShortCode)).toEqual([true, false, false])
+})
+
+test.each(['', 'kite', 'kite otter', 'kite otter plum rope moon', '123'])('%j is no code', (text) =>
   expect(codeKey(text)).toBeNull(),
 )
 
-test('a new code is three words of the list, is found by its first letters, and is shown as complete words', () => {
+test('a new code is four words of the list, is found by its first letters, and is shown as complete words', () => {
   for (const language of ['de', 'en'] as const) {
     const words = newCode(language, random).split(' ')
-    expect(words).toHaveLength(3)
+    expect(words).toHaveLength(4)
     for (const word of words) expect(codeWords(language)).toContain(word)
     expect(codeKey(words.join(' '))).toBe(words.map((word) => word.slice(0, 4)).join('-'))
     expect(wordsOfKey(codeKey(words.join(' '))!, language)).toEqual(words)
@@ -30,11 +35,18 @@ test('a new code is three words of the list, is found by its first letters, and 
 })
 
 test('a new code never has the same word twice', () => {
-  const drawn = [7, 7, 7, 8, 7, 8, 9]
+  const drawn = [7, 7, 7, 8, 7, 8, 9, 6]
   const list = codeWords('en')
   expect(newCode('en', () => Uint8Array.of(0, drawn.shift()!))).toBe(
-    [7, 8, 9].map((at) => list[at]).join(' '),
+    [7, 8, 9, 6].map((at) => list[at]).join(' '),
   )
+})
+
+test('25 million guesses a day find the code of a class with less than 0.01 %, at four nodes as well', () => {
+  const words = codeWords('de').length
+  const codes = words * (words - 1) * (words - 2) * (words - 3)
+  expect(codes).toBeGreaterThanOrEqual(2.5e11)
+  expect((4 * 25_000_000) / codes).toBeLessThan(0.0001)
 })
 
 test.each(['Fuchs', 'Mia 7', 'Łukasz', 'Özlem', '小明', 'Nguyễn', 'अमित', '42'])('%s is a nickname', (name) =>

@@ -1,19 +1,31 @@
 /** So many letters of a word are enough to know it. */
 const telling = 4
+/** Codes of older classes have one word less. */
+export const codeLength = 4
+const codeLengthBefore = 3
 
-/** The words of a code as somebody types or a link holds them: at most three. */
+/** The words of a code as somebody types or a link holds them: at most four. */
 export const wordsIn = (text: string): readonly string[] =>
   text
     .normalize('NFKC')
     .split(/[^\p{L}]+/u)
     .filter((word) => word !== '')
-    .slice(0, 3)
+    .slice(0, codeLength)
 
-/** The code that three fields hold, in the form in which it is asked for; null while one is too short. */
+/**
+ * The code that the fields hold, in the form in which it is requested; null while a word is too short. The last field may be
+ * empty: an older class has three words.
+ */
 export function codeOf(fields: readonly string[]): string | null {
-  const words = fields.map((field) => field.trim().toLowerCase())
-  return words.length === 3 && words.every((word) => word.length >= telling) ? words.join(' ') : null
+  const all = fields.map((field) => field.trim().toLowerCase())
+  const words = all.at(-1) === '' ? all.slice(0, -1) : all
+  const fits = words.length === codeLength || words.length === codeLengthBefore
+  return fits && words.every((word) => word.length >= telling) ? words.join(' ') : null
 }
+
+/** Whether nothing more can be typed: the class is asked at once. */
+export const isComplete = (fields: readonly string[]): boolean =>
+  fields.length === codeLength && fields.at(-1) !== '' && codeOf(fields) !== null
 
 /** The code after the # of a link; null where there is none. Servers and their logs never see it. */
 export function codeInLink(hash: string): readonly string[] | null {

@@ -1,8 +1,9 @@
 import { setAccount } from '#storage/account.ts'
 import { pictures, type Picture } from '@botgarten/classroom/pictures'
 import * as v from 'valibot'
-import { codeInLink, codeOf, fitsAsNickname, wordsIn } from './code.ts'
+import { codeInLink, codeLength, codeOf, fitsAsNickname, isComplete, wordsIn } from './code.ts'
 import { arrive } from './here.ts'
+import { patient, type Wait } from './patient.ts'
 import { read, type Ask, type Reply } from '#storage/ask.ts'
 
 const picture = v.picklist(pictures)
@@ -36,8 +37,8 @@ type Step = 'code' | 'given' | 'pictures'
 /** A child at the door of its class. */
 export class Joining {
   readonly #ask: Ask
-  /** The three words of the code as they are typed. */
-  words = $state(['', '', ''])
+  /** The words of the code as they are typed. */
+  words = $state(Array<string>(codeLength).fill(''))
   nickname = $state('')
   /** It has been here before. */
   returns = $state(false)
@@ -50,8 +51,13 @@ export class Joining {
   /** The code that was asked for last: it is not asked again. */
   #asked = ''
 
-  constructor(ask: Ask) {
-    this.#ask = ask
+  /** @param wait waits, for a number of seconds, before the next request */
+  constructor(ask: Ask, wait?: Wait) {
+    this.#ask = patient(ask, {
+      waits: () => void (this.#refused = { code: 'waits', minutes: 0 }),
+      isWanted: () => codeOf(this.words) === this.#asked,
+      wait,
+    })
   }
 
   get step() {
@@ -71,6 +77,10 @@ export class Joining {
   get given() {
     return this.#given
   }
+  /** All of the code is typed. */
+  get isComplete(): boolean {
+    return isComplete(this.words)
+  }
   get canGoOn(): boolean {
     return this.#className !== null && fitsAsNickname(this.nickname)
   }
@@ -78,7 +88,7 @@ export class Joining {
   /** Takes the code from a link. @returns whether it held one */
   takeLink(hash: string): boolean {
     const words = codeInLink(hash)
-    if (words) this.words = [...words]
+    if (words) this.words = this.words.map((_, at) => words[at] ?? '')
     return words !== null
   }
 
@@ -89,7 +99,7 @@ export class Joining {
     this.words = this.words.map((word, index) =>
       index < at ? word : (words[index - at] ?? (index === at ? '' : word)),
     )
-    return Math.min(2, at + Math.max(0, words.length - 1) + (ends ? 1 : 0))
+    return Math.min(codeLength - 1, at + Math.max(0, words.length - 1) + (ends ? 1 : 0))
   }
 
   async #asking(act: () => Promise<void>): Promise<void> {
@@ -97,6 +107,7 @@ export class Joining {
     this.#busy = true
     this.#refused = null
     await act()
+    if (this.refused?.code === 'waits') this.#refused = null
     this.#busy = false
   }
 

@@ -4,7 +4,10 @@ import { Joining } from './joining.svelte.ts'
 
 const away: Reply = { kind: 'away' }
 const found = (name: string): Reply => ({ kind: 'done', body: { name } })
-const refused = (code: string): Reply => ({ kind: 'refused', status: 429, code, facts: { seconds: 60 } })
+const refused = (code: string, seconds = 60): Reply => ({
+  ...{ kind: 'refused', status: 429, code },
+  facts: { seconds },
+})
 
 /** A class that answers when it is told to, and remembers what it was asked. */
 function slowClass() {
@@ -31,7 +34,7 @@ describe('a child that types the code', () => {
     async (code, reply) => {
       const { ask, asked, answer } = slowClass()
       const joining = new Joining(ask)
-      types(joining, 'kite otter plum')
+      types(joining, 'kite otter plum rope')
       void joining.look()
       await answer(reply)
       expect(asked).toHaveLength(1)
@@ -45,13 +48,13 @@ describe('a child that types the code', () => {
   test('may go on typing while the class is asked: the last code counts', async () => {
     const { ask, asked, answer } = slowClass()
     const joining = new Joining(ask)
-    types(joining, 'kite otter plum')
+    types(joining, 'kite otter plum rope')
     void joining.look()
-    types(joining, 'kite otter plane')
+    types(joining, 'kite otter plum rose')
     await joining.look()
-    expect(asked).toEqual([{ code: 'kite otter plum' }])
+    expect(asked).toEqual([{ code: 'kite otter plum rope' }])
     await answer(refused('noOpenClass'))
-    expect(asked).toEqual([{ code: 'kite otter plum' }, { code: 'kite otter plane' }])
+    expect(asked).toEqual([{ code: 'kite otter plum rope' }, { code: 'kite otter plum rose' }])
     await answer(found('5b'))
     expect(joining.className).toBe('5b')
     expect(joining.refused).toBeNull()
@@ -60,10 +63,40 @@ describe('a child that types the code', () => {
   test('is not told of a class whose code it has taken away meanwhile', async () => {
     const { ask, answer } = slowClass()
     const joining = new Joining(ask)
-    types(joining, 'kite otter plum')
+    types(joining, 'kite otter plum rope')
     void joining.look()
-    joining.words = ['kite', 'otter', '']
+    joining.words = ['kite', 'otter', '', '']
     await answer(found('5b'))
     expect(joining.className).toBeNull()
+  })
+
+  test('waits and tries again by itself after others have guessed too often', async () => {
+    const { ask, asked, answer } = slowClass()
+    const waits: number[] = []
+    const joining = new Joining(ask, (seconds) => Promise.resolve(void waits.push(seconds)))
+    types(joining, 'kite otter plum rope')
+    const looking = joining.look()
+    await answer(refused('tooManyTries', 1))
+    expect(joining.refused?.code).toBe('waits')
+    await answer(refused('tooManyTries', 2))
+    await answer(found('5b'))
+    await looking
+    expect([joining.className, joining.refused]).toEqual(['5b', null])
+    expect(waits).toEqual([1, 2])
+    expect(asked).toEqual(Array(3).fill({ code: 'kite otter plum rope' }))
+  })
+
+  test('does not ask again for a code that it has changed while it waited', async () => {
+    const { ask, asked, answer } = slowClass()
+    const joining = new Joining(ask, () => {
+      types(joining, 'kite otter plum rose')
+      return Promise.resolve()
+    })
+    types(joining, 'kite otter plum rope')
+    void joining.look()
+    await answer(refused('tooManyTries', 1))
+    expect(asked).toEqual([{ code: 'kite otter plum rope' }, { code: 'kite otter plum rose' }])
+    await answer(found('5b'))
+    expect(joining.className).toBe('5b')
   })
 })

@@ -18,7 +18,7 @@ const schoolClass = v.object({
   name: v.string(),
   language: v.string(),
   grade: v.number(),
-  /** Three words by their first four letters. */
+  /** Its words by their first four letters. */
   code: v.string(),
   /** The same as complete words. */
   words: list(v.string()),

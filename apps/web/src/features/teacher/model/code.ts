@@ -3,7 +3,7 @@ import type { SchoolClass } from './answers.ts'
 /** The words of a class's code, as they are shown. */
 export const wordsOf = ({ words }: Pick<SchoolClass, 'words'>): readonly string[] => words
 
-/** All three in a line: "kite otter plum". */
+/** All of them in a line: "kite otter plum rope". */
 export const codeLabel = (school: Pick<SchoolClass, 'words'>): string => wordsOf(school).join(' ')
 
 /** A word in two parts: what is enough to type, and the rest. */

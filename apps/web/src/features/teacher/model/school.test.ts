@@ -23,9 +23,9 @@ beforeEach(async () => {
 
 const allClasses = async () => (await api.ask(classes, 'GET', '/classes')).classes
 
-test('a new class is closed, has a code of three words and stands in the list', async () => {
+test('a new class is closed, has a code of four words and is in the list', async () => {
   expect(school.row).toMatchObject({ name: '5b', grade: 5, open: false, joiningUntil: null, pupils: 0 })
-  expect(codeLabel(school.row!).split(' ')).toHaveLength(3)
+  expect(codeLabel(school.row!).split(' ')).toHaveLength(4)
   expect((await allClasses()).map(({ name }) => name)).toEqual(['5b'])
 })
 
