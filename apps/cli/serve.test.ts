@@ -119,8 +119,7 @@ test('a teacher who has forgotten the password gets a new one, by the console or
   const server = await openClassServer({ data })
   const password = readFileSync(join(data, 'new-password.txt'), 'utf8').trim()
   const body = JSON.stringify({ username: 'm.weber', password })
-  const caller = { address: '192.0.2.1', secure: false, reached: null }
-  const signedIn = await server.ports.accounts.forward('/sign-in/username', new Headers(), body, caller)
+  const signedIn = await server.ports.accounts.forward('/sign-in/username', new Headers(), body)
   expect(signedIn.status).toBe(200)
   await server.close()
 })

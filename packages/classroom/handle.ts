@@ -2,9 +2,10 @@ import { bodyOf, mostOfProject } from './body.ts'
 import { codeOf, refusalOfDatabase } from './database/errors.ts'
 import { newToken } from './hashes.ts'
 import { cookie, cookieIn, deviceCookie } from './joining/cookies.ts'
+import { networkOf } from './joining/network.ts'
 import type { Caller, Ports } from './ports.ts'
-import { Refusal } from './refusal.ts'
-import type { Answer, Call, Route } from './route.ts'
+import { Refusal, WrongTry } from './refusal.ts'
+import type { Call, Route } from './route.ts'
 import { findRoute, type Found } from './routes.ts'
 import { whoAsks } from './who.ts'
 
@@ -46,7 +47,7 @@ async function answerTo(request: Request, found: Found, ports: Ports, caller: Ca
   const { route, at } = found
   const { headers } = request
   refuseForeign(request, ports.publicOrigin)
-  const who = await whoAsks(ports, route.roles, headers, caller, at['class'])
+  const who = await whoAsks(ports, route.roles, headers, at['class'])
   const pupil = who.pupil?.id
   if (pupil !== undefined) ports.limits.request(pupil)
   const uploaded =
@@ -70,17 +71,18 @@ async function answerOf(
 ): Promise<Response> {
   const { headers } = request
   const body = await bodyOf(request, route)
-  const known = cookieIn(headers, deviceCookie)
   const query = new URL(request.url).searchParams
-  const triers = { device: known, address: caller.address }
+  const triers = { device: cookieIn(headers, deviceCookie), address: networkOf(caller.address) }
   const answer = await route.handle({ ports, who, at, query, body, headers, caller, triers })
   if (answer instanceof Response) return dressed(answer, caller)
-  return json(answer.status ?? 200, answer.body, cookiesOf(answer, known, ports, caller))
+  return json(answer.status ?? 200, answer.body, answer.cookies)
 }
 
-/** A device gets its name with its first answer: wrong tries are counted under it. */
-const cookiesOf = ({ cookies = [] }: Answer, known: string | null, { random }: Ports, caller: Caller) =>
-  known === null ? [...cookies, cookie(deviceCookie, newToken(random), caller)] : cookies
+/** A device gets a name with its first wrong try, under which its further ones are counted. */
+const cookiesAfter = (refusal: Refusal, { headers }: Request, { random }: Ports, caller: Caller) =>
+  refusal instanceof WrongTry && cookieIn(headers, deviceCookie) === null
+    ? [cookie(deviceCookie, newToken(random), caller)]
+    : []
 
 /** What is thrown, as what is answered. */
 function refusalOf(error: unknown): Refusal {
@@ -121,7 +123,7 @@ export async function handle(request: Request, ports: Ports, caller: Caller): Pr
     const { status, code, facts } = refusal
     const ours = error instanceof Refusal ? {} : { error: nameOf(error) }
     ports.log({ ...line, status, ...ours })
-    const answer = json(status, { error: code, ...facts })
+    const answer = json(status, { error: code, ...facts }, cookiesAfter(refusal, request, ports, caller))
     const seconds = secondsUntilRetry(refusal)
     if (seconds !== null) answer.headers.set('retry-after', String(seconds))
     return answer

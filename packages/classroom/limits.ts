@@ -1,3 +1,4 @@
+import { Guesses, type Pace } from './joining/guesses.ts'
 import { Refusal } from './refusal.ts'
 
 /** Requests of one pupil that are answered at once, and how many more each second. A page sends about one a second. */
@@ -10,6 +11,20 @@ const mostStreams = 8
 const mostBytes = 10_000_000
 /** Pupils that are remembered before those without a debt are forgotten. */
 const mostPupils = 10_000
+
+/**
+ * Wrong tries that a node answers, in all. Codes of four words: 25 million a day. Codes of three words, which
+ * older classes have: as many as those were made for. Passwords: each costs the work of a hash.
+ */
+const wrongTries = {
+  codes: { atOnce: 1500, eachSecond: 289 },
+  shortCodes: { atOnce: 1000, eachSecond: 1000 / 600 },
+  pictures: { atOnce: 500, eachSecond: 20 },
+  signIns: { atOnce: 100, eachSecond: 2 },
+  knownSignIns: { atOnce: 40, eachSecond: 2 },
+} as const satisfies { readonly [of: string]: Pace }
+
+type GuessesOf = { readonly [of in keyof typeof wrongTries]: Guesses }
 
 interface Bucket {
   /** Requests that are left. */
@@ -27,10 +42,17 @@ interface Bucket {
 export class Limits {
   private readonly buckets = new Map<string, Bucket>()
   private readonly elapsed: () => number
+  /** Of everyone: codes, pictures and passwords that were wrong. */
+  readonly guesses: GuessesOf
 
   /** @param elapsed ms of a clock that never goes back */
   constructor(elapsed: () => number) {
     this.elapsed = elapsed
+    const pace = (of: keyof typeof wrongTries) => new Guesses(elapsed, wrongTries[of])
+    this.guesses = {
+      ...{ codes: pace('codes'), shortCodes: pace('shortCodes'), pictures: pace('pictures') },
+      ...{ signIns: pace('signIns'), knownSignIns: pace('knownSignIns') },
+    }
   }
 
   private bucketOf(pupil: string): Bucket {

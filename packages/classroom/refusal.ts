@@ -11,3 +11,6 @@ export class Refusal extends Error {
     this.facts = facts
   }
 }
+
+/** The refusal of a wrong try: the device gets a cookie, under which its wrong tries are counted. */
+export class WrongTry extends Refusal {}

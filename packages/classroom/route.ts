@@ -1,5 +1,5 @@
 import type * as v from 'valibot'
-import type { Triers } from './joining/throttle-store.ts'
+import type { Triers } from './joining/triers.ts'
 import type { Caller, Ports } from './ports.ts'
 import type { Role, Who } from './who.ts'
 

@@ -1,5 +1,5 @@
 import { readPupil, type Pupil } from './joining/sessions-store.ts'
-import type { Caller, Ports } from './ports.ts'
+import type { Ports } from './ports.ts'
 import { Refusal } from './refusal.ts'
 import { cookieIn, pupilCookie, substituteCookie } from './joining/cookies.ts'
 import { isOperator } from './teaching/operators-store.ts'
@@ -37,13 +37,12 @@ export async function whoAsks(
   ports: Ports,
   roles: readonly Role[],
   headers: Headers,
-  caller: Caller,
   classId: string | undefined,
 ): Promise<Who> {
   if (roles.includes('anyone')) return nobody
   if (roles.includes('pupil') || roles.includes('returning')) return pupilAsking(ports, roles, headers)
-  if (roles.includes('owner')) return classAsking(ports, roles, headers, caller, classId ?? '')
-  const teacher = await ports.accounts.teacherOf(headers, caller)
+  if (roles.includes('owner')) return classAsking(ports, roles, headers, classId ?? '')
+  const teacher = await ports.accounts.teacherOf(headers)
   if (!teacher) throw new Refusal(401, 'signIn')
   if (roles.includes('teacher')) return { ...nobody, teacher }
   if (!(await isOperator(ports.database.db, teacher.id))) throw new Refusal(403, 'notYours')
@@ -54,11 +53,10 @@ async function classAsking(
   ports: Ports,
   roles: readonly Role[],
   headers: Headers,
-  caller: Caller,
   classId: string,
 ): Promise<Who> {
   const { db } = ports.database
-  const teacher = await ports.accounts.teacherOf(headers, caller)
+  const teacher = await ports.accounts.teacherOf(headers)
   const own = teacher && (await classOf(db, classId, teacher.id))
   if (own) return { ...nobody, teacher, class: own }
   const token = roles.includes('substitute') ? cookieIn(headers, substituteCookie) : null

@@ -48,7 +48,7 @@ export interface ClassTable {
   /** `de` or `en`: of the words of the code. */
   language: string
   grade: number
-  /** Three words by their first four letters: `kite-otte-plum`. */
+  /** Its words by their first four letters: `kite-otte-plum-rose`; of older classes three. */
   code: string
   joiningUntil: number
   openedAt: number | null
@@ -83,6 +83,7 @@ interface PupilTable {
   nicknameKey: string
   /** Keyed hash of the three pictures in their order. */
   pictures: string
+  /** No longer read: wrong tries are counted in `attempt`. */
   wrong: number
   lockedAt: number | null
   handAt: number | null
@@ -167,7 +168,7 @@ interface VersionAssetTable {
   hash: string
 }
 
-/** Wrong tries within one window of ten minutes. */
+/** Wrong pictures, and new pupils of a device, by keyed hashes. */
 interface AttemptTable {
   key: string
   count: number

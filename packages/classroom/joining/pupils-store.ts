@@ -1,5 +1,6 @@
 import type { Db } from '../database/database.ts'
 import type { NewPupil, PupilRow } from '../database/tables.ts'
+import { tryMemory } from './tries-store.ts'
 
 /** The class whose code this is, while joining is open. */
 export const classToJoin = (db: Db, code: string, now: number) =>
@@ -49,31 +50,41 @@ export const pupilsOf = (db: Db, classId: string) =>
     .orderBy('nicknameKey')
     .execute()
 
-const wrongBeforeLock = 5
-
-/** Counts wrong pictures; the fifth in a row locks the nickname for new devices. */
-export async function countWrongOf(db: Db, id: string, now: number): Promise<void> {
-  await db
-    .updateTable('pupil')
-    .set((row) => ({ wrong: row('wrong', '+', 1) }))
-    .where('id', '=', id)
-    .execute()
+/** Other devices were wrong too often at a nickname. */
+export async function lockNickname(
+  db: Db,
+  { class: classId, key }: { readonly class: string; readonly key: string },
+  now: number,
+): Promise<void> {
   await db
     .updateTable('pupil')
     .set({ lockedAt: now })
-    .where('id', '=', id)
-    .where('wrong', '>=', wrongBeforeLock)
-    .where('lockedAt', 'is', null)
+    .where('class', '=', classId)
+    .where('nicknameKey', '=', key)
     .execute()
 }
 
-/** The pictures were right, or the teacher opened the lock. */
-export async function unlock(db: Db, id: string): Promise<void> {
-  await db.updateTable('pupil').set({ wrong: 0, lockedAt: null }).where('id', '=', id).execute()
+/** A lock ends when the tries that led to it are forgotten. */
+export const isLocked = (lockedAt: number | null, now: number): boolean =>
+  lockedAt !== null && Math.abs(now - lockedAt) < tryMemory
+
+export async function hasLocked(db: Db, classId: string, now: number): Promise<boolean> {
+  const rows = await db
+    .selectFrom('pupil')
+    .select('lockedAt')
+    .where('class', '=', classId)
+    .where('lockedAt', 'is not', null)
+    .execute()
+  return rows.some(({ lockedAt }) => isLocked(lockedAt, now))
+}
+
+/** The teacher has opened the locks of a class. */
+export async function openNicknames(db: Db, classId: string): Promise<void> {
+  await db.updateTable('pupil').set({ lockedAt: null }).where('class', '=', classId).execute()
 }
 
 export async function setPictures(db: Db, id: string, pictures: string): Promise<void> {
-  await db.updateTable('pupil').set({ pictures, wrong: 0, lockedAt: null }).where('id', '=', id).execute()
+  await db.updateTable('pupil').set({ pictures, lockedAt: null }).where('id', '=', id).execute()
 }
 
 /** @param at when the hand went up; null: it is down */
@@ -90,6 +101,11 @@ export async function rename(
 ): Promise<boolean> {
   const other = await pupilCalled(db, pupil.class, nicknameKey)
   if (other && other.id !== pupil.id) return false
-  await db.updateTable('pupil').set({ nickname, nicknameKey }).where('id', '=', pupil.id).execute()
+  // Tries are counted by nickname.
+  await db
+    .updateTable('pupil')
+    .set({ nickname, nicknameKey, lockedAt: null })
+    .where('id', '=', pupil.id)
+    .execute()
   return true
 }

@@ -1,32 +1,18 @@
 import * as v from 'valibot'
-import { keyedHash, newToken, sameHash } from '../hashes.ts'
+import { newToken } from '../hashes.ts'
 import { liveOfPupil } from '../live/me-live.ts'
 import type { Ports } from '../ports.ts'
-import { Refusal } from '../refusal.ts'
+import { Refusal, WrongTry } from '../refusal.ts'
 import { route, type Answer, type Call, type Route } from '../route.ts'
-import { codeKey } from './code.ts'
-import { cookie, pupilCookie } from './cookies.ts'
+import { codeKey, isShortCode } from './code.ts'
+import { cookie, cookieIn, deviceCookie, pupilCookie } from './cookies.ts'
+import { countJoin, refuseMoreJoins } from './joins-store.ts'
 import { nicknameFrom, nicknameKey } from './nickname.ts'
+import { hashOfPictures, tryFromElsewhere, tryOnOwnDevice } from './picture-tries.ts'
 import { newSecret, pictures } from './pictures.ts'
-import {
-  addPupil,
-  classToJoin,
-  countPupils,
-  countWrongOf,
-  pupilCalled,
-  pupilOf,
-  setHand,
-  unlock,
-} from './pupils-store.ts'
-import { endSession, proveSession, startSession } from './sessions-store.ts'
-import {
-  countJoin,
-  countWrong,
-  countWrongPictures,
-  refuseLockedDevice,
-  refuseMoreJoins,
-  refuseThrottled,
-} from './throttle-store.ts'
+import { addPupil, classToJoin, countPupils, pupilCalled, pupilOf, setHand } from './pupils-store.ts'
+import { endSession, proveSession, readPupil, startSession } from './sessions-store.ts'
+import { triersOfCode, triersOfPictures } from './triers.ts'
 
 /** A class of a school has up to 36 pupils. */
 const mostPupils = 100
@@ -36,18 +22,22 @@ const threePictures = v.strictTuple([v.picklist(pictures), v.picklist(pictures),
 
 const clocked = ({ database, now, secret }: Ports) => ({ db: database.db, now: now(), secret })
 
-/** Pictures are kept as a keyed hash: nobody reads them back, the teacher neither. */
-export const hashOfPictures = ({ secret }: Ports, pupil: string, shown: readonly string[]) =>
-  keyedHash(secret, 'pictures of', pupil, ...shown)
-
-/** The class of a code. A wrong one, a closed one and one that never was are answered alike. */
+/**
+ * The class of a code. The right one always passes: whoever has guessed too often waits after a wrong one. A wrong one, a closed
+ * one and one that never was are answered alike.
+ */
 async function classFor({ ports, triers, body }: Call<{ readonly code: string }>) {
-  await refuseThrottled(clocked(ports), triers)
+  const key = codeKey(body.code) ?? ''
+  const { codes, shortCodes } = ports.limits.guesses
+  const guess = (isShortCode(key) ? shortCodes : codes).begin(triersOfCode(triers, ports.secret))
   // A code of no shape costs the same query.
-  const found = await classToJoin(ports.database.db, codeKey(body.code) ?? '', ports.now())
-  if (found) return found
-  await countWrong(clocked(ports), triers)
-  throw new Refusal(404, 'noOpenClass')
+  const found = await classToJoin(ports.database.db, key, ports.now())
+  if (found) {
+    guess.right()
+    return found
+  }
+  const seconds = guess.wrong()
+  throw seconds === 0 ? new WrongTry(404, 'noOpenClass') : new WrongTry(429, 'tooManyTries', { seconds })
 }
 
 async function look(call: Call<{ readonly code: string }>): Promise<Answer> {
@@ -60,7 +50,7 @@ async function join(call: Call<{ readonly code: string; readonly nickname: strin
   const { id: classId } = await classFor(call)
   const nickname = nicknameFrom(body.nickname)
   if (nickname === null) throw new Refusal(400, 'nickname')
-  await refuseMoreJoins(clocked(ports), triers)
+  await refuseMoreJoins(clocked(ports), triers.device)
   const id = newToken(ports.random)
   const secret = newSecret(ports.random)
   const token = await ports.database.db.transaction().execute(async (inside) => {
@@ -73,27 +63,21 @@ async function join(call: Call<{ readonly code: string; readonly nickname: strin
     if (!added) throw new Refusal(409, 'nicknameTaken')
     return await startSession(inside, ports, { id, class: classId })
   })
-  await countJoin(clocked(ports), triers)
+  const device = triers.device ?? newToken(ports.random)
+  await countJoin(clocked(ports), device)
   ports.live.changed(classId, [id])
-  const cookies = [cookie(pupilCookie, token, caller)]
+  const named = triers.device === null ? [cookie(deviceCookie, device, caller)] : []
+  const cookies = [cookie(pupilCookie, token, caller), ...named]
   return { status: 201, body: { id, class: classId, nickname, pictures: secret }, cookies }
 }
 
 type Shown = v.InferOutput<typeof threePictures>
 
-/** @throws Refusal where they are not this pupil's, or have been guessed at too often */
-async function refuseWrongPictures(
-  call: Call<unknown>,
-  pupil: { id: string; pictures: string },
-  shown: Shown,
-) {
-  const { ports, triers } = call
-  const { db } = ports.database
-  if (sameHash(hashOfPictures(ports, pupil.id, shown), pupil.pictures)) return
-  await countWrongOf(db, pupil.id, ports.now())
-  await countWrongPictures(clocked(ports), triers.device ?? triers.address)
-  await countWrong(clocked(ports), triers)
-  throw new Refusal(403, 'wrongPictures')
+/** The session by which a device is known as this pupil's; null for any other device. */
+async function sessionHere({ ports, headers }: Call<unknown>, pupil: string): Promise<string | null> {
+  const token = cookieIn(headers, pupilCookie)
+  const here = await readPupil(ports, token).catch(() => null)
+  return here?.id === pupil ? here.session : null
 }
 
 async function comeBack(
@@ -102,22 +86,19 @@ async function comeBack(
   const { ports, body, caller, triers } = call
   const { db } = ports.database
   const { id: classId } = await classFor(call)
-  await refuseLockedDevice(clocked(ports), triers.device ?? triers.address)
-  const pupil = await pupilCalled(db, classId, nicknameKey(nicknameFrom(body.nickname) ?? ''))
-  // Who is in the class is told to nobody who has no pictures.
-  if (!pupil) return await refuseUnknown(call)
-  if (pupil.lockedAt !== null) throw new Refusal(423, 'nicknameLocked')
-  await refuseWrongPictures(call, pupil, body.pictures)
-  await unlock(db, pupil.id)
-  const token = await startSession(db, ports, pupil)
-  const { id, nickname } = pupil
+  const key = nicknameKey(nicknameFrom(body.nickname) ?? '')
+  const owner = await pupilCalled(db, classId, key)
+  const session = owner ? await sessionHere(call, owner.id) : null
+  if (owner && session !== null) await tryOnOwnDevice(ports, session, { owner, shown: body.pictures })
+  else {
+    const guess = ports.limits.guesses.pictures.begin(triersOfPictures(triers, ports.secret))
+    await tryFromElsewhere(ports, { class: classId, key }, { owner, shown: body.pictures })
+    guess.right()
+  }
+  // Where no one has the nickname no pictures are right.
+  const { id, nickname } = owner!
+  const token = await startSession(db, ports, owner!)
   return { body: { id, class: classId, nickname }, cookies: [cookie(pupilCookie, token, caller)] }
-}
-
-async function refuseUnknown({ ports, triers }: Call<unknown>): Promise<never> {
-  await countWrongPictures(clocked(ports), triers.device ?? triers.address)
-  await countWrong(clocked(ports), triers)
-  throw new Refusal(403, 'wrongPictures')
 }
 
 const me = async ({ ports, who }: Call<undefined>): Promise<Answer> => ({
@@ -125,16 +106,12 @@ const me = async ({ ports, who }: Call<undefined>): Promise<Answer> => ({
 })
 
 async function showPictures(call: Call<{ readonly pictures: Shown }>): Promise<Answer> {
-  const { ports, who, body, triers } = call
+  const { ports, who, body } = call
   const { db } = ports.database
   const { id, class: classId, session } = who.pupil!
-  await refuseThrottled(clocked(ports), triers)
-  await refuseLockedDevice(clocked(ports), triers.device ?? triers.address)
-  const pupil = await pupilOf(db, classId, id)
-  if (!pupil) throw new Refusal(401, 'join')
-  if (pupil.lockedAt !== null) throw new Refusal(423, 'nicknameLocked')
-  await refuseWrongPictures(call, pupil, body.pictures)
-  await unlock(db, id)
+  const owner = await pupilOf(db, classId, id)
+  if (!owner) throw new Refusal(401, 'join')
+  await tryOnOwnDevice(ports, session, { owner, shown: body.pictures })
   await proveSession(db, session, ports.now())
   return {}
 }

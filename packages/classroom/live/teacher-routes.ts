@@ -1,7 +1,7 @@
 import * as v from 'valibot'
 import type { ClassRow } from '../database/tables.ts'
 import { newToken } from '../hashes.ts'
-import { pupilOf, pupilsOf } from '../joining/pupils-store.ts'
+import { isLocked, pupilOf, pupilsOf } from '../joining/pupils-store.ts'
 import { projectsOf, versionOf } from '../projects/projects-store.ts'
 import type { Ports } from '../ports.ts'
 import { Refusal } from '../refusal.ts'
@@ -13,10 +13,10 @@ import { addHandout } from './handouts-store.ts'
 import { free, handout } from './schema.ts'
 import { inOrder, type Tile } from './tiles.ts'
 
-async function tilesOf({ database, live }: Ports, classId: string): Promise<Tile[]> {
+async function tilesOf({ database, live, now }: Ports, classId: string): Promise<Tile[]> {
   const rows = await pupilsOf(database.db, classId)
   return rows.map(({ id, nickname, isNew, lockedAt, handAt }) => ({
-    ...{ id, nickname, isNew: isNew === 1, locked: lockedAt !== null, handAt },
+    ...{ id, nickname, isNew: isNew === 1, locked: isLocked(lockedAt, now()), handAt },
     live: live.liveOf(classId, id),
   }))
 }

@@ -1,13 +1,16 @@
 import * as v from 'valibot'
 import { newToken } from '../hashes.ts'
-import { cookieIn, pupilCookie, substituteCookie } from '../joining/cookies.ts'
+import { cookie, cookieIn, pupilCookie, substituteCookie } from '../joining/cookies.ts'
+import type { Guess } from '../joining/guesses.ts'
 import { readPupil } from '../joining/sessions-store.ts'
+import { triersOfAccount, triersOfKnown } from '../joining/triers.ts'
 import { liveOfPupil } from '../live/me-live.ts'
 import type { Ports } from '../ports.ts'
 import { Refusal } from '../refusal.ts'
 import { route, type Answer, type Call, type Route } from '../route.ts'
 import { mounted, type Mounted } from './accounts.ts'
 import { endSessionsOfTeacher } from './accounts-store.ts'
+import { deviceKnownTo, knownAfter, knownCookie } from './known-device.ts'
 import { classLent } from './substitutes-store.ts'
 import { sizesOfAll } from './classes-store.ts'
 import { addInvitation, firstTeacher, isOperator, makeOperator, takeInvitation } from './operators-store.ts'
@@ -42,7 +45,7 @@ async function substituteAsking({ database, day }: Ports, headers: Headers) {
 async function state({ ports, headers, caller }: Call<undefined>): Promise<Answer> {
   const { db } = ports.database
   const first = await firstTeacher(db)
-  const found = await ports.accounts.teacherOf(headers, caller)
+  const found = await ports.accounts.teacherOf(headers)
   const teacher = found && { username: found.username, operator: await isOperator(db, found.id) }
   return {
     body: {
@@ -55,7 +58,7 @@ async function state({ ports, headers, caller }: Call<undefined>): Promise<Answe
 }
 
 async function makeTeacher(call: Call<v.InferOutput<typeof newTeacher>>): Promise<Response> {
-  const { ports, body, headers, caller } = call
+  const { ports, body, headers } = call
   const { db } = ports.database
   const invitation = await takeInvitation(db, body.token, ports.now())
   if (!invitation) throw new Refusal(403, 'linkUsedUp')
@@ -70,14 +73,16 @@ async function makeTeacher(call: Call<v.InferOutput<typeof newTeacher>>): Promis
     ports.teacherMade()
   }
   const credentials = JSON.stringify({ username: body.username, password: body.password })
-  return signedIn(await ports.accounts.forward('/sign-in/username', headers, credentials, caller))
+  const answer = await ports.accounts.forward('/sign-in/username', headers, credentials)
+  return signedIn(answer, rememberDevice(call, body.username))
 }
 
 /** Nothing of the account is told but that it worked; the cookies count. */
-async function signedIn(answer: Response): Promise<Response> {
+async function signedIn(answer: Response, ...further: readonly string[]): Promise<Response> {
   await answer.body?.cancel()
   const headers = new Headers()
   for (const cookie of answer.headers.getSetCookie()) headers.append('set-cookie', cookie)
+  if (answer.ok) for (const cookie of further) headers.append('set-cookie', cookie)
   return new Response(null, { status: answer.ok ? 204 : answer.status, headers })
 }
 
@@ -86,15 +91,39 @@ const signIn = v.strictObject({
   password: v.pipe(v.string(), v.maxLength(200)),
 })
 
+/** A device that has signed in to the account before waits only for wrong passwords of its own. */
+function beginSignIn({ ports, headers, triers }: Call<unknown>, username: string): Guess {
+  const { secret, limits } = ports
+  const account = username.toLowerCase()
+  const device = deviceKnownTo(secret, headers, account)
+  return device === null
+    ? limits.guesses.signIns.begin(triersOfAccount(triers.address, account, secret))
+    : limits.guesses.knownSignIns.begin(triersOfKnown(device, account, secret))
+}
+
+async function signInByName(call: Call<v.InferOutput<typeof signIn>>): Promise<Response> {
+  const { ports, headers, body } = call
+  const guess = beginSignIn(call, body.username)
+  const answer = await ports.accounts.forward('/sign-in/username', headers, JSON.stringify(body))
+  if (answer.status >= 400 && answer.status < 500) {
+    await answer.body?.cancel()
+    const seconds = guess.wrong()
+    throw seconds === 0 ? new Refusal(401, 'wrongPassword') : new Refusal(429, 'tooManyTries', { seconds })
+  }
+  guess.right()
+  return signedIn(answer, rememberDevice(call, body.username))
+}
+
+/** A cookie by which this device is known to the account from now on. */
+const rememberDevice = ({ ports, headers, caller }: Call<unknown>, username: string): string =>
+  cookie(knownCookie, knownAfter(ports, headers, username.toLowerCase()), caller)
+
 const forward =
-  (path: Mounted) =>
-  async ({ ports, headers, body, caller }: Call<unknown>): Promise<Response> => {
+  (path: Exclude<Mounted, '/sign-in/username'>) =>
+  async ({ ports, headers, body }: Call<unknown>): Promise<Response> => {
     const text = body === undefined ? '{}' : JSON.stringify(body)
-    const answer = await ports.accounts.forward(path, headers, text, caller)
-    if (path === '/get-session') return teacherOnly(answer)
-    if (answer.status === 429) throw new Refusal(429, 'tooManyTries', { seconds: 60 })
-    if (answer.status >= 400 && answer.status < 500) throw new Refusal(401, 'wrongPassword')
-    return signedIn(answer)
+    const answer = await ports.accounts.forward(path, headers, text)
+    return path === '/get-session' ? teacherOnly(answer) : signedIn(answer)
   }
 
 /** The page needs the name alone. */
@@ -104,13 +133,7 @@ async function teacherOnly(answer: Response): Promise<Response> {
 }
 
 const routeOf: { readonly [path in Mounted]: Route } = {
-  '/sign-in/username': route(
-    'POST',
-    '/auth/sign-in/username',
-    ['anyone'],
-    forward('/sign-in/username'),
-    signIn,
-  ),
+  '/sign-in/username': route('POST', '/auth/sign-in/username', ['anyone'], signInByName, signIn),
   '/sign-out': route('POST', '/auth/sign-out', ['anyone'], forward('/sign-out')),
   '/get-session': route('GET', '/auth/get-session', ['anyone'], forward('/get-session')),
 }

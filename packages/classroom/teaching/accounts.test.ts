@@ -12,6 +12,7 @@ onBothDatabases((fresh) => {
 
   beforeAll(async () => {
     server = new Server(await fresh())
+    server.holdClock()
   })
 
   test('until there is a teacher no class can exist', async () => {
@@ -76,18 +77,56 @@ onBothDatabases((fresh) => {
     expect(answers).toEqual(Array(2).fill({ status: 401, body: { error: 'wrongPassword' } }))
   })
 
-  test('an address that tries many passwords is stopped, whatever its headers claim', async () => {
+  const signIn = (browser: Browser, given: string, username = 'k.otto2') =>
+    browser.post('/auth/sign-in/username', { username, password: given })
+
+  test('ten wrong passwords slow an account on unknown devices; one that has signed in before is not slowed', async () => {
+    server.later(10)
+    const known = server.browser('10.9.0.7')
+    expect((await signIn(known, password)).status).toBe(204)
+    await known.post('/auth/sign-out')
     const statuses = []
     for (let tries = 0; tries < 12; tries++) {
-      const claimed = { 'x-class-address': `fd00::${tries}`, 'x-forwarded-for': `10.8.0.${tries}` }
-      const body = { username: 'k.otto2', password: `wrong ${tries}` }
+      const claimed = { 'x-forwarded-for': `10.8.0.${tries}` }
+      const body = { username: 'K.otto2', password: `wrong ${tries}` }
       statuses.push(
-        (await server.browser('10.9.0.3').ask('POST', '/auth/sign-in/username', body, claimed)).status,
+        (await server.browser(`10.9.${tries}.3`).ask('POST', '/auth/sign-in/username', body, claimed)).status,
       )
     }
+    // One more try comes in 15 s.
     expect(statuses).toEqual([...Array<number>(10).fill(401), 429, 429])
-    const right = { username: 'k.otto2', password }
-    expect((await server.browser('10.9.0.4').post('/auth/sign-in/username', right)).status).toBe(204)
+    expect(await signIn(server.browser('10.9.0.4'), password)).toMatchObject({
+      ...{ status: 429, body: { error: 'tooManyTries' } },
+    })
+    expect((await signIn(known, password)).status).toBe(204)
+    server.later(1)
+    expect((await signIn(server.browser('10.9.0.4'), password)).status).toBe(204)
+  })
+
+  test('the mark of a known device is of one account, and cannot be made up', async () => {
+    server.later(10)
+    const known = server.browser('10.9.0.8')
+    await signIn(known, password)
+    const mark = known.cookies.get('botgarten-known')!
+    server.later(10)
+    for (let tries = 0; tries < 10; tries++)
+      await signIn(server.browser(`10.9.${tries}.9`), 'wrong', 'm.weber.2')
+    for (const made of [mark, 'device.0123456789abcdef01234567', mark.replace(/^./, '~')]) {
+      const other = server.browser('10.9.1.8')
+      other.cookies.set('botgarten-known', made)
+      expect((await signIn(other, 'wrong', 'm.weber.2')).status).toBe(429)
+    }
+  })
+
+  test('wrong passwords on a known device slow this device alone', async () => {
+    server.later(10)
+    const known = server.browser('10.9.0.10')
+    await signIn(known, password)
+    for (let tries = 0; tries < 10; tries++) expect((await signIn(known, 'wrong')).status).toBe(401)
+    expect((await signIn(known, password)).status).toBe(429)
+    expect((await signIn(server.browser('10.9.0.10'), password)).status).toBe(204)
+    server.later(1)
+    expect((await signIn(known, password)).status).toBe(204)
   })
 
   test('a new password from the console ends all sessions', async () => {

@@ -2,7 +2,6 @@ import { betterAuth } from 'better-auth'
 import { username } from 'better-auth/plugins/username'
 import type { Database } from '../database/database.ts'
 import { keyedHash } from '../hashes.ts'
-import type { Caller } from '../ports.ts'
 import { Refusal } from '../refusal.ts'
 import { endSessionsOfTeacher, passwordHashOf, setPassword, teacherCalled } from './accounts-store.ts'
 
@@ -28,9 +27,9 @@ interface NewTeacher {
 
 export interface Accounts {
   /** Takes a request to one of the mounted paths. `body`: JSON text, already limited. */
-  forward(path: Mounted, headers: Headers, body: string | null, caller: Caller): Promise<Response>
+  forward(path: Mounted, headers: Headers, body: string | null): Promise<Response>
   /** Who is signed in; null for nobody. */
-  teacherOf(headers: Headers, caller: Caller): Promise<Teacher | null>
+  teacherOf(headers: Headers): Promise<Teacher | null>
   /** @returns the teacher's id; null where the name is taken */
   create(teacher: NewTeacher): Promise<string | null>
   /** Is this the password of a teacher? @param id of the teacher */
@@ -42,14 +41,7 @@ export interface Accounts {
 /** The address of a request that no proxy or browser has a say in. */
 const inside = 'http://class.internal'
 const basePath = '/api/class/auth'
-const addressHeader = 'x-class-address'
 const sessionSeconds = 12 * 3600
-
-/** better-auth keeps the address of who tries too often: it gets a made-up one that is always the same for the same. */
-function standIn(address: string, secret: Uint8Array): string {
-  const digits = keyedHash(secret, 'address', address).slice(0, 16)
-  return `fd00:${digits.match(/.{4}/g)!.slice(0, 3).join(':')}::1`
-}
 
 /** How passwords are hashed: scrypt where nothing else is given. */
 export interface Hashing {
@@ -73,19 +65,14 @@ function options(database: Database, secret: Uint8Array, hashing?: Hashing) {
     user: { modelName: 'teacher' },
     session: { modelName: 'teacherSession', expiresIn: sessionSeconds, disableSessionRefresh: true },
     plugins: [username({ minUsernameLength: 3, maxUsernameLength: 30 })],
-    rateLimit: {
-      enabled: true,
-      storage: 'database' as const,
-      window: 60,
-      max: 600,
-      customRules: { '/sign-in/username': { window: 60, max: 10 }, '/get-session': false as const },
-    },
+    // Wrong tries are counted before better-auth sees them: it would refuse right passwords too, by address.
+    rateLimit: { enabled: false },
     advanced: {
       cookiePrefix: 'botgarten-teacher',
       // The server adds Secure to the answer to a request that came over https.
       useSecureCookies: false,
       defaultCookieAttributes: { path: '/api/class' },
-      ipAddress: { ipAddressHeaders: [addressHeader] },
+      ipAddress: { disableIpTracking: true },
     },
     databaseHooks: {
       session: {
@@ -102,21 +89,17 @@ function options(database: Database, secret: Uint8Array, hashing?: Hashing) {
 export function accountsOn(database: Database, secret: Uint8Array, hashing?: Hashing): Accounts {
   const auth = betterAuth(options(database, secret, hashing))
 
-  function forward(path: Mounted, headers: Headers, body: string | null, { address }: Caller) {
-    const given: Record<string, string> = {
-      [addressHeader]: standIn(address, secret),
-      origin: inside,
-      cookie: headers.get('cookie') ?? '',
-    }
+  function forward(path: Mounted, headers: Headers, body: string | null) {
+    const given: Record<string, string> = { origin: inside, cookie: headers.get('cookie') ?? '' }
     if (body !== null) given['content-type'] = 'application/json'
     const method = path === '/get-session' ? 'GET' : 'POST'
     const url = `${inside}${basePath}${path}`
     return auth.handler(new Request(url, { method, headers: given, body: method === 'GET' ? null : body }))
   }
 
-  async function teacherOf(headers: Headers, caller: Caller): Promise<Teacher | null> {
+  async function teacherOf(headers: Headers): Promise<Teacher | null> {
     if (!headers.get('cookie')?.includes('botgarten-teacher')) return null
-    const answer = await forward('/get-session', headers, null, caller)
+    const answer = await forward('/get-session', headers, null)
     // better-auth hides what the database said.
     if (!answer.ok) throw new Refusal(503, 'busy')
     const found = (await answer.json()) as Session | null

@@ -3,7 +3,7 @@ import { sharedOf } from '../gallery/about-pupil-store.ts'
 import { countAllShared } from '../gallery/shared-store.ts'
 import { markPhraseShown, phraseOf, phraseShown } from '../hosting/phrase-store.ts'
 import { pupilsOf } from '../joining/pupils-store.ts'
-import { countWrong, refuseThrottled } from '../joining/throttle-store.ts'
+import { triersOfKnown } from '../joining/triers.ts'
 import type { Ports } from '../ports.ts'
 import { mostSpace } from '../projects/saves-store.ts'
 import { askingsOf } from '../questionnaires/askings-store.ts'
@@ -96,17 +96,18 @@ function download({ ports }: Call<undefined>): Promise<Response> {
 }
 
 /** The passphrase of the backups: the first time for the asking, from then on for the password. */
-async function showPhrase({ ports, who, body, triers }: Call<Asked>): Promise<Answer> {
+async function showPhrase({ ports, who, body }: Call<Asked>): Promise<Answer> {
   const { database, secret } = ports
   if (!database.backup) throw new Refusal(409, 'byOwnTools')
   if (await phraseShown(database.db)) {
-    const clocked = { db: database.db, now: ports.now(), secret }
-    await refuseThrottled(clocked, triers)
     if (body.password === null) throw new Refusal(403, 'passwordNeeded')
-    if (!(await ports.accounts.isPassword(who.teacher!.id, body.password))) {
-      await countWrong(clocked, triers)
-      throw new Refusal(403, 'passwordWrong')
+    const { id } = who.teacher!
+    const guess = ports.limits.guesses.knownSignIns.begin(triersOfKnown('backup phrase', id, secret))
+    if (!(await ports.accounts.isPassword(id, body.password))) {
+      const seconds = guess.wrong()
+      throw seconds === 0 ? new Refusal(403, 'passwordWrong') : new Refusal(429, 'tooManyTries', { seconds })
     }
+    guess.right()
   }
   const phrase = await phraseOf(database, secret)
   await markPhraseShown(database.db)

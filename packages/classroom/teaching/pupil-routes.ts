@@ -1,8 +1,8 @@
 import * as v from 'valibot'
 import { nicknameFrom, nicknameKey } from '../joining/nickname.ts'
 import { newSecret } from '../joining/pictures.ts'
-import { pupilOf, pupilsOf, rename, setHand, setPictures, unlock } from '../joining/pupils-store.ts'
-import { hashOfPictures } from '../joining/routes.ts'
+import { isLocked, pupilOf, pupilsOf, rename, setHand, setPictures } from '../joining/pupils-store.ts'
+import { forgetTriesAt, hashOfPictures, openLocks } from '../joining/picture-tries.ts'
 import { endSessionsOf } from '../joining/sessions-store.ts'
 import { projectsOf, versionOf } from '../projects/projects-store.ts'
 import { Refusal } from '../refusal.ts'
@@ -19,7 +19,13 @@ async function pupilIn({ ports, who, at }: Call<unknown>) {
 }
 
 async function list({ ports, who }: Call<undefined>): Promise<Answer> {
-  return { body: { pupils: await pupilsOf(ports.database.db, who.class!.id) } }
+  const pupils = await pupilsOf(ports.database.db, who.class!.id)
+  const now = ports.now()
+  const shown = pupils.map((pupil) => ({
+    ...pupil,
+    lockedAt: isLocked(pupil.lockedAt, now) ? pupil.lockedAt : null,
+  }))
+  return { body: { pupils: shown } }
 }
 
 async function change(call: Call<{ readonly nickname: string }>): Promise<Answer> {
@@ -42,19 +48,27 @@ async function remove(call: Call<undefined>): Promise<Answer> {
 /** The teacher sees new pictures once, to show them to the pupil; other devices are signed out. */
 async function newPictures(call: Call<undefined>): Promise<Answer> {
   const { ports } = call
-  const { id, class: classId } = await pupilIn(call)
+  const { id, class: classId, nicknameKey: key } = await pupilIn(call)
   const secret = newSecret(ports.random)
   await setPictures(ports.database.db, id, hashOfPictures(ports, id, secret))
+  await forgetTriesAt(ports, { class: classId, key })
   await endSessionsOf(ports.database.db, id)
   ports.live.end(classId, { pupil: id }, 'signedOut')
   return { body: { pictures: secret } }
 }
 
-async function openLock(call: Call<undefined>): Promise<Answer> {
-  const { id, class: classId } = await pupilIn(call)
-  await unlock(call.ports.database.db, id)
-  call.ports.live.changed(classId, [id])
+/** Opens all locks of the class: one alone would show to others that this nickname exists. */
+async function openAll({ ports, who }: Call<undefined>): Promise<Answer> {
+  const { id } = who.class!
+  if (!(await openLocks(ports, id))) throw new Refusal(409, 'opensUsedUp')
+  ports.live.changed(id)
   return {}
+}
+
+/** Older pages open one lock at a time. */
+async function openLock(call: Call<undefined>): Promise<Answer> {
+  await pupilIn(call)
+  return await openAll(call)
 }
 
 async function handDown(call: Call<undefined>): Promise<Answer> {
@@ -91,6 +105,7 @@ export const pupilRoutes: readonly Route[] = [
   route('PATCH', one, ['owner'], change, v.strictObject({ nickname: v.pipe(v.string(), v.maxLength(100)) })),
   route('DELETE', one, ['owner'], remove),
   route('POST', `${one}/pictures`, ['owner'], newPictures),
+  route('POST', '/classes/:class/unlock', ['owner'], openAll),
   route('POST', `${one}/unlock`, ['owner'], openLock),
   route('POST', `${one}/hand-down`, ['owner', 'substitute'], handDown),
   route('GET', `${one}/projects`, ['owner'], projects),

@@ -33,6 +33,9 @@ export class Server {
   readonly buried: Tombstone[] = []
   /** A Tuesday in November, 8 o'clock. */
   now = Date.UTC(2026, 10, 24, 8)
+  /** Ms that the clock of the limits is ahead of the machine's. */
+  private ahead = 0
+  private isHeld = false
 
   constructor(database: Database, changes: Partial<Ports> = {}) {
     this.ports = {
@@ -49,7 +52,7 @@ export class Server {
       publicOrigin: null,
       announced: () => 'http://lab.test',
       teacherMade: () => {},
-      limits: new Limits(() => performance.now()),
+      limits: new Limits(() => this.elapsed()),
       live: new Hub(noBus, () => this.now),
       cards: () =>
         Promise.resolve([{ id: 'friendship', starts: 3, title: { en: 'Friendship', de: 'Freundschaft' } }]),
@@ -75,6 +78,17 @@ export class Server {
 
   later(minutes: number) {
     this.now += minutes * 60_000
+    this.ahead += minutes * 60_000
+  }
+
+  private elapsed(): number {
+    return this.ahead + (this.isHeld ? 0 : performance.now())
+  }
+
+  /** From now on the clock of the limits, too, is set by `later` alone. */
+  holdClock() {
+    this.ahead = this.elapsed()
+    this.isHeld = true
   }
 
   ask(request: Request, caller: Partial<Caller> = {}) {

@@ -54,7 +54,8 @@ export class School {
   change = (change: { name?: string; grade?: number; endsOn?: string }) => this.#do('PATCH', '', change)
   rename = (pupil: string, nickname: string) => this.#do('PATCH', `/pupils/${pupil}`, { nickname })
   removePupil = (pupil: string) => this.#do('DELETE', `/pupils/${pupil}`)
-  unlock = (pupil: string) => this.#do('POST', `/pupils/${pupil}/unlock`)
+  /** All nicknames that others have guessed at too often are open again. */
+  unlockAll = () => this.#do('POST', '/unlock')
   handDown = (pupil: string) => this.#do('POST', `/pupils/${pupil}/hand-down`)
 
   /** Deletes the class with everything; `name` is what was typed. */
