@@ -25,7 +25,7 @@ export const joining: readonly ClassScreen[] = [
     name: 'join-wrong-code',
     async show(child, made) {
       const newcomer = new Pupil(child, made)
-      await newcomer.opens('falsch immer kuchen')
+      await newcomer.opens('falsch immer kuchen garten')
       await newcomer.isRefused()
     },
   },
