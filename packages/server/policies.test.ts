@@ -2,7 +2,7 @@ import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import { afterEach, beforeEach, expect, test } from 'vitest'
-import { baseline, readPolicies } from './policies.ts'
+import { baseline, readPolicies, transportOf } from './policies.ts'
 
 let folder = ''
 beforeEach(() => (folder = mkdtempSync(join(tmpdir(), 'botgarten-policies-'))))
@@ -27,3 +27,12 @@ test('a page without a policy gets the common one', () => {
   writeFileSync(join(folder, 'bare.html'), '<p>bare</p>')
   expect(readPolicies(folder).get('/bare')).toBe(baseline)
 })
+
+test.each([
+  ['https://lab.example.org', 'https', 'max-age=15552000'],
+  ['https://lab.example.org', 'http', null],
+  ['http://lab.example.org', 'https', null],
+  [null, 'https', null],
+])('announced as %s, a request over %s gets Strict-Transport-Security %s', (origin, forwarded, header) =>
+  expect(transportOf(origin, forwarded)).toBe(header),
+)

@@ -7,6 +7,15 @@ const frames = "form-action 'self'; frame-ancestors 'self'"
 /** For answers that are no page of ours. */
 export const baseline = `default-src 'self'; object-src 'none'; base-uri 'none'; ${frames}`
 
+/**
+ * The Strict-Transport-Security header; null if the server is not announced under https behind a proxy. In a school's own network
+ * https can be switched off again, and devices that remembered it would no longer reach the lab.
+ * @param publicOrigin the announced address
+ * @param forwarded `X-Forwarded-Proto` of the request
+ */
+export const transportOf = (publicOrigin: string | null, forwarded: unknown): string | null =>
+  publicOrigin?.startsWith('https:') === true && forwarded === 'https' ? 'max-age=15552000' : null
+
 const addressOf = (file: string) => `/${file.replaceAll('\\', '/').replace(/(^|\/)index\.html$|\.html$/, '')}`
 
 function policyOf(html: string) {

@@ -10,7 +10,7 @@ import { announcedTo } from './announced.ts'
 import { answerHere, type Here } from './here.ts'
 import { startSecure, type SecureServer } from './https/secure-server.ts'
 import { readOperator } from './operator.ts'
-import { baseline, readPolicies } from './policies.ts'
+import { baseline, readPolicies, transportOf } from './policies.ts'
 import type { ClassServer } from './class-server.ts'
 import { inRepository } from './repository.ts'
 
@@ -130,6 +130,7 @@ export async function startServer(options: ServerOptions): Promise<RunningServer
   const build = inRepository('apps', 'web', 'build')
   const [handler, policies] = [await handlerOf(build), readPolicies(join(build, 'prerendered'))]
   const { operator = readOperator(process.env), classServer = null } = options
+  const publicOrigin = classServer?.ports.publicOrigin ?? null
   let secure: SecureServer | null = null
   const here = (): Here => ({
     addresses: reached(),
@@ -139,6 +140,8 @@ export async function startServer(options: ServerOptions): Promise<RunningServer
   })
   const listener = (request: IncomingMessage, response: ServerResponse) => {
     const path = (request.url ?? '/').replace(/[?#].*/, '').replace(/(?<=.)\/$/, '')
+    const transport = transportOf(publicOrigin, request.headers['x-forwarded-proto'])
+    if (transport !== null) response.setHeader('strict-transport-security', transport)
     dress(response, policies.get(path) ?? baseline, ofTeacher.test(path) && isTrusted(request))
     if (classServer?.owns(path)) return void classServer.answer(request, response)
     // Whether there is a class is asked by every page: no is an answer, not an error.

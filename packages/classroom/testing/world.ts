@@ -78,7 +78,8 @@ export class Server {
 
   later(minutes: number) {
     this.now += minutes * 60_000
-    this.ahead += minutes * 60_000
+    // The one of the limits never goes back.
+    this.ahead += Math.max(0, minutes) * 60_000
   }
 
   private elapsed(): number {

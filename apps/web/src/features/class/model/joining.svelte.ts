@@ -19,7 +19,7 @@ export interface Refused {
 
 const known = [
   ...['noOpenClass', 'nickname', 'nicknameTaken', 'wrongPictures'],
-  ...['nicknameLocked', 'deviceLocked', 'tooManyTries', 'classHasAll'],
+  ...['nicknameLocked', 'tooManyTries', 'classHasAll'],
 ]
 
 export function refusedBy(reply: Reply): Refused {
