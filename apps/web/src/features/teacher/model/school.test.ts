@@ -65,6 +65,21 @@ test('a pupil gets another name, new pictures, and is removed', async () => {
   expect(school.refused).toBe('noSuchPupil')
 })
 
+test('nicknames that others have guessed at are opened by one press', async () => {
+  await school.open()
+  const { code } = school.row!
+  const locked = () => school.pupils.map(({ lockedAt }) => lockedAt !== null)
+  for (const nickname of ['Fuchs', 'Otter']) {
+    const { pictures } = await server.pupil(code, nickname)
+    const wrong = { code, nickname, pictures: pictures.toReversed() }
+    for (let count = 0; count < 5; count++) await server.browser().post('/return', wrong)
+  }
+  await school.load()
+  expect(locked()).toEqual([true, true])
+  expect(await school.unlockAll()).toBe(true)
+  expect(locked()).toEqual([false, false])
+})
+
 test('a class is deleted when its name was typed, and only then', async () => {
   expect(await school.deleteAll('5a')).toBe(false)
   expect(school.refused).toBe('otherName')
