@@ -81,14 +81,12 @@ test('a class of thirty: some answer on their devices, results come when the tea
     await child.page.clock.fastForward(2 * minutes)
     const { status, headers, body } = await sending
     expect([status, headers['cookie']]).toEqual([204, undefined])
-    expect(Object.keys(body).toSorted()).toEqual(['code', 'id', 'key', 'values'])
+    expect(Object.keys(body).toSorted()).toEqual(['code', 'id', 'key', 'token', 'values'])
     await child.page.goto('/')
     await expect(child.words('class.askedTitle')).toHaveCount(0)
   }
 
-  const { asker } = await school.pupil('Reh')
-  const { key } = (await asker.ask('GET', '/me/questionnaire')).body as { key: string }
-  for (let n = onDevices.length; n < 30; n += 1) expect(await sends(school, key, 'after', n)).toBe(204)
+  for (let n = onDevices.length; n < 30; n += 1) expect(await sends(school, 'after', n)).toBe(204)
   await expect(card.getByText(teacher.word('form.answers', { count: 30 }))).toBeVisible()
   await card.getByRole('button', { name: teacher.word('form.close'), exact: true }).click()
   await expect(card.getByText(teacher.word('form.class.closing'), { exact: true })).toBeVisible()
@@ -110,6 +108,45 @@ test('a class of thirty: some answer on their devices, results come when the tea
   expect(rows.join()).not.toMatch(/owl|swan|Bo |20\d\d-/)
   for (const { context } of children) await context.close()
   await teacher.page.context().close()
+})
+
+test('a child whose device was exchanged opens the form once more when the teacher allows it', async ({
+  browser,
+  school,
+  contextOptions,
+  house,
+}) => {
+  const options = { ...contextOptions, baseURL: house, locale: 'en-GB' }
+  await opensForm(school, 'after')
+  const joined = await joins(school, 'Luchs')
+  const laptop = async () => {
+    const child = new Child(await (await browser.newContext(options)).newPage(), 'en')
+    await signsIn(child.page, school, joined)
+    await child.page.goto('/')
+    await child.page.getByRole('link', { name: child.word('class.askedGo'), exact: true }).click()
+    return child
+  }
+  const broken = await laptop()
+  await expect(broken.words('form.codeTitle')).toBeVisible()
+  await broken.page.context().close()
+  const other = await laptop()
+  await expect(other.words('form.class.given')).toBeVisible()
+
+  const teacher = new Child(await (await browser.newContext(options)).newPage(), 'en')
+  await teaches(teacher.page, school)
+  // By address: a teacher comes by a bookmark.
+  await teacher.page.goto(`/teacher?class=${school.id}&view=questionnaires`)
+  await teacher.page.getByText(teacher.word('form.class.lost'), { exact: true }).click()
+  const names = teacher.page.getByRole('combobox', { name: teacher.word('form.class.lostWho') })
+  await names.selectOption('Luchs')
+  await teacher.presses('form.class.lostAllow')
+  await expect(teacher.words('form.class.lostAllowed')).toBeVisible()
+
+  await other.presses('form.class.again')
+  await expect(other.words('form.codeTitle')).toBeVisible()
+  await teacher.presses('form.class.lostAllow')
+  await expect(teacher.words('form.class.lostBefore')).toBeVisible()
+  for (const one of [other, teacher]) await one.page.context().close()
 })
 
 test('with the cable pulled a child answers all the same, and its answers come when the cable is back', async ({
@@ -135,7 +172,9 @@ test('with the cable pulled a child answers all the same, and its answers come w
     page.evaluate(() => JSON.parse(localStorage.getItem('botgarten.answers') ?? '[]') as object[])
   const [kept, ...others] = await waiting()
   expect(others).toEqual([])
-  expect(Object.keys(kept!).toSorted()).toEqual(['code', 'id', 'key', 'values'])
+  expect(Object.keys(kept!).toSorted()).toEqual(['code', 'id', 'key', 'token', 'values'])
+  // The device no longer knows which token is whose.
+  expect(await page.evaluate(() => localStorage.getItem('botgarten.answerTokens'))).toBeNull()
   expect(JSON.stringify(kept)).not.toMatch(/Igel|20\d\d-/)
   await context.setOffline(false)
   await page.clock.fastForward(3 * minutes)

@@ -17,7 +17,6 @@ export type {
   RehearsalWish,
   Tombstone,
 } from './ports.ts'
-export { ChosenCodes } from './questionnaires/codes.ts'
 export { dropAnswers } from './database/answers/postgres.ts'
 export { checkInWorker } from './projects/check-in-worker.ts'
 export { saveQueueOn } from './projects/save-queue.ts'

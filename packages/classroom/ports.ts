@@ -4,7 +4,6 @@ import type { Limits } from './limits.ts'
 import type { Hub } from './live/hub.ts'
 import type { LoadedForm } from '@botgarten/content/questionnaires'
 import type { Question } from '@botgarten/content/questions'
-import type { ChosenCodes } from './questionnaires/codes.ts'
 import type { CheckProject } from './projects/checked.ts'
 import type { SaveQueue } from './projects/save-queue.ts'
 import type { Accounts } from './teaching/accounts.ts'
@@ -148,8 +147,6 @@ export interface Ports {
   readonly cards: () => Promise<readonly CardOfClass[]>
   /** The product's questionnaires, and the questions about what Bo does that a form may ask. */
   readonly questionnaires: () => Promise<Questionnaires>
-  /** Codes that children have chosen and not yet sent. */
-  readonly codes: ChosenCodes
   readonly host: Host
 }
 

@@ -47,6 +47,8 @@ const bodies: { readonly [route: string]: unknown } = {
   'PUT /pair/role': { role: 'eye' },
   'POST /classes/:class/questionnaires': { form: 'after' },
   'POST /classes/:class/questionnaires/:form/paper': { bands: ['5-6'], n: 5, counts: {}, open: {} },
+  'POST /me/questionnaire/token': { key: 'a'.repeat(32), blinded: 'b'.repeat(64) },
+  'POST /classes/:class/questionnaires/:form/again': { pupil: 'pupil-1' },
   'POST /answers': { key: 'a'.repeat(32), id: 'b'.repeat(32), code: null, values: {} },
   'POST /answers/code': { key: 'a'.repeat(32), id: 'b'.repeat(32), code: 'owl-200' },
 }

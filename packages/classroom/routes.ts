@@ -6,6 +6,7 @@ import { liveTeacherRoutes } from './live/teacher-routes.ts'
 import { joiningRoutes } from './joining/routes.ts'
 import { answerRoutes } from './questionnaires/answer-routes.ts'
 import { questionnaireRoutes } from './questionnaires/routes.ts'
+import { tokenRoutes } from './questionnaires/token-routes.ts'
 import { projectRoutes } from './projects/routes.ts'
 import type { Method, Route } from './route.ts'
 import { accountRoutes } from './teaching/account-routes.ts'
@@ -32,6 +33,7 @@ export const routes: readonly Route[] = [
   ...resultRoutes,
   ...dataRoutes,
   ...questionnaireRoutes,
+  ...tokenRoutes,
   ...answerRoutes,
   ...rehearsalRoutes,
   ...galleryPupilRoutes,

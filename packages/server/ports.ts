@@ -4,7 +4,6 @@ import { basename } from 'node:path'
 import { Readable } from 'node:stream'
 import {
   accountsOn,
-  ChosenCodes,
   Hub,
   Limits,
   noBus,
@@ -118,7 +117,6 @@ export function portsOn(database: Database, secret: Uint8Array, options: PortOpt
     live: new Hub(options.bus ?? noBus, () => Date.now()),
     cards: cardsInWorker(),
     questionnaires: questionnairesInWorker(),
-    codes: new ChosenCodes(),
     host: hostOf(database, secret, options),
   }
   return { ports, close: checker.close }

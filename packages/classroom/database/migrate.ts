@@ -8,6 +8,7 @@ import { live } from './live.ts'
 import { marks } from './marks.ts'
 import { thrown } from './thrown.ts'
 import { together, togetherSwitch } from './together.ts'
+import { tokens } from './tokens.ts'
 import { wifi } from './wifi.ts'
 
 /** Kysely takes the steps in the order of their names: `step-` comes after the dates of the first ones. */
@@ -21,6 +22,7 @@ export const migrations = ({ kind }: Pick<Database, 'kind'>) => ({
   '2026-12-together-switch': togetherSwitch,
   'step-008-marks': marks,
   'step-009-lessons': lessons,
+  'step-011-tokens': tokens(kind),
 })
 
 const migrator = (database: Database) =>

@@ -215,6 +215,16 @@ export interface Wifi {
   password: string
 }
 
+/** A pupil was given the one token for a form. Nothing leads from here to an answer. */
+interface TokenTable {
+  pupil: string
+  form: string
+  /** Hash of the blinded input; null: the pupil may be given the token for another one. */
+  blinded: string | null
+  /** 1: the teacher has allowed another input. It is allowed once. */
+  again: Generated<number>
+}
+
 interface WifiTable extends Wifi {
   teacher: string
 }
@@ -251,6 +261,7 @@ export interface Tables extends GalleryTables {
   result: ResultTable
   substitute: SubstituteTable
   wifi: WifiTable
+  token: TokenTable
   pair: PairTable
   pairEntry: PairEntryTable
   meta: MetaTable

@@ -1,14 +1,17 @@
 // What children's devices send without a cookie: nothing of it says who they are.
 import type { Answer as Given } from '@botgarten/answers'
 import * as v from 'valibot'
+import { keyedHash } from '../hashes.ts'
 import { cookieIn, deviceCookie, pupilCookie } from '../joining/cookies.ts'
 import type { Ports } from '../ports.ts'
 import { Refusal } from '../refusal.ts'
 import { route, type Call, type Route } from '../route.ts'
 import { hasAnswer, hasCode, takeAnswer } from './answers-store.ts'
-import { askingByKey } from './askings-store.ts'
+import { askingByKey, openAskingOf } from './askings-store.ts'
 import { readSent } from './asked.ts'
 import { chanceOf } from './chance.ts'
+import { reserveCode } from './codes-store.ts'
+import { checkToken, token } from './tokens.ts'
 
 /** More children than any class has. */
 const mostAnswers = 300
@@ -20,8 +23,12 @@ const sent = v.strictObject({
   id: hex,
   code: v.nullable(v.string()),
   values: v.record(v.string(), v.string()),
+  token: v.optional(token),
 })
-const chosen = v.strictObject({ key: hex, id: hex, code: v.pipe(v.string(), v.maxLength(40)) })
+const chosen = v.strictObject({
+  ...{ key: hex, id: hex, code: v.pipe(v.string(), v.maxLength(40)) },
+  token: v.optional(token),
+})
 
 /** No cookie is set, so that none is sent the next time. */
 const done = (body?: unknown) =>
@@ -51,16 +58,18 @@ async function take({ ports, headers, body }: Call<v.InferOutput<typeof sent>>):
   refuseKnown(headers)
   const { database, random, now } = ports
   const row = await asking(database, body.key)
-  const { key: _, ...given } = body
+  const { key: _, token: sent, ...given } = body
   const { id, code, values } = readAs(() => readSent(row, given))
+  checkToken(row, id, sent)
   const isOver = row.state === 'closed' || (row.state === 'closing' && (row.closesAt ?? 0) <= now())
   if (isOver) {
     if (await hasAnswer(database.answers.db, row.key, id)) return done()
     throw new Refusal(409, 'formClosed')
   }
   const answer = { asking: row.key, id, code, chosen: JSON.stringify(values) }
-  if (!(await takeAnswer(database.answers, row, answer, mostAnswers, chanceOf(random))))
-    throw new Refusal(409, 'formFull')
+  const taken = await takeAnswer(database.answers, row, answer, mostAnswers, chanceOf(random))
+  if (taken === 'full') throw new Refusal(409, 'formFull')
+  if (taken === 'other') throw new Refusal(422, 'tokenSpent')
   return done()
 }
 
@@ -68,15 +77,31 @@ async function take({ ports, headers, body }: Call<v.InferOutput<typeof sent>>):
 async function choose({ ports, headers, body }: Call<v.InferOutput<typeof chosen>>): Promise<Response> {
   refuseKnown(headers)
   const { key, id, code } = body
-  const row = await asking(ports.database, key)
+  const { database, secret, random } = ports
+  const row = await asking(database, key)
   readAs(() => readSent(row, { id, code, values: {} }))
-  const isTaken =
-    (await hasCode(ports.database.answers.db, key, code, id)) ||
-    !ports.codes.choose(key, id, code, ports.now())
-  return done({ taken: isTaken })
+  checkToken(row, id, body.token)
+  if (await hasCode(database.answers.db, key, code, id)) return done({ taken: true })
+  if (row.state !== 'open') return done({ taken: false })
+  const owner = keyedHash(secret, 'answer of', key, id)
+  const wanted = { code: keyedHash(secret, 'code of', key, code), owner }
+  const isReserved = await reserveCode(database.answers, row, wanted, chanceOf(random))
+  return done({ taken: !isReserved })
+}
+
+/**
+ * The key of the form that is open for a class, without a cookie. A page refuses a token that was made with another key, so that
+ * no child can be marked by a key of its own.
+ */
+async function publicKey({ ports, headers, query }: Call<undefined>): Promise<Response> {
+  refuseKnown(headers)
+  const row = await openAskingOf(ports.database.answers.db, query.get('class') ?? '')
+  if (!row) throw new Refusal(404, 'noSuchForm')
+  return done({ key: row.key, publicKey: row.publicKey })
 }
 
 export const answerRoutes: readonly Route[] = [
+  route('GET', '/answers/key', ['anyone'], publicKey),
   route('POST', '/answers', ['anyone'], take, sent, mostBytes),
   route('POST', '/answers/code', ['anyone'], choose, chosen),
 ]

@@ -2,6 +2,8 @@ import { nothingReleased, released, shuffled, type Chance, type Release } from '
 import type { AnswersDatabase, AnswersDb } from '../database/answers/database.ts'
 import type { AnswerRow, AskingRow } from '../database/answers/tables.ts'
 import { answerIn, inTime } from './asked.ts'
+import { locked } from './askings-store.ts'
+import { forgetCodes } from './codes-store.ts'
 import { papersOf } from './paper-store.ts'
 
 const rowsOf = (db: AnswersDb, asking: string): Promise<AnswerRow[]> =>
@@ -13,35 +15,33 @@ async function rewrite(db: AnswersDb, asking: string, rows: readonly AnswerRow[]
   for (const row of shuffled(rows, chance)) await db.insertInto('answer').values(row).execute()
 }
 
-/** Nobody else changes the answers of a class until the transaction ends. */
-function locked({ locks }: AnswersDatabase, db: AnswersDb, classId: string): Promise<AskingRow[]> {
-  const query = db.selectFrom('asking').selectAll().where('class', '=', classId)
-  return (locks ? query.forUpdate() : query).execute()
-}
-
 async function isIn(db: AnswersDb, askings: readonly string[], id: string): Promise<boolean> {
   if (askings.length === 0) return false
   const query = db.selectFrom('answer').select('id').where('asking', 'in', askings).where('id', '=', id)
   return (await query.executeTakeFirst()) !== undefined
 }
 
-/** Takes an answer in among the others. One that is there already stays as it is. @returns false where there is no room */
+/** `same`: it came before · `other`: its id has another answer already · `full`: there is no room. */
+type Taken = 'new' | 'same' | 'other' | 'full'
+
+/** Takes an answer in among the others. One that is there already stays as it is. */
 export function takeAnswer(
   answers: AnswersDatabase,
   { class: classId }: AskingRow,
   answer: AnswerRow,
   most: number,
   chance: Chance,
-): Promise<boolean> {
+): Promise<Taken> {
   return answers.db.transaction().execute(async (inside) => {
     const askings = await locked(answers, inside, classId)
     const rows = await rowsOf(inside, answer.asking)
-    if (rows.some(({ id }) => id === answer.id)) return true
+    const before = rows.find(({ id }) => id === answer.id)
+    if (before) return before.code === answer.code && before.chosen === answer.chosen ? 'same' : 'other'
     // What is published is known by ids: one that was drawn again would be counted with another form.
     const others = askings.map(({ key }) => key).filter((key) => key !== answer.asking)
-    if (rows.length >= most || (await isIn(inside, others, answer.id))) return false
+    if (rows.length >= most || (await isIn(inside, others, answer.id))) return 'full'
     await rewrite(inside, answer.asking, [...rows, answer], chance)
-    return true
+    return 'new'
   })
 }
 
@@ -110,6 +110,7 @@ export async function settle(
     if (due.length === 0) return false
     for (const { key } of due) {
       await rewrite(inside, key, await rowsOf(inside, key), chance)
+      await forgetCodes(inside, key)
       await inside
         .updateTable('asking')
         .set({ state: 'closed', closesAt: null })
@@ -136,4 +137,5 @@ export async function keepPublished(db: AnswersDb): Promise<void> {
   for (const { asking, id } of await db.selectFrom('answer').select(['asking', 'id']).execute())
     if (!there.has(id))
       await db.deleteFrom('answer').where('asking', '=', asking).where('id', '=', id).execute()
+  await db.deleteFrom('code').execute()
 }

@@ -1,4 +1,5 @@
-import type { AnswersDb } from '../database/answers/database.ts'
+import type { FormKey } from '@botgarten/answers/tokens'
+import type { AnswersDatabase, AnswersDb } from '../database/answers/database.ts'
 import type { AskingRow } from '../database/answers/tables.ts'
 
 /** All that a class was asked. */
@@ -22,6 +23,19 @@ export const askingOf = (db: AnswersDb, classId: string, form: string): Promise<
 
 export async function addAsking(db: AnswersDb, row: AskingRow): Promise<void> {
   await db.insertInto('asking').values(row).execute()
+}
+
+/** Opens a form again. One that took answers without tokens until it was closed needs them from now on. */
+export async function openAgain(db: AnswersDb, { key, state, secretKey }: AskingRow, made: FormKey) {
+  if (state === 'closed' && secretKey === null)
+    await db.updateTable('asking').set(made).where('key', '=', key).execute()
+  await setState(db, key, 'open')
+}
+
+/** The forms of a class, whose answers are changed by no other transaction until this one ends. */
+export function locked({ locks }: AnswersDatabase, db: AnswersDb, classId: string): Promise<AskingRow[]> {
+  const query = db.selectFrom('asking').selectAll().where('class', '=', classId)
+  return (locks ? query.forUpdate() : query).execute()
 }
 
 /** @param closesAt while it closes, ms since 1970 */

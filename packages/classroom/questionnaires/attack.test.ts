@@ -10,10 +10,12 @@ import type { Database } from '../database/database.ts'
 import { migrate } from '../database/migrate.ts'
 import { openPostgres } from '../database/postgres.ts'
 import { openSqlite } from '../database/sqlite.ts'
+import { keyedHash } from '../hashes.ts'
 import { openedBackup } from '../testing/backups.ts'
 import type { Browser } from '../testing/browser.ts'
 import { noPostgres, startPostgres, type Postgres } from '../testing/postgres.ts'
 import { quickAccounts, Server } from '../testing/world.ts'
+import { permitOf } from './testing/devices.ts'
 import { agreement, endLesson, playLesson, type Lesson } from './testing/lesson.ts'
 
 const rounds = 5
@@ -50,6 +52,9 @@ const nothingIsKnown = (agreements: readonly number[], of: string) => {
   expect(Math.abs(mean(agreements)), of).toBeLessThan(0.27)
 }
 
+/** Rows of codes are found by these. */
+const ownersOf = ({ ports }: Server, { pupils, key }: Lesson) =>
+  pupils.map(({ answer }) => keyedHash(ports.secret, 'answer of', key, answer))
 const answersOf = ({ pupils }: Lesson) => pupils.map(({ answer }) => answer)
 
 test('in the order of arrival an attacker would find out much, although answers come up to two minutes late', async () => {
@@ -84,6 +89,7 @@ describe('files of SQLite', () => {
   test('no place and no order says whose an answer is, neither while it is open nor once it is closed', async () => {
     const found: Record<string, number[]> = {
       'file, open': [],
+      'codes, open': [],
       'file, closed': [],
       backup: [],
       'rows, closed': [],
@@ -93,6 +99,8 @@ describe('files of SQLite', () => {
       const ids = answersOf(lesson)
       const look = (name: string, order: readonly string[]) => found[name]!.push(agreement(ids, order))
       look('file, open', orderIn(bytesOf('answers.db'), ids))
+      const owners = ownersOf(server, lesson)
+      found['codes, open']!.push(agreement(owners, orderIn(bytesOf('answers.db'), owners)))
       await endLesson(server, teacher, lesson, form)
       look('file, closed', orderIn(bytesOf('answers.db'), ids))
       const rows = await database.answers.db
@@ -140,36 +148,44 @@ describe('files of SQLite', () => {
     const lesson = await playLesson(server, teacher, form, { pupils: 6, chance: chanceOf(3) })
     await endLesson(server, teacher, lesson, form)
     const file = new SqliteFile(join(folder, 'answers.db'), { readonly: true })
-    expect(() => file.prepare('select rowid from answer').all()).toThrow('no such column: rowid')
+    for (const table of ['answer', 'code'])
+      expect(() => file.prepare(`select rowid from ${table}`).all()).toThrow('no such column: rowid')
     const rows = ['asking', 'answer', 'published'].flatMap((table) =>
       file.prepare(`select * from ${table}`).all(),
     )
     file.close()
     expect(JSON.stringify(rows)).not.toMatch(/\d\d:\d\d|17\d{11}/)
     expect(JSON.stringify(rows).match(/2026-\d\d-\d\d/g)).toEqual(['2026-11-24'])
+    const lab = new SqliteFile(join(folder, 'botgarten.db'), { readonly: true })
+    expect(() => lab.prepare('select rowid from token').all()).toThrow('no such column: rowid')
+    const columns = lab.prepare('select * from token').columns()
+    lab.close()
+    expect(columns.map(({ name }) => name)).toEqual(['pupil', 'form', 'blinded', 'again'])
   })
 
   test('two backups never differ by fewer than five people', async () => {
     const lesson = await playLesson(server, teacher, form, { pupils: 7, chance: chanceOf(3) })
     const at = `/classes/${lesson.class}/questionnaires`
-    const copied = async () => orderIn(await copiedAnswers(), [...answersOf(lesson), 'e'.repeat(32)]).length
-    expect(await copied()).toBe(0)
+    const copied = async (...more: readonly string[]) =>
+      orderIn(await copiedAnswers(), [...answersOf(lesson), ...more]).length
+    expect(await copied(...ownersOf(server, lesson))).toBe(0)
     await endLesson(server, teacher, lesson, form)
     expect(await copied()).toBe(7)
     await teacher.post(at, { form })
-    await server.browser().post('/answers', { key: lesson.key, id: 'e'.repeat(32), code: null, values: {} })
-    expect(await copied()).toBe(7)
+    const late = await permitOf((await server.pupil(lesson.code, 'Nachzügler')).browser)
+    await server.browser().post('/answers', { ...late, code: null, values: {} })
+    expect(await copied(late.id)).toBe(7)
     await endLesson(server, teacher, lesson, form)
-    expect(await copied()).toBe(7)
+    expect(await copied(late.id)).toBe(7)
   })
 
   test('the log holds no form, no id and no code, and does not tell two answers apart', async () => {
     const lesson = await playLesson(server, teacher, form, { pupils: 6, chance: chanceOf(3) })
     const lines = server.logged.filter(({ route }) => route.startsWith('/answers'))
-    expect(new Set(lines.map((line) => JSON.stringify(line)))).toEqual(
-      new Set(['{"method":"POST","route":"/answers","status":204}']),
-    )
-    expect(lines).toHaveLength(6)
+    expect(lines.map((line) => JSON.stringify(line)).toSorted()).toEqual([
+      ...Array<string>(6).fill('{"method":"POST","route":"/answers","status":204}'),
+      ...Array<string>(6).fill('{"method":"POST","route":"/answers/code","status":200}'),
+    ])
     for (const trace of [...answersOf(lesson), lesson.key, 'owl'])
       expect(JSON.stringify(server.logged)).not.toContain(trace)
   })

@@ -5,7 +5,8 @@ import { onBothDatabases } from '../testing/databases.ts'
 import type { Browser } from '../testing/browser.ts'
 import { quickAccounts, Server } from '../testing/world.ts'
 import { everyNight } from '../teaching/every-night.ts'
-import { answerOf, idOf } from './testing/children.ts'
+import { answerOf } from './testing/children.ts'
+import { askedOn, permitOf, type Permit } from './testing/devices.ts'
 
 interface Shown {
   readonly askings: readonly {
@@ -45,9 +46,22 @@ onBothDatabases((fresh) => {
   async function school() {
     const { id, code } = await server.openClass(teacher)
     const { browser: child } = await server.pupil(code, 'Fuchs')
+    const devices = new Map<number, Promise<Browser>>()
+    const deviceOf = (n: number) => {
+      const found = devices.get(n) ?? server.pupil(code, `Kind ${n}`).then(({ browser }) => browser)
+      devices.set(n, found)
+      return found
+    }
+    const permits = new Map<string, Promise<Permit>>()
     const at = `/classes/${id}/questionnaires`
     return {
       ...{ id, code, child, at },
+      /** Key, id and token of the answer of the n-th child to the form that is open. */
+      permit: (n: number, form = 'after') => {
+        const found = permits.get(`${form} ${n}`) ?? deviceOf(n).then((device) => permitOf(device))
+        permits.set(`${form} ${n}`, found)
+        return found
+      },
       open: (form = 'after') => teacher.post(at, { form }),
       /** Closes it and waits until what is on its way has had its time. */
       close: async (form = 'after') => {
@@ -55,7 +69,7 @@ onBothDatabases((fresh) => {
         server.later(2)
         return answer
       },
-      key: async () => ((await child.get('/me/questionnaire')).body as { key: string }).key,
+      key: async () => (await askedOn(child)).key,
       list: async () => ((await teacher.get(at)).body as Shown).askings,
       results: async () => (await teacher.get(`${at}/results`)).body as Results,
     }
@@ -63,21 +77,21 @@ onBothDatabases((fresh) => {
   type School = Awaited<ReturnType<typeof school>>
 
   /** So many children answer what is open, each from a device that sends no cookie. */
-  async function answer({ key }: School, form: string, children: readonly number[]) {
-    const of = await key()
-    for (const child of children) {
-      const { status } = await server.browser().post('/answers', { key: of, ...answerOf(form, child) })
-      expect(status).toBe(204)
-    }
+  async function answer(one: School, form: string, children: readonly number[]) {
+    for (const child of children) expect((await send(one, form, child)).status).toBe(204)
   }
+  const send = async (one: School, form: string, child: number, more: object = {}) =>
+    server
+      .browser()
+      .post('/answers', { ...(await one.permit(child, form)), ...answerOf(form, child), ...more })
   const first = (count: number, from = 0) => Array.from({ length: count }, (_, at) => from + at)
 
   test('a pupil is asked what the teacher opens, and no more once it is closed', async () => {
     const one = await school()
     expect((await one.child.get('/me')).body).toMatchObject({ asking: null })
-    expect((await one.child.get('/me/questionnaire')).status).toBe(404)
+    expect((await one.child.get('/me/questionnaire?tokens')).status).toBe(404)
     await one.open()
-    const { body } = await one.child.get('/me/questionnaire')
+    const { body } = await one.child.get('/me/questionnaire?tokens')
     expect(body).toMatchObject({ grade: 5, form: { id: 'after' } })
     expect((await one.child.get('/me')).body).toMatchObject({ asking: (body as { key: string }).key })
     expect((await one.open('before')).body).toEqual({ error: 'otherFormOpen' })
@@ -108,10 +122,10 @@ onBothDatabases((fresh) => {
     await answer(one, 'after', first(6))
     expect((await one.results()).forms).toEqual([])
     expect((await teacher.get(`${one.at}/after/rows`)).body).toEqual({ error: 'formOpen' })
-    const key = await one.key()
+    await one.permit(6)
     await teacher.post(`${one.at}/after/close`)
     // What was on its way is taken for a minute.
-    expect((await server.browser().post('/answers', { key, ...answerOf('after', 6) })).status).toBe(204)
+    expect((await send(one, 'after', 6)).status).toBe(204)
     expect(await one.list()).toMatchObject([{ state: 'closing', seconds: 60 }])
     expect((await one.results()).forms).toEqual([])
     server.later(2)
@@ -127,12 +141,12 @@ onBothDatabases((fresh) => {
   test('a closed form takes no answer, and one that it has is acknowledged again', async () => {
     const one = await school()
     await one.open()
-    const key = await one.key()
     await answer(one, 'after', first(5))
+    await one.permit(9)
     await one.close()
-    const late = await server.browser().post('/answers', { key, ...answerOf('after', 9) })
+    const late = await send(one, 'after', 9)
     expect(late).toMatchObject({ status: 409, body: { error: 'formClosed' } })
-    expect((await server.browser().post('/answers', { key, ...answerOf('after', 3) })).status).toBe(204)
+    expect((await send(one, 'after', 3)).status).toBe(204)
   })
 
   test('opened again, results change once five more have come', async () => {
@@ -185,41 +199,32 @@ onBothDatabases((fresh) => {
   test('the second child with a code hears that it is taken; a device may ask for its own again', async () => {
     const one = await school()
     await one.open('before')
-    const key = await one.key()
     const choose = async (child: number, code: string) =>
-      (await server.browser().post('/answers/code', { key, id: idOf(child), code })).body
+      (await server.browser().post('/answers/code', { ...(await one.permit(child, 'before')), code })).body
     expect(await choose(1, 'owl-200')).toEqual({ taken: false })
     expect(await choose(2, 'owl-200')).toEqual({ taken: true })
     expect(await choose(1, 'owl-200')).toEqual({ taken: false })
     expect(await choose(1, 'owl-201')).toEqual({ taken: false })
     expect(await choose(2, 'owl-200')).toEqual({ taken: false })
-    await server.browser().post('/answers', { key, id: idOf(2), code: 'owl-200', values: {} })
+    await send(one, 'before', 2, { code: 'owl-200' })
     expect(await choose(3, 'owl-200')).toEqual({ taken: true })
-    expect((await server.browser().post('/answers/code', { key, id: idOf(4), code: 'emu-200' })).status).toBe(
-      400,
-    )
+    expect(await choose(4, 'emu-200')).toEqual({ error: 'notUnderstood' })
   })
 
   test('"I forgot it" is an answer', async () => {
     const one = await school()
     await one.open()
-    const key = await one.key()
-    const sent = { ...answerOf('after', 1), code: null }
-    expect((await server.browser().post('/answers', { key, ...sent })).status).toBe(204)
+    expect((await send(one, 'after', 1, { code: null })).status).toBe(204)
   })
 
   test('what is no answer is refused, and what the form does not ask is not kept', async () => {
     const one = await school()
     await one.open()
-    const key = await one.key()
-    const send = (more: object) =>
-      server.browser().post('/answers', { key, ...answerOf('after', 1), ...more })
     for (const more of [{ id: 'x' }, { code: 'owl' }, { day: '2026-11-26' }, { values: { 'go-on': 7 } }])
-      expect((await send(more)).status).toBe(400)
-    expect((await send({ key: 'f'.repeat(32) })).body).toEqual({ error: 'noSuchForm' })
-    expect(
-      (await send({ values: { nickname: 'Fuchs', 'go-on': 'never', 'take-along': 'viel' } })).status,
-    ).toBe(204)
+      expect((await send(one, 'after', 1, more)).status).toBe(400)
+    expect((await send(one, 'after', 1, { key: 'f'.repeat(32) })).body).toEqual({ error: 'noSuchForm' })
+    const values = { nickname: 'Fuchs', 'go-on': 'never', 'take-along': 'viel' }
+    expect((await send(one, 'after', 1, { values })).status).toBe(204)
     const rows = await server.ports.database.answers.db.selectFrom('answer').select('chosen').execute()
     expect(rows.map(({ chosen }) => chosen)).toContain('{"take-along":"viel"}')
     expect(JSON.stringify(rows)).not.toMatch(/nickname|never/)
@@ -228,11 +233,12 @@ onBothDatabases((fresh) => {
   test('an answer comes without a cookie, and none is set', async () => {
     const one = await school()
     await one.open()
-    const key = await one.key()
-    const known = await one.child.post('/answers', { key, ...answerOf('after', 1) })
-    expect(known).toMatchObject({ status: 400, body: { error: 'withCookie' } })
-    const stranger = server.browser()
-    const { headers } = await stranger.post('/answers', { key, ...answerOf('after', 1) })
+    const sent = { ...(await one.permit(1)), ...answerOf('after', 1) }
+    expect(await one.child.post('/answers', sent)).toMatchObject({
+      status: 400,
+      body: { error: 'withCookie' },
+    })
+    const { headers } = await server.browser().post('/answers', sent)
     expect(headers.getSetCookie()).toEqual([])
   })
 
@@ -249,8 +255,7 @@ onBothDatabases((fresh) => {
     test('is asked as it is, in these words alone', async () => {
       const one = await school()
       expect((await teacher.post(one.at, { own: own('Unser Tag') })).status).toBe(204)
-      await answer(one, 'after', first(5))
-      expect((await one.child.get('/me/questionnaire')).body).toMatchObject({
+      expect((await one.child.get('/me/questionnaire?tokens')).body).toMatchObject({
         text: { en: { title: 'Unser Tag' } },
       })
       await one.close('after-2')

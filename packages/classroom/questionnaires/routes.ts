@@ -1,4 +1,5 @@
 import { columnsOf, growthOf, mixed, readPaper, rowsOf, shuffled, talliesOf } from '@botgarten/answers'
+import { newFormKey } from '@botgarten/answers/tokens'
 import { readFormFile, type LoadedForm } from '@botgarten/content/questionnaires'
 import * as v from 'valibot'
 import type { AskingRow } from '../database/answers/tables.ts'
@@ -7,7 +8,7 @@ import { Refusal } from '../refusal.ts'
 import { route, type Answer, type Call, type Route } from '../route.ts'
 import { answersTo, countsOf, settle } from './answers-store.ts'
 import { askedIn, gradeIn, inTime, type Asked } from './asked.ts'
-import { addAsking, askingOf, askingsOf, openAskingOf, setState } from './askings-store.ts'
+import { addAsking, askingOf, askingsOf, openAgain, openAskingOf, setState } from './askings-store.ts'
 import { chanceOf } from './chance.ts'
 import { addPaper, papersOf, removePaper } from './paper-store.ts'
 
@@ -93,12 +94,13 @@ async function open({ ports, who, body }: Call<Wanted>): Promise<Answer> {
   const document = JSON.stringify(asked)
   // What was asked in other words before would be counted together with it.
   if (before && 'own' in body && before.document !== document) throw new Refusal(409, 'formChanged')
-  if (before) await setState(db, before.key, 'open')
+  const made = newFormKey(ports.random)
+  if (before) await openAgain(db, before, made)
   else {
     const key = Buffer.from(ports.random(16)).toString('hex')
     const day = ports.day(0)
     const row = { key, class: id, form: asked.form.id, document, grade: gradeIn(grade), day }
-    await addAsking(db, { ...row, state: 'open', closesAt: null })
+    await addAsking(db, { ...row, ...made, state: 'open', closesAt: null })
   }
   ports.live.changed(id)
   return {}
@@ -178,16 +180,7 @@ async function takeOut(call: Call<undefined>): Promise<Answer> {
   return {}
 }
 
-/** The form that a pupil's class is asked now. */
-async function mine({ ports, who }: Call<undefined>): Promise<Answer> {
-  const asking = await openAskingOf(ports.database.answers.db, who.pupil!.class)
-  if (!asking) throw new Refusal(404, 'noSuchForm')
-  const { form, text } = askedIn(asking)
-  return { body: { key: asking.key, grade: asking.grade, form, text } }
-}
-
 export const questionnaireRoutes: readonly Route[] = [
-  route('GET', '/me/questionnaire', ['pupil'], mine),
   route('GET', '/classes/:class/questionnaires', ['owner'], list),
   route('POST', '/classes/:class/questionnaires', ['owner'], open, wanted, mostBytes),
   route('GET', '/classes/:class/questionnaires/results', ['owner'], results),

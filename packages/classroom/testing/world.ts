@@ -6,7 +6,6 @@ import { checkProject } from '../projects/checked.ts'
 import { noBus } from '../live/bus.ts'
 import { Limits } from '../limits.ts'
 import { Hub } from '../live/hub.ts'
-import { ChosenCodes } from '../questionnaires/codes.ts'
 import { saveQueueOn } from '../projects/save-queue.ts'
 import { hashOf } from '../hashes.ts'
 import { accountsOn, type Hashing } from '../teaching/accounts.ts'
@@ -57,7 +56,6 @@ export class Server {
       cards: () =>
         Promise.resolve([{ id: 'friendship', starts: 3, title: { en: 'Friendship', de: 'Freundschaft' } }]),
       questionnaires: () => Promise.resolve({ forms: content.forms, questions: content.questions }),
-      codes: new ChosenCodes(),
       host: {
         ...{ memory: () => 1, freeSpace: () => 1, addresses: () => ['http://lab.test'] },
         ...{ otherDevice: () => null, wifi: null, version: '0.1.0' },

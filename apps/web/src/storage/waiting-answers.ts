@@ -12,6 +12,8 @@ const waiting = v.strictObject({
   /** A bird and a number; null: none, or forgotten. */
   code: v.nullable(v.string()),
   values: v.record(v.string(), v.string()),
+  /** Allows this answer, and does not lead to the pupil; missing for a form that was opened before there were tokens. */
+  token: v.optional(v.strictObject({ input: v.string(), output: v.string() })),
 })
 /** What a child has answered, as it is sent. */
 export type WaitingAnswer = v.InferOutput<typeof waiting>

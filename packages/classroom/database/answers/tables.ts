@@ -16,6 +16,18 @@ interface AskingTable {
   state: 'open' | 'closing' | 'closed'
   /** When what is on its way has had its time, ms since 1970; only while closing. */
   closesAt: number | null
+  /** Make and check tokens, hexadecimal. Null: it was opened before there were tokens, and takes answers without. */
+  secretKey: string | null
+  publicKey: string | null
+}
+
+/** A code that was chosen in a form that is open. Keyed hashes alone, no time and no order. */
+interface CodeTable {
+  asking: string
+  /** Of the code. */
+  code: string
+  /** Of the id of the answer that has it. */
+  owner: string
 }
 
 /** What one child answered. Nothing says who, and nothing says when. */
@@ -46,6 +58,7 @@ interface PublishedTable {
 export interface AnswerTables {
   asking: AskingTable
   answer: AnswerTable
+  code: CodeTable
   paper: PaperTable
   published: PublishedTable
 }

@@ -1,12 +1,16 @@
 import type { Chance } from '@botgarten/answers'
+import { blindInput } from '@botgarten/answers/tokens'
 import type { Browser } from '../../testing/browser.ts'
 import { projectText } from '../../testing/projects.ts'
 import type { Server } from '../../testing/world.ts'
 import { answerOf } from './children.ts'
+import { permitOf, type Permit } from './devices.ts'
 
 /** What is known of a lesson afterwards. */
 export interface Lesson {
   readonly class: string
+  /** With which it can be joined. */
+  readonly code: string
   /** Of every pupil, in the order in which they saved last before their answers. */
   readonly pupils: readonly { readonly id: string; readonly nickname: string; readonly answer: string }[]
   /** Ids of the answers in the order in which they came. */
@@ -17,7 +21,7 @@ export interface Lesson {
 const seconds = 1000
 
 /**
- * A class of which every pupil saves, answers, and saves again; answers are sent up to two minutes later by chance.
+ * A class of which every pupil saves, opens the form, and saves again; answers are sent up to two minutes later by chance.
  * @param chance the same in every run
  */
 export async function playLesson(
@@ -32,37 +36,51 @@ export async function playLesson(
   for (let child = 0; child < count; child++) {
     const nickname = `Kind ${child}`
     const joined = await server.pupil(code, nickname)
-    const digits = Array.from({ length: 32 }, () => Math.floor(chance() * 16).toString(16)).join('')
     const saves = child * 25 * seconds
     pupils.push({
       ...joined,
       nickname,
-      answer: digits,
       saves,
       sends: saves + Math.floor(chance() * 120 * seconds),
     })
   }
-  const { body } = await pupils[0]!.browser.get('/me/questionnaire')
-  const { key } = body as { key: string }
+  const random = (bytes: number) => Uint8Array.from({ length: bytes }, () => Math.floor(chance() * 256))
+  const permits = new Map<string, Permit>()
+  const opens = async (pupil: string, browser: Browser) =>
+    void permits.set(pupil, await permitOf(browser, blindInput(random)))
   const begun = server.now
   const events = pupils.flatMap((pupil, child) => [
-    { at: pupil.saves, act: () => save(pupil.browser, 0) },
+    {
+      at: pupil.saves,
+      act: () =>
+        save(pupil.browser, 0)
+          .then(() => opens(pupil.id, pupil.browser))
+          .then(() => choose(server, permits.get(pupil.id)!, form, child)),
+    },
     { at: pupil.saves + 20 * seconds, act: () => save(pupil.browser, 1) },
-    { at: pupil.sends, act: () => send(server, key, pupil.answer, form, child) },
+    { at: pupil.sends, act: () => send(server, permits.get(pupil.id)!, form, child) },
   ])
   for (const { at, act } of events.toSorted((a, b) => a.at - b.at)) {
     server.now = begun + at
     await act()
   }
-  const came = pupils.toSorted((a, b) => a.sends - b.sends).map(({ answer }) => answer)
-  return { class: id, pupils, came, key }
+  const answered = pupils.map((pupil) => ({ ...pupil, answer: permits.get(pupil.id)!.id }))
+  const came = answered.toSorted((a, b) => a.sends - b.sends).map(({ answer }) => answer)
+  return { class: id, code, pupils: answered, came, key: permits.get(pupils[0]!.id)!.key }
 }
 
 const save = (browser: Browser, base: number) =>
   browser.put(`/projects/project-1?base=${base}&save=save-000${base}`, projectText('Garten'))
 
-async function send(server: Server, key: string, id: string, form: string, child: number) {
-  const { status } = await server.browser().post('/answers', { key, ...answerOf(form, child), id })
+/** A device chooses its code as soon as the form is open. */
+async function choose(server: Server, permit: Permit, form: string, child: number) {
+  const { code } = answerOf(form, child)
+  const { status } = await server.browser().post('/answers/code', { ...permit, code })
+  if (status !== 200) throw new Error(`The code was refused: ${status}`)
+}
+
+async function send(server: Server, permit: Permit, form: string, child: number) {
+  const { status } = await server.browser().post('/answers', { ...permit, ...answerOf(form, child) })
   if (status !== 204) throw new Error(`The answer was refused: ${status}`)
 }
 

@@ -37,4 +37,7 @@ export const results = v.object({
 })
 export type ClassResults = v.InferOutput<typeof results>
 
+/** Of a class. */
+export const pupils = v.object({ pupils: v.array(v.object({ id: v.string(), nickname: v.string() })) })
+
 export const rows = v.object({ rows: v.array(v.array(v.union([v.string(), v.number()]))) })

@@ -2,7 +2,7 @@ import type { PaperCounts, Tally } from '@botgarten/answers'
 import { writeFormFile, type LoadedForm } from '@botgarten/content/questionnaires'
 import * as v from 'valibot'
 import { formIn } from './class-question.ts'
-import { askings, results, rows, type ClassResults } from './class-answers.ts'
+import { askings, pupils, results, rows, type ClassResults } from './class-answers.ts'
 import { isKnown, isOurs } from './forms.ts'
 import type { JoinedGrowth, Rows, Source } from './source.ts'
 
@@ -92,6 +92,25 @@ export class ClassSheets implements Source {
 
   async addPaper({ form, ...counts }: PaperCounts): Promise<void> {
     await this.#do(() => this.#ask('POST', `/questionnaires/${form}/paper`, counts))
+  }
+
+  /** Pupils of the class; none if the class cannot be reached. */
+  async pupils(): Promise<readonly { readonly id: string; readonly nickname: string }[]> {
+    try {
+      return v.parse(pupils, await this.#ask('GET', '/pupils')).pupils
+    } catch {
+      return []
+    }
+  }
+
+  /** Allows a pupil a second token for an open form. `before`: it was allowed already. */
+  async allowAgain(form: string, pupil: string): Promise<'allowed' | 'before' | 'failed'> {
+    try {
+      await this.#ask('POST', `/questionnaires/${form}/again`, { pupil })
+      return 'allowed'
+    } catch (error) {
+      return codeOf(error) === 'onceAgainOnly' ? 'before' : 'failed'
+    }
   }
 
   async removePaper(form: string): Promise<void> {

@@ -1,21 +1,23 @@
 import content from 'content:questionnaires'
 import { migrate, openSqlite } from '@botgarten/classroom'
 import { quickAccounts, Server } from '@botgarten/classroom/testing'
+import { permitOf } from '@botgarten/classroom/testing/devices'
 import { beforeEach, expect, test } from 'vitest'
 import { ClassSheets } from './class-sheets.svelte.ts'
 import { tablesOf } from './tables.ts'
 
 let server: Server
 let sheets: ClassSheets
-let child: Awaited<ReturnType<Server['pupil']>>
+let code: string
 
 beforeEach(async () => {
   const database = openSqlite(':memory:')
   await migrate(database)
   server = new Server(database, quickAccounts(database))
   const teacher = await server.firstTeacher()
-  const { id, code } = await server.openClass(teacher)
-  child = await server.pupil(code, 'Fuchs')
+  const opened = await server.openClass(teacher)
+  const { id } = opened
+  code = opened.code
   sheets = new ClassSheets(async (method, path, body) => {
     const answer = await teacher.ask(method, `/classes/${id}${path}`, body)
     if (answer.status < 400) return answer.body
@@ -27,11 +29,10 @@ const after = content.forms.find(({ form }) => form.id === 'after')!
 const before = content.forms.find(({ form }) => form.id === 'before')!
 
 async function answer(count: number) {
-  const { key } = (await child.browser.get('/me/questionnaire')).body as { key: string }
   for (let n = 0; n < count; n++) {
     const values = { 'interest-supervised': '4', 'take-along': `Bo ${n}` }
-    const id = n.toString(16).padStart(32, '0')
-    await server.browser().post('/answers', { key, id, code: null, values })
+    const { browser } = await server.pupil(code, `Kind ${n}`)
+    await server.browser().post('/answers', { ...(await permitOf(browser)), code: null, values })
   }
 }
 
