@@ -178,11 +178,32 @@ onBothDatabases((fresh) => {
     expect((await add({ bands: ['13'] })).status).toBe(400)
     expect((await add({})).status).toBe(204)
     expect(await one.list()).toMatchObject([{ came: 6, paper: 5 }])
+    // 7 pupils: Fuchs and the six who have answered.
+    expect(await add({})).toMatchObject({ status: 409, body: { error: 'tooManySheets' } })
     const shown = async () =>
       (await one.results()).forms[0]!.tallies.map((tally) => [tally.n, tally.counts['go-on']])
     expect(await shown()).toEqual([[11, [7, 2, 2]]])
     await teacher.delete(`${one.at}/after/paper`)
     expect(await shown()).toEqual([[6, [2, 2, 2]]])
+  })
+
+  test('sheets of paper are at most one a pupil, also if they are typed in twice at the same moment', async () => {
+    const one = await school()
+    await one.open()
+    for (const n of first(11)) await one.permit(n)
+    const add = () =>
+      teacher.post(`${one.at}/after/paper`, {
+        bands: ['5-6'],
+        n: 6,
+        counts: { 'go-on': [6, 0, 0] },
+        open: {},
+      })
+    const answers = await Promise.all([add(), add(), add()])
+    // 12 pupils: two of the three times six sheets.
+    expect(answers.map(({ status }) => status).toSorted()).toEqual([204, 204, 409])
+    expect(await one.list()).toMatchObject([{ paper: 12 }])
+    await teacher.delete(`${one.at}/after/paper`)
+    expect((await add()).status).toBe(204)
   })
 
   test('before and after are joined by codes, from five on', async () => {

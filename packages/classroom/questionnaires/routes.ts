@@ -3,6 +3,7 @@ import { newFormKey } from '@botgarten/answers/tokens'
 import { readFormFile, type LoadedForm } from '@botgarten/content/questionnaires'
 import * as v from 'valibot'
 import type { AskingRow } from '../database/answers/tables.ts'
+import { countPupils } from '../joining/pupils-store.ts'
 import type { Ports } from '../ports.ts'
 import { Refusal } from '../refusal.ts'
 import { route, type Answer, type Call, type Route } from '../route.ts'
@@ -157,12 +158,15 @@ async function rows(call: Call<undefined>): Promise<Answer> {
   return { body: { rows: rowsOf(form, columns, tallies, published, chance) } }
 }
 
-/** Counts from sheets of paper are added to the results. */
+/** Counts from sheets of paper are added to the results: at most one sheet a pupil. */
 async function typeIn(call: Call<{ readonly [name: string]: unknown }>): Promise<Answer> {
   const { ports, body } = call
-  const { key, form } = await formAt(call)
+  const asking = await formAt(call)
+  const counts = paperIn({ ...body, form: asking.form })
   const id = Buffer.from(ports.random(16)).toString('hex')
-  await addPaper(ports.database.answers.db, key, id, paperIn({ ...body, form }))
+  const tokens = await countPupils(ports.database.db, asking.class)
+  if (!(await addPaper(ports.database.answers, asking, { id, counts, tokens })))
+    throw new Refusal(409, 'tooManySheets')
   return {}
 }
 
