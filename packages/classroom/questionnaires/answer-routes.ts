@@ -16,6 +16,8 @@ import { checkToken, token } from './tokens.ts'
 /** More children than any class has. */
 const mostAnswers = 300
 const mostBytes = 100_000
+/** Requests that a request with a token counts as: checking it takes some 4 ms. A class behind one address sends about one a second. */
+const cost = 3
 
 const hex = v.pipe(v.string(), v.regex(/^[0-9a-f]{32}$/))
 const sent = v.strictObject({
@@ -40,6 +42,12 @@ function refuseKnown(headers: Headers): void {
     throw new Refusal(400, 'withCookie')
 }
 
+/** No pupil is known here, so it is the address that is slowed down: in memory, and never stored. */
+function admit({ ports, headers, caller }: Pick<Call<unknown>, 'ports' | 'headers' | 'caller'>): void {
+  refuseKnown(headers)
+  ports.limits.request(`answers from ${caller.address}`, cost)
+}
+
 async function asking({ answers }: Ports['database'], key: string) {
   const found = await askingByKey(answers.db, key)
   if (!found) throw new Refusal(404, 'noSuchForm')
@@ -54,8 +62,9 @@ function readAs(read: () => Given): Given {
   }
 }
 
-async function take({ ports, headers, body }: Call<v.InferOutput<typeof sent>>): Promise<Response> {
-  refuseKnown(headers)
+async function take(call: Call<v.InferOutput<typeof sent>>): Promise<Response> {
+  const { ports, body } = call
+  admit(call)
   const { database, random, now } = ports
   const row = await asking(database, body.key)
   const { key: _, token: sent, ...given } = body
@@ -74,8 +83,9 @@ async function take({ ports, headers, body }: Call<v.InferOutput<typeof sent>>):
 }
 
 /** Has another child of the class chosen this code for this form? If not, it is this one's. */
-async function choose({ ports, headers, body }: Call<v.InferOutput<typeof chosen>>): Promise<Response> {
-  refuseKnown(headers)
+async function choose(call: Call<v.InferOutput<typeof chosen>>): Promise<Response> {
+  const { ports, body } = call
+  admit(call)
   const { key, id, code } = body
   const { database, secret, random } = ports
   const row = await asking(database, key)

@@ -82,7 +82,7 @@ onBothDatabases((fresh) => {
   }
   const send = async (one: School, form: string, child: number, more: object = {}) =>
     server
-      .browser()
+      .browser(`192.168.1.${child}`)
       .post('/answers', { ...(await one.permit(child, form)), ...answerOf(form, child), ...more })
   const first = (count: number, from = 0) => Array.from({ length: count }, (_, at) => from + at)
 

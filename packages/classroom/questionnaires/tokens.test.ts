@@ -2,6 +2,7 @@ import { sql } from 'kysely'
 import { answerIdOf, blindInput, evaluateBlinded, newFormKey, tokenOf } from '@botgarten/answers/tokens'
 import { beforeAll, describe, expect, test } from 'vitest'
 import type { Database } from '../database/database.ts'
+import { Limits } from '../limits.ts'
 import { onBothDatabases } from '../testing/databases.ts'
 import type { Browser } from '../testing/browser.ts'
 import { quickAccounts, Server } from '../testing/world.ts'
@@ -35,7 +36,7 @@ onBothDatabases((fresh) => {
     return { id, code, at, pupils, child: pupils[0]!.browser }
   }
   const send = (permit: Partial<Permit>, n = 1, node: Server = nodes[0]) =>
-    node.browser().post('/answers', { ...permit, ...answerOf('after', n) })
+    node.browser(`192.168.1.${n}`).post('/answers', { ...permit, ...answerOf('after', n) })
   const answersTo = async (key: string) =>
     (await database.answers.db.selectFrom('answer').select('id').where('asking', '=', key).execute()).length
 
@@ -45,8 +46,20 @@ onBothDatabases((fresh) => {
     expect((await send(permit)).status).toBe(204)
     const further = Array.from({ length: 293 }, (_, n) => n.toString(16).padStart(32, '0'))
     for (const [n, id] of further.entries())
-      expect((await send(n % 2 ? { ...permit, id } : { key: permit.key, id })).status).toBe(422)
+      expect((await send(n % 2 ? { ...permit, id } : { key: permit.key, id }, n)).status).toBe(422)
     expect(await answersTo(permit.key)).toBe(1)
+  })
+
+  test('an address that sends 200 answers at once is slowed down, and another one is not', async () => {
+    const still = new Server(database, { ...quickAccounts(database), limits: new Limits(() => 0) })
+    const { child } = await asked()
+    const { key } = await permitOf(child)
+    const statusOf = async (n: number) => (await send({ key, id: 'a'.repeat(32) }, n, still)).status
+    const statuses = await Promise.all(Array.from({ length: 200 }, () => statusOf(1)))
+    // 300 requests at once, and each of these counts as three.
+    expect(statuses.filter((status) => status === 422)).toHaveLength(100)
+    expect(statuses.filter((status) => status === 429)).toHaveLength(100)
+    expect(await statusOf(2)).toBe(422)
   })
 
   test('a token that was made without the key of the form, or with another key, is refused', async () => {

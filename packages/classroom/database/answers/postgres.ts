@@ -88,7 +88,7 @@ export function openAnswersOn(address: string): AnswersDatabase {
 async function vacuum(address: string): Promise<void> {
   const client = await connect(address)
   try {
-    await client.query('vacuum (full) answer, code, published')
+    await client.query('vacuum (full) asking, answer, code, published')
   } finally {
     await client.end()
   }

@@ -75,12 +75,14 @@ const save = (browser: Browser, base: number) =>
 /** A device chooses its code as soon as the form is open. */
 async function choose(server: Server, permit: Permit, form: string, child: number) {
   const { code } = answerOf(form, child)
-  const { status } = await server.browser().post('/answers/code', { ...permit, code })
+  const { status } = await server.browser(`192.168.1.${child}`).post('/answers/code', { ...permit, code })
   if (status !== 200) throw new Error(`The code was refused: ${status}`)
 }
 
 async function send(server: Server, permit: Permit, form: string, child: number) {
-  const { status } = await server.browser().post('/answers', { ...permit, ...answerOf(form, child) })
+  const { status } = await server
+    .browser(`192.168.1.${child}`)
+    .post('/answers', { ...permit, ...answerOf(form, child) })
   if (status !== 204) throw new Error(`The answer was refused: ${status}`)
 }
 

@@ -25,6 +25,7 @@ const send: Send = async (answer) => {
     })
     if (ok) return 'taken'
     if (status === 409) return 'closed'
+    // Also 429, from a busy address: it is sent again.
     return [400, 404, 413, 422].includes(status) ? 'never' : 'away'
   } catch {
     return 'away'
