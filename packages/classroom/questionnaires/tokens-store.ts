@@ -17,6 +17,12 @@ export async function giveToken(db: Db, pupil: string, form: string, blinded: st
   return (await query.executeTakeFirst())?.blinded === blinded
 }
 
+/** Ids of the forms that a pupil has opened. */
+export async function formsOpenedBy(db: Db, pupil: string): Promise<readonly string[]> {
+  const query = db.selectFrom('token').select('form').where('pupil', '=', pupil)
+  return (await query.orderBy('form').execute()).map(({ form }) => form)
+}
+
 /**
  * Allows one further token, for a pupil whose device has lost the first.
  * @returns false if it was allowed before

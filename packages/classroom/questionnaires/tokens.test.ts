@@ -241,6 +241,18 @@ onBothDatabases((fresh) => {
     expect(await child.get('/me/questionnaire')).toMatchObject({ status: 409, body: { error: 'oldPage' } })
   })
 
+  test('everything about a pupil includes the forms that the pupil has opened, and no answer', async () => {
+    const { id, at, child, pupils } = await asked()
+    const permit = await permitOf(child)
+    await send(permit)
+    await teacher.post(`${at}/after/close`)
+    await teacher.post(at, { form: 'before' })
+    await permitOf(child)
+    const { body } = await teacher.get(`/classes/${id}/pupils/${pupils[0]!.id}/everything`)
+    expect(JSON.parse(body as string)).toMatchObject({ questionnaires: ['after', 'before'] })
+    for (const trace of [permit.id, permit.token.input, permit.key]) expect(body).not.toContain(trace)
+  })
+
   test('with the class go the keys of its forms and the list of pupils who had a token', async () => {
     const { id, child, pupils } = await asked()
     const { key } = await permitOf(child)

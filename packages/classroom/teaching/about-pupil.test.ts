@@ -18,6 +18,7 @@ const partOf: { readonly [table: string]: string } = {
   result: 'results',
   shared: 'shared',
   thrown: 'bin',
+  token: 'questionnaires',
   version: 'versions',
   versionAsset: 'versions',
 }

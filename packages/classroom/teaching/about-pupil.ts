@@ -3,6 +3,7 @@ import type { Db } from '../database/database.ts'
 import { heartsOf, sharedOf } from '../gallery/about-pupil-store.ts'
 import { sentTo } from '../live/handouts-store.ts'
 import { projectsOf, thrownOf, versionOf, versionsOf } from '../projects/projects-store.ts'
+import { formsOpenedBy } from '../questionnaires/tokens-store.ts'
 import { pairsOf } from '../together/pairs-store.ts'
 import { resultsOfPupil } from './results-store.ts'
 import { arrayOf } from './streamed.ts'
@@ -33,6 +34,7 @@ export async function* allAbout(db: Db, { id, nickname, joinedAt }: Named): Asyn
     ...{
       pairs: await pairsOf(db, id),
       asked: (await askedBy(db, id)) ?? null,
+      questionnaires: await formsOpenedBy(db, id),
       bin: thrown.map((one) => one.id),
     },
   }
