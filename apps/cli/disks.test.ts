@@ -1,41 +1,12 @@
-// Disks that are read-only or full. Only root may mount a small disk; elsewhere these tests are skipped.
-import { execFileSync } from 'node:child_process'
-import { mkdirSync, mkdtempSync, readFileSync, readdirSync, rmSync, statfsSync, writeFileSync } from 'node:fs'
+import { mkdirSync, readFileSync, readdirSync, statfsSync, writeFileSync } from 'node:fs'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
+import { mount, testOnDisk } from '@botgarten/classroom/testing/small-disk'
 import { openClassServer } from '@botgarten/server'
-import { expect, test } from 'vitest'
+import { expect } from 'vitest'
 import { botgarten } from './testing.ts'
 
-const mount = (...args: string[]) => execFileSync('mount', args, { stdio: 'ignore' })
-
-function cannotMount(): string | null {
-  const at = mkdtempSync(join(tmpdir(), 'botgarten-mount-'))
-  try {
-    mount('-t', 'tmpfs', '-o', 'size=1m', 'tmpfs', at)
-    execFileSync('umount', [at])
-    return null
-  } catch {
-    return 'this machine does not let us mount a small disk'
-  } finally {
-    rmSync(at, { recursive: true, force: true })
-  }
-}
-
-const why = cannotMount()
-const testOnDisk = (name: string, work: (disk: string) => Promise<void>) =>
-  test.skipIf(why !== null)(`${name}${why ? ` (skipped: ${why})` : ''}`, async () => {
-    const disk = mkdtempSync(join(tmpdir(), 'botgarten-disk-'))
-    mount('-t', 'tmpfs', '-o', 'size=20m', 'tmpfs', disk)
-    try {
-      await work(disk)
-    } finally {
-      execFileSync('umount', ['--lazy', disk])
-      rmSync(disk, { recursive: true, force: true })
-    }
-  })
-
-testOnDisk('on a read-only disk each command ends with a sentence', async (disk) => {
+testOnDisk('on a read-only disk each command ends with a sentence', 20, async (disk) => {
   const data = join(disk, 'data')
   mkdirSync(data)
   await (await openClassServer({ data })).close()
@@ -57,6 +28,7 @@ testOnDisk('on a read-only disk each command ends with a sentence', async (disk)
 
 testOnDisk(
   'a backup and a restore that do not fit on a full disk say so, and change nothing',
+  20,
   async (disk) => {
     const data = join(disk, 'data')
     await (await openClassServer({ data })).close()

@@ -1,10 +1,10 @@
-import { execFileSync } from 'node:child_process'
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import SqliteFile from 'better-sqlite3'
 import { afterEach, beforeEach, expect, test } from 'vitest'
 import { projectText } from '../testing/projects.ts'
+import { testOnDisk } from '../testing/small-disk.ts'
 import { Server } from '../testing/world.ts'
 import { migrate } from './migrate.ts'
 import { openSqlite } from './sqlite.ts'
@@ -65,43 +65,23 @@ test('a file that is no database is refused with its code', () => {
   expect(readFileSync(file, 'utf8')).toBe('x'.repeat(5000))
 })
 
-const cannotMount =
-  process.platform !== 'linux' || process.getuid?.() !== 0 ? 'only root may mount a small disk' : mountFails()
-
-function mountFails(): string | null {
-  const at = mkdtempSync(join(tmpdir(), 'botgarten-mount-'))
-  try {
-    execFileSync('mount', ['-t', 'tmpfs', '-o', 'size=1m', 'tmpfs', at], { stdio: 'ignore' })
-    execFileSync('umount', [at])
-    return null
-  } catch {
-    return 'this machine does not let us mount a small disk'
-  } finally {
-    rmSync(at, { recursive: true, force: true })
-  }
-}
-
-test.skipIf(cannotMount !== null)(
-  `on a full disk a save is refused in words, nothing acknowledged is lost, and with room again it goes on${cannotMount ? ` (skipped: ${cannotMount})` : ''}`,
-  async () => {
-    execFileSync('mount', ['-t', 'tmpfs', '-o', 'size=6m', 'tmpfs', folder])
-    try {
-      const { database, browser, save } = await classOn(join(folder, 'class.db'))
-      writeFileSync(join(folder, 'ballast'), Buffer.alloc(1_500_000))
-      let revision = 0
-      let refused: { status: number; body: unknown } | null = null
-      while (!refused) {
-        const answer = await save(revision, projectText(`${revision} ${'x'.repeat(15_000)}`))
-        if (answer.status === 200) revision++
-        else refused = answer
-      }
-      expect(refused).toMatchObject({ status: 507, body: { error: 'diskFull' } })
-      expect((await browser.get('/projects/project-1')).body).toMatchObject({ revision })
-      rmSync(join(folder, 'ballast'))
-      expect(await save(revision)).toMatchObject({ status: 200, body: { revision: revision + 1 } })
-      await database.close()
-    } finally {
-      execFileSync('umount', ['--lazy', folder])
+testOnDisk(
+  'on a full disk a save is refused in words, nothing acknowledged is lost, and with room again it goes on',
+  6,
+  async (disk) => {
+    const { database, browser, save } = await classOn(join(disk, 'class.db'))
+    writeFileSync(join(disk, 'ballast'), Buffer.alloc(1_500_000))
+    let revision = 0
+    let refused: { status: number; body: unknown } | null = null
+    while (!refused) {
+      const answer = await save(revision, projectText(`${revision} ${'x'.repeat(15_000)}`))
+      if (answer.status === 200) revision++
+      else refused = answer
     }
+    expect(refused).toMatchObject({ status: 507, body: { error: 'diskFull' } })
+    expect((await browser.get('/projects/project-1')).body).toMatchObject({ revision })
+    rmSync(join(disk, 'ballast'))
+    expect(await save(revision)).toMatchObject({ status: 200, body: { revision: revision + 1 } })
+    await database.close()
   },
 )

@@ -43,9 +43,9 @@ function refuseKnown(headers: Headers): void {
 }
 
 /** No pupil is known here, so it is the address that is slowed down: in memory, and never stored. */
-function admit({ ports, headers, caller }: Pick<Call<unknown>, 'ports' | 'headers' | 'caller'>): void {
+function admit({ ports, headers, triers }: Pick<Call<unknown>, 'ports' | 'headers' | 'triers'>): void {
   refuseKnown(headers)
-  ports.limits.request(`answers from ${caller.address}`, cost)
+  ports.limits.request(`answers from ${triers.address}`, cost)
 }
 
 async function asking({ answers }: Ports['database'], key: string) {
