@@ -9,6 +9,7 @@ interface Ancestor {
   readonly id: string
   readonly title: string | null
   readonly by: string | null
+  readonly own: boolean
 }
 interface Looked {
   readonly title: string
@@ -91,6 +92,22 @@ onBothDatabases((fresh) => {
       { numRuns: 25 },
     )
   }, 120_000)
+
+  test('in a chain the own work is marked, for its child alone', async () => {
+    const { id, code } = await server.openClass(teacher)
+    const [fox, owl] = [await server.pupil(code, 'Fuchs'), await server.pupil(code, 'Eule')]
+    const share = async (by: Browser, share: string, madeFrom: readonly object[]) => {
+      const project = { ...(JSON.parse(projectText(share)) as object), madeFrom }
+      return ((await by.post(`/gallery?share=${share}`, project)).body as { id: string }).id
+    }
+    const first = await share(fox.browser, 'share-0001', [])
+    const second = await share(owl.browser, 'share-0002', [{ id: first, title: 'x' }])
+    const isOwn = async (reader: Browser, path: string) =>
+      ((await reader.get(path)).body as Looked).chain.map(({ own }) => own)
+    expect(await isOwn(fox.browser, `/gallery/${second}`)).toEqual([true])
+    expect(await isOwn(owl.browser, `/gallery/${second}`)).toEqual([false])
+    expect(await isOwn(teacher, `/classes/${id}/gallery/${second}`)).toEqual([false])
+  })
 
   test('a chain that was made up names nobody of another class and is not endless', async () => {
     const [here, there] = [await server.openClass(teacher), await server.openClass(teacher, '6a')]

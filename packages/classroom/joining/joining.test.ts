@@ -171,6 +171,17 @@ onBothDatabases((fresh) => {
     if (renewed.join() !== child.pictures.join()) expect((await shown(child.pictures)).status).toBe(403)
   })
 
+  test('a teacher signs a whole class out: each device needs the code and the pictures again', async () => {
+    const { id, code } = await server.openClass(teacher)
+    const other = await server.openClass(teacher, '6a')
+    const [fox, owl] = [await server.pupil(code, 'Fuchs'), await server.pupil(other.code, 'Eule')]
+    expect((await teacher.post(`/classes/${id}/sign-out-all`)).status).toBe(204)
+    expect((await fox.browser.get('/me')).status).toBe(401)
+    expect((await owl.browser.get('/me')).status).toBe(200)
+    const back = await fox.browser.post('/return', { code, nickname: 'Fuchs', pictures: fox.pictures })
+    expect(back.status).toBe(200)
+  })
+
   test('a raised hand is seen, and goes down by the child, the teacher and the end of the lesson', async () => {
     const { id, code } = await server.openClass(teacher)
     const child = await server.pupil(code, 'Specht')

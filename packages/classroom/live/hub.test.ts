@@ -1,0 +1,22 @@
+import { expect, test } from 'vitest'
+import { noBus } from './bus.ts'
+import { Hub } from './hub.ts'
+
+test('a stream whose state could not be read gets it with the next flush', async () => {
+  const hub = new Hub(noBus, () => 0)
+  let reads = 0
+  const read = () => {
+    reads += 1
+    return reads === 1 ? Promise.reject(new Error('The database is busy.')) : Promise.resolve({ hand: true })
+  }
+  const { body } = hub.open({ class: 'c', pupil: 'p', teacher: null, read })
+  await new Promise(setImmediate)
+  expect(reads).toBe(1)
+  await hub.flush()
+  expect(reads).toBe(2)
+  const { value } = await body!.getReader().read()
+  expect(new TextDecoder().decode(value)).toContain('"hand":true')
+  await hub.flush()
+  expect(reads).toBe(2)
+  await hub.close()
+})
