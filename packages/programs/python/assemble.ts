@@ -25,13 +25,7 @@ export function assembled(draft: Draft, { functions, made, main }: Sections): Py
   const head = [...headRows(draft), ...importRows(draft)]
   const plainParts = [rowsOf(draft.constants), deviceRows(draft), globalsBefore(functions, made)]
   const defs = [...helperRows(draft), ...functions.map(rowsOf)]
-  const program = rowsOf(
-    defs.length > 0 && functions.length === 0
-      ? [...made, ...main]
-      : functions.length > 0
-        ? main
-        : [...made, ...main],
-  )
+  const program = rowsOf(functions.length > 0 ? main : [...made, ...main])
   const before = [
     ...head,
     ...plainParts.filter((part) => part.length > 0).flatMap((part) => [blank, ...part]),
