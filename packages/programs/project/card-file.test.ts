@@ -105,6 +105,13 @@ describe('a card is refused, and a child is told why', () => {
     ['a program that is none', 'programs.main', 'alert(1)', 'notACard'],
   ])('%s', (_, path, value, reason) => expect(withPart(path, value)).toBe(reason)) // prettier-ignore
 
+  it.each([-1, 10_001, '5'])('a goal at x = %j, which is no place of any world', (x) => {
+    const goal = { x, y: 20, cm: 9, after: '' }
+    expect(withPart('card.checks.0', { id: 'near', kind: 'arrives', numbers: goal, seconds: 1 })).toBe(
+      'cardNumbers',
+    )
+  })
+
   it.each(['__proto__', 'constructor', 'prototype'])('a key %s, wherever it is', (key) => {
     const whole = writeCardFile(project)
     for (const part of ['"numbers":{', '"text":{', '"brains":{', '"card":{'])

@@ -65,6 +65,11 @@ describe('what is refused, and why', () => {
     )
   })
 
+  it('the message names a robot without a program', () => {
+    const other = replaced(project, ['world', 'robots', '0', 'program'], 'other')
+    expect(() => parseProject(other)).toThrow('A robot has a program that is not there.')
+  })
+
   it('the message says where', () => {
     const smaller = replaced(project, ['world', 'size', 'width'], -1)
     expect(() => parseProject(smaller)).toThrow(/world\.size\.width/)

@@ -103,6 +103,28 @@ describe('names', () => {
   })
 })
 
+it('variables that a function changes are made once, before it, and are global in it', () => {
+  const change = block('robMath_change', {}, { VAR: variable('x'), DELTA: number(1) })
+  const add = block('robProcedures_defnoreturn', { NAME: 'add' }, {}, { STACK: [change] })
+  const call = { type: 'robProcedures_callnoreturn', mutation: { attrs: { name: 'add' } } }
+  const { text: file } = python(programOf([withVariables(declared('x', number(7))), call], [add]))
+  const rows = file.trimEnd().split('\n')
+  const making = 'x = 7'
+  const define = ['def add():', '    global x', '    x += 1']
+  expect(rows.filter((row) => row === making || define.includes(row))).toEqual([making, ...define])
+  expect(rows.at(-1)).toBe('add()')
+})
+
+describe('comments of helpers', () => {
+  it.each([
+    ['pybricks', 'python.helper.show'],
+    ['ev3dev2', 'python.helper.show'],
+    ['spike', 'python.helper.letters'],
+  ] as const)('on %s say what its display does: %s', (dialect, key) => {
+    expect(lines([show(number(1))], { dialect })).toContain(`    # ${key}`)
+  })
+})
+
 describe('what has to sit at a port', () => {
   it('is the left motor, the right one, or the kind of another one', () => {
     const program = programOf([

@@ -108,6 +108,39 @@ describe.each(dialects)('a table that was learned by trying, as Python for %s', 
   })
 })
 
+it('a robot that learns pays its move, writes it down where it was, and feels bumps', async () => {
+  const block = (id: string, type: string, fields: Record<string, string>) => ({ id, type, fields })
+  const blocks = [
+    block('start', 'robControls_start', {}),
+    block('sense', 'ai_try_senses', { SENSE: 'DISTANCE', SENSORPORT: '4', LOW: '15', HIGH: '40' }),
+    block('can', 'ai_try_actions', {
+      CHIP1: 'AHEAD',
+      CHIP2: 'STOP',
+      CHIP3: 'NONE',
+      CHIP4: 'NONE',
+      HOLD: '15',
+    }),
+    block('moment', 'ai_try_pay', { WHAT: 'MOMENT', COINS: '2' }),
+    block('bump', 'ai_try_pay', { WHAT: 'BUMP', COINS: '-5' }),
+    // 15 of 3,600 ticks a minute: one move.
+    block('learn', 'ai_try_learn', { MINUTES: String(15 / 3600), ALPHA: '0.5', GAMMA: '0', RHO: '0' }),
+  ]
+  const one = { stacks: [{ x: 0, y: 0, blocks }], config: { stacks: [] } }
+  const { text } = pythonFrom(
+    {
+      ...{ name: 'test', program: one, config: defaultConfig, brains: {}, dialect: 'pybricks' },
+      learner: true,
+    },
+    (key) => key,
+  )
+  const { robot: bare } = tracingRobot()
+  const robot: typeof bare = { ...bare, read: (_port, mode) => (mode === 'touch') as never }
+  const { error, printed } = await runPython(text, robot, { tick: () => {}, random: () => 0 }, defaultConfig)
+  expect(error).toBeNull()
+  // Buckets of the distance, then the row of a bump; half of 2 − 5 coins for the first action.
+  expect(JSON.parse(printed.at(-1)!)).toEqual([[0, 0], [0, 0], [0, 0], [-1.5, 0]]) // prettier-ignore
+})
+
 it('a chip of one’s own is one of the actions', () => {
   const own = tryingIn(exampleOf('ai_try_chip'))!.trial
   expect(own.actions.at(-1)).toEqual({ left: 60, right: 30 })

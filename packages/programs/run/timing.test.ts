@@ -38,6 +38,13 @@ describe('rule 1: the first stack under a start block runs', () => {
   })
 })
 
+it('a decision is a condition that is asked, whatever it answers', () => {
+  const when = (a: number, b: number) =>
+    block('robControls_if', {}, { IF0: compare('LT', number(a), number(b)) }, { DO0: [lamp('RED')] })
+  const { thread } = run([repeat(number(3), when(1, 2), when(2, 1)), lamp('GREEN')])
+  expect(thread.decisions).toBe(3 * 2)
+})
+
 describe('rule 3: 1,000 blocks a tick', () => {
   /** The lamp is block n of the run: start, repeat, its number, n − 4 further turns, the lamp. */
   const lampAs = (n: number) => run([repeat(number(n - 3)), lamp('RED')]).log

@@ -37,6 +37,20 @@ test('a stack that was dragged is one operation', () => {
   expect(kinds(row('a', 'b', 'c'), far)).toEqual(['move'])
 })
 
+test('a changed field and a block that was switched off are one operation each', () => {
+  const [block] = row('a').stacks[0]!.blocks
+  const after: Program = {
+    ...row('a'),
+    stacks: [{ x: 0, y: 0, blocks: [{ ...block!, fields: { NUM: '7' }, disabled: true }] }],
+  }
+  const ops = diff(sharedWith(row('a')), sharedWith(after))
+  expect(ops).toEqual([
+    { kind: 'field', program: 'main', block: 'a', name: 'NUM', value: '7' },
+    { kind: 'part', program: 'main', block: 'a', name: 'disabled', value: true },
+  ])
+  expect(applied(sharedWith(row('a')), ops)).toEqual(sharedWith(after))
+})
+
 test('a knob, a pose and a thing are told by where they are', () => {
   const before = sharedWith(row('a'))
   const [square, ...others] = before.world.obstacles

@@ -4,7 +4,7 @@ import type { Program } from '../types.ts'
 import { Peer } from './peer.ts'
 import { sendingSchema } from './schema.ts'
 import { sharedWith } from './testing/hands.ts'
-import { indexOf } from './tree.ts'
+import { indexOf, inserted } from './tree.ts'
 import type { Entry, Operation, Shared } from './types.ts'
 import * as v from 'valibot'
 
@@ -225,4 +225,11 @@ describe('hostile operations', () => {
     const ops = [{ n: 1, base: 0, op: add(stop('new'), 'last') }]
     expect(v.parse(sendingSchema, { ops })).toEqual({ ops })
   })
+})
+
+test('a block whose place is gone lies below all stacks, where it covers none', () => {
+  const stacks = [0, 300].map((y) => ({ x: 0, y, blocks: [stop(`at${y}`)] }))
+  const loose = inserted(stacks, stop('loose'), { after: 'gone' }).at(-1)!
+  expect(loose.blocks).toEqual([stop('loose')])
+  expect(loose.y).toBeGreaterThan(300)
 })
