@@ -76,6 +76,21 @@ describe('rule 5: bumping', () => {
     expect(robotOf(sim).touching).toEqual([])
   })
 
+  test('a thing that is pushed off its middle turns the same, whatever other thing is named before it', () => {
+    const pushed = thing('pushed', square(30), pose(150, 207))
+    const other = thing('other', square(4), pose(20, 20))
+    const [alone, behind] = [
+      [pushed, other],
+      [other, pushed],
+    ].map((obstacles) => {
+      const sim = start({ obstacles: obstacles.map((one) => ({ ...one, fixed: false })) })
+      run(sim, 120, forward(sim, 50))
+      return thingOf(sim, obstacles.indexOf(pushed))
+    })
+    expect(Math.abs(alone!.heading)).toBeGreaterThan(0.01)
+    expect(behind).toEqual(alone)
+  })
+
   test('what stands against something goes on touching it', () => {
     const sim = start({ obstacles: [thing('rock', square(50), pose(150, 200))] })
     run(sim, 100, forward(sim, 50))

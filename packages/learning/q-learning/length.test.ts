@@ -42,6 +42,7 @@ test('a way is as long as its roads, and a closed road is none', () => {
   const moves = [[{ to: 1, length: 3 }], [{ to: 2, length: 4 }], []]
   const world = layOutWorld({ map: { actions: moves }, start: 0, goal: 2 })
   expect(lengthOf(world, [0, 1, 2])).toBe(7)
+  expect(() => lengthOf(world, [0, 2])).toThrow('No open road leads from 0 to 2.')
   const closed = layOutWorld({ map: { actions: moves }, start: 0, goal: 2, closed: [[1, 2]] })
   expect(() => lengthOf(closed, [0, 1, 2])).toThrow('No open road leads from 1 to 2.')
   expect(shortestLength(closed)).toBeNull()

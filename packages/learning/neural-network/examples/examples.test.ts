@@ -218,6 +218,15 @@ describe('questions about examples', () => {
     expect(kindsIn(table([...left, ...right], { wheels: null }))).not.toContain('oneSided')
   })
 
+  it('one-sided: wheels that differ by 5 percent do not turn', () => {
+    const rows = (count: number, right: number) =>
+      Array.from({ length: count }, (_, k) => [k, k, 50, 50 + right] as const)
+    const leftOnly = table([...rows(5, 6), ...rows(5, -5)])
+    const rightOnly = table([...rows(5, -6), ...rows(5, 5)])
+    expect(findingsIn(leftOnly)).toContainEqual({ kind: 'oneSided', left: 5, right: 0 })
+    expect(findingsIn(rightOnly)).toContainEqual({ kind: 'oneSided', left: 0, right: 5 })
+  })
+
   it('never seen: no example is near to where the last drive failed', () => {
     const far = table(
       good.filter(([l, r]) => l > 40 || r > 40),

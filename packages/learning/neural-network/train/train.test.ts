@@ -385,6 +385,17 @@ describe('practice ends honestly', () => {
     const practice = practiceOf(layers, line(6), quick, [-1, 1, 0, 0, 1, 1, 0])
     expect(sleepingIn(practice)).toEqual(['n1.0'])
   })
+
+  it('names a neuron that would only wake if the layer before it were silent', () => {
+    // z₁ = x + 1 > 0 for every example; z₂ = 0.5 − z₁ < 0.
+    const practice = practiceOf(
+      layersOf([1, 1, 1, 1], 'relu', 'identity'),
+      line(6),
+      quick,
+      [1, 1, -1, 0.5, 1, 0],
+    )
+    expect(sleepingIn(practice)).toEqual(['n2.0'])
+  })
 })
 
 describe('what cannot practise is refused', () => {
