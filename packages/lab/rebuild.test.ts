@@ -94,6 +94,25 @@ describe('rule 9: building while a program runs', () => {
     expect(lab.hash()).toBe(there)
   })
 
+  it('a program that is over ends its run when it would have, whatever is built meanwhile', () => {
+    const way = { ...drive, values: { ...drive.values, DISTANCE: number('way', 5) } }
+    const main = { stacks: [{ x: 0, y: 0, blocks: [blocks[0]!, way] }], config: { stacks: [] } }
+    const endOf = (change: (lab: ReturnType<typeof running>) => void) => {
+      const lab = createLab()
+      // A check of one second lets the run last one second longer than the program.
+      const checks = [{ id: 'n', kind: 'near', numbers: { obstacle: 'crate', cm: 1 }, seconds: 1 }]
+      lab.load({ ...document, programs: { main } }, paintFloor(world), { seed: 1, checks })
+      lab.start()
+      while (!lab.state().threads[0]!.ended) lab.advance(1)
+      lab.advance(10)
+      change(lab)
+      expect(lab.view().phase).toBe('running')
+      while (lab.view().phase === 'running') lab.advance(1)
+      return lab.view().tick
+    }
+    expect(endOf((lab) => rebuild(lab, withThings(crate, thing('new', 50, 50))))).toBe(endOf(() => {}))
+  })
+
   it('what is taken back stands where it stood, and starts from where it started', () => {
     const lab = running(300)
     const pushed = lab.view().obstacles[0]!.pose

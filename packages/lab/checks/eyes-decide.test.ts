@@ -45,6 +45,12 @@ describe('eyesDecide: had each eye seen what the other saw, Bo would have turned
     expect(decides([forever(turn('round', 40, 90))], [0, 0, 0, 0])).toBe(false)
   })
 
+  it('a turn of half a percent is one where the check asks for no more', () => {
+    const slight = [{ ...eyesDecide, numbers: { percent: 0.1 }, seconds: 8 }]
+    expect(decides(netOnly, [0.25, 0.255, 0.255, 0.25], slight)).toBe(true)
+    expect(decides(netOnly, [0.255, 0.25, 0.25, 0.255], slight)).toBe(true)
+  })
+
   it('a network that only lies about decides nothing', () => {
     expect(decides([forever(turn('round', 40, 90), { ...net(), disabled: true })], [0, 0.8, 0.8, 0])).toBe(
       false,

@@ -101,6 +101,21 @@ describe('blocks that teach', () => {
     expect(turned(3)).toEqual(turned())
   })
 
+  it('let a row that a hand writes after a tick come after its practice', () => {
+    const weightsOf = (isWritten: boolean) => {
+      const lab = started(on('go', 40), remember('r'), practise('p', 300), wait, forever(net()))
+      lab.pause()
+      lab.step('tick')
+      const row = { ...{ robot: 'bo', network: 'net', others: {} }, wheels: { left: -90, right: 90 } }
+      if (isWritten) lab.remember({ ...row, drive: { id: 'hand-1', by: 'hand', seed: 1 } })
+      lab.resume()
+      lab.advance(20)
+      expect(brainOf(lab).examples!.rows).toHaveLength(isWritten ? 2 : 1)
+      return brainOf(lab).weights
+    }
+    expect(weightsOf(true)).toEqual(weightsOf(false))
+  })
+
   it('say the error with rows and weights of their own tick', () => {
     const lab = started(
       on('go', 40),

@@ -118,6 +118,17 @@ describe('learning by trying', () => {
     expect(rideBy(table, world, floor, 10).cm / 6).toBeCloseTo(way, -1)
   })
 
+  it('rides for exactly its seconds: at 50 percent 5.6 π cm in each', () => {
+    const free = { ...world, obstacles: [], size: { width: 4000, height: 4000 } }
+    const trial = { ...trialOf(), actions: [{ left: 50, right: 50 }] }
+    const ahead = { ...overnight(1, 3600), ...trial, q: Array(10).fill(0), tries: Array(10).fill(0) }
+    for (const seconds of [1, 2]) {
+      const { cm, bumps } = rideBy(ahead, free, paintFloor(free), seconds)
+      expect(cm).toBeCloseTo(60 * 5.6 * Math.PI, 6)
+      expect(bumps).toBe(0)
+    }
+  })
+
   it('ends a try at a bump where that is set: the next one begins at the start', () => {
     const ended = trialOf(blocks(1, { ENDS: 'TRUE' }))
     expect(ended.bumpEnds).toBe(true)
@@ -317,6 +328,29 @@ describe('what is shown of it', () => {
     expect(shown(again).curve).toEqual(curve)
     lab.edit({ main: blocks(1, { ALPHA: '0.1' }) })
     expect(shown(lab)).toMatchObject({ stage: 'other', table: { alpha: 0.2 } })
+  })
+
+  it('tries for exactly its minute of 3,600 ticks', () => {
+    const lab = started()
+    lab.advance(3600)
+    expect(shown(lab)).toMatchObject({ stage: 'trying', total: 3599 })
+    lab.advance(1)
+    expect(shown(lab).stage).toBe('learned')
+  })
+
+  it('is the case for which an action was chosen, as long as that is held', () => {
+    const lab = started()
+    lab.advance(3610)
+    const changes: number[] = []
+    let last = shown(lab).state
+    for (let tick = 1; tick <= 1200; tick++) {
+      lab.advance(1)
+      const { state } = shown(lab)
+      if (state !== last) changes.push(tick)
+      last = state
+    }
+    expect(changes.length).toBeGreaterThan(5)
+    expect(new Set(changes.map((tick) => tick % 15)).size).toBe(1)
   })
 
   it.each([

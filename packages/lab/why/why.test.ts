@@ -100,6 +100,13 @@ test('it says when the robot touches something, and ends where the program ends'
   expect(poses.length).toBeGreaterThan(100)
 })
 
+test('it pauses after every 20 ticks, so that a screen can be drawn meanwhile', () => {
+  const steps = imagine(standpoint(running(5)), 'bo', {}, 100)
+  let pauses = 0
+  while (!steps.next().done) pauses++
+  expect(pauses).toBe(100 / 20)
+})
+
 test('a robot that is not there stands nowhere', () => {
   expect(toEnd(imagine(standpoint(running(5)), 'nobody', {}, 10))).toEqual({ poses: [], touchedAt: null })
 })
