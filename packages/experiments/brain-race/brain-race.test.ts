@@ -173,6 +173,13 @@ describe('a race of brains', () => {
     expect(resultOf(null)).toEqual({ kind: 'ifThen', problem: 'missing', runs: null })
     expect(resultOf({ programs: {}, brains: {} }).problem).toBe('missing')
     expect(resultOf(broken).problem).toBe('cannotRun')
+    const beginningWith = (top: Block) => {
+      const stacks = [{ x: 0, y: 0, blocks: [top, wheel('C', 30)] }]
+      return resultOf({ programs: { main: { stacks, config: { stacks: [] } } }, brains: {} }).problem
+    }
+    expect(beginningWith(wheel('B', 30))).toBe('missing')
+    expect(beginningWith(block('robControls_start', { disabled: true }))).toBe('missing')
+    expect(beginningWith(block('robControls_start'))).toBeNull()
     expect(resultOf(learner).problem).toBe('learns')
   })
 })

@@ -128,6 +128,17 @@ describe('curves', () => {
     expect(pointsOf(130).at(-1)).toBe(130)
   })
 
+  it('have a pace of moves a try, also where many tries lie between two points', () => {
+    const points = pointsOf(1000)
+    const zeros = points.map(() => 0)
+    const ways = points.map(() => ({ states: [0, 1] }))
+    // Nine moves in the first try, then four in each.
+    const moves = points.map((tries) => 9 + 4 * (tries - 1))
+    const record = { moves, stars: zeros, falls: zeros, ways, first: null, reaches: null }
+    const pace = resultOf([record], 1000).curves.pace.map(({ middle }) => middle)
+    expect(pace).toEqual(points.map((_, at) => (at === 0 ? 9 : 4)))
+  })
+
   it('have the quartiles that NumPy gives: percentile([1, 2, 4, 8, 9, 20], [25, 50, 75])', () => {
     expect(bandOf([9, 1, 20, 4, 2, 8])).toEqual({ low: 2.5, middle: 6, high: 8.75 })
     expect(bandOf([1, Infinity, Infinity])).toEqual({ low: Infinity, middle: Infinity, high: Infinity })

@@ -3,7 +3,7 @@ import { readFileSync } from 'node:fs'
 import { join } from 'node:path'
 import { isLong } from '@botgarten/numbers/testing'
 import { expect, test } from 'vitest'
-import { readLog, tableOf } from './index.ts'
+import { readLog, rowsOfTable, tableOf } from './index.ts'
 import reference from './reference/study.json' with { type: 'json' }
 
 const folder = join(import.meta.dirname, 'reference')
@@ -13,6 +13,14 @@ const table = tableOf(lines)
 
 test('the table of a log is the one that pandas makes of it', () => {
   expect(table).toEqual(reference.table)
+})
+
+test('the file of the table names each figure of a child and has it in that column', () => {
+  const never = { ...table[0]!, firstRun: null }
+  const [names, ...rows] = rowsOfTable([table[0]!, never])
+  expect(names!.toSorted()).toEqual(Object.keys(table[0]!).sort())
+  const asRecords = rows.map((row) => Object.fromEntries(row.map((cell, k) => [names![k], cell])))
+  expect(asRecords).toEqual([table[0], { ...never, firstRun: '' }])
 })
 
 test('the lines for pandas in the docs are those that were run, and print tries and first runs', () => {

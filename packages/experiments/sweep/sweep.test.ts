@@ -54,6 +54,14 @@ describe('the rows of a sweep', () => {
     const parts = [1, 2, 3].map((part) => csvOf(pieceOf(rows, { part, parts: 3 }), { part, parts: 3 }))
     expect(parts.join('')).toBe(csvOf(rows, { part: 1, parts: 1 }))
     expect(parts.join('').split('\n')[0]).toMatch(/^alpha,gamma,nu,rho,/)
+    const cells = parts.map((part) =>
+      part
+        .trim()
+        .split('\n')
+        .map((line) => line.split(',').length),
+    )
+    // Six settings, and nine figures of what came of them.
+    expect(new Set(cells.flat())).toEqual(new Set([6 + 9]))
   })
 })
 

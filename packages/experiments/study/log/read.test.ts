@@ -15,6 +15,10 @@ test('a log that Botgarten wrote is read whole', () => {
   expect(read.lines).toHaveLength(lines.length)
 })
 
+test.each(['null', '5', '"session"', '[]', '{'])('a line that is no object is refused: %s', (line) => {
+  expect(readLog(line)).toEqual({ lines: [], faults: [{ line: 1, reason: 'notJson', facts: {} }] })
+})
+
 /** One run of it. */
 const short = lines.slice(0, 1 + lines.findIndex((line) => line.includes('"event":"end"'))).join('\n')
 

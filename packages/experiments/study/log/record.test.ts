@@ -131,6 +131,21 @@ test('a lab that writes down drives as one that does not', () => {
   expect(lines.map(({ event }) => event)).toContain('run')
 })
 
+test('a replay paints a floor again where building has changed it', () => {
+  const { lab, lines, end } = sitting('friendship')
+  lab.start()
+  const { world } = lab.document()
+  for (const floor of [content.floorOf(world), undefined, content.floorOf(world)])
+    lab.rebuild(lab.document(), floor)
+  end()
+  const read = readLog(lines.map((line) => JSON.stringify(line)).join('\n'))
+  let painted = 0
+  const floorOf: Ground['floorOf'] = (one) => (painted++, ground.floorOf(one))
+  expect(replay(read.lines, { ...ground, floorOf }).faults).toEqual([])
+  // When the card was opened, and for two of the three changes.
+  expect(painted).toBe(1 + 2)
+})
+
 test('checks, and the knobs of a pull, stand in the log', () => {
   const { lab, lines, flush } = sitting('friendship')
   lab.start()

@@ -31,6 +31,7 @@ const program = {
           fields: { DIRECTION: 'FOREWARD' },
           values: { POWER: number },
         }),
+        block('preset', 'robControls_wait_time', { values: { WAIT: { ...number, shadow: true } } }),
         block('alien', 'of_a_later_version', { fields: { WORDS: secret } }),
       ],
     },
@@ -72,6 +73,8 @@ test('names still find each other and have as many letters; numbers and choices 
   expect(blocks['call']!.mutation).toEqual({ attrs: { name: word }, args: [{ name: word, type: 'Number' }] })
   expect(blocks['far']!.fields).toEqual({ DIRECTION: 'FOREWARD' })
   expect(blocks['far']!.values!['POWER']!.fields).toEqual({ NUM: '30' })
+  expect(blocks['preset']!.values!['WAIT']!.shadow).toBe(true)
+  expect(blocks['far']!.values!['POWER']).not.toHaveProperty('shadow')
   expect(document.world.robots[0]!.brain).toBe(word)
   expect(Object.keys(document.brains['net']!.sets)).toEqual([word])
 })
