@@ -179,6 +179,18 @@ describe.each([...all, ...plain])('%s', (_type, { look, words, neuron, example }
   it('has an example that begins with a start block', () => {
     expect(example[0]?.type).toBe('robControls_start')
   })
+
+  it('has an example that chooses among the options of its blocks', () => {
+    for (const { type, fields = {} } of example.flatMap(templates))
+      for (const field of isBlockType(type) ? definitions[type].look.fields : []) {
+        const value = fields[field.name]
+        if (field.kind === 'choice' && value !== undefined)
+          expect(
+            field.options.map((option) => option.value),
+            `${type}.${field.name}`,
+          ).toContain(value)
+      }
+  })
 })
 
 const templates = (template: Template): Template[] => [
@@ -194,6 +206,12 @@ describe('the toolbox', () => {
     const offered = new Set(entries.flatMap(templates).map(({ type }) => type))
     const elsewhere = all.flatMap(([type, { outsideToolbox }]) => (outsideToolbox ? [type] : []))
     expect([...offered, ...elsewhere].sort()).toEqual(Object.keys(definitions).sort())
+  })
+
+  it('offers a bump as something that costs, and a way as something that is paid', () => {
+    const coins = entries.filter(({ type }) => type === 'ai_try_pay').map(({ fields }) => fields)
+    expect(coins.find((one) => one?.['WHAT'] === 'BUMP')?.['COINS']).toMatch(/^-[1-9]/)
+    expect(coins.find((one) => one?.['WHAT'] === 'AHEAD')?.['COINS']).toMatch(/^[1-9]/)
   })
 
   it('offers a block without a preset at the end of its family', () => {

@@ -3,7 +3,7 @@
 import { indexProgram, runThread, startThread } from '@botgarten/programs'
 import { describe, expect, test } from 'vitest'
 import { programOf, start, wait } from '../programs/testing/build.ts'
-import { nextTick, recordingRobot } from '../programs/testing/recording-robot.ts'
+import { nextTick, recordingRobot, type Entry } from '../programs/testing/recording-robot.ts'
 import { addBlocks, definitions, type Definition, type Template } from './index.ts'
 import { expert } from './packs/expert/index.ts'
 
@@ -21,8 +21,8 @@ function alone({ type, example }: Definition): Template {
   return block
 }
 
-/** Ticks in which a block does something to the robot, of the two seconds after its start. */
-function ticksOfEffects(block: Template): readonly number[] {
+/** Commands that a block gives to the robot in the two seconds after its start. */
+function effectsOf(block: Template): readonly Entry[] {
   const recording = recordingRobot()
   const index = indexProgram(programOf([start, block, wait(10_000)]))
   const thread = startThread(index)
@@ -30,7 +30,14 @@ function ticksOfEffects(block: Template): readonly number[] {
     runThread(thread, index, recording.context)
     nextTick(recording)
   }
-  return [...new Set(recording.log.map(([tick]) => tick))]
+  return recording.log
+}
+
+const ticksOf = (effects: readonly Entry[]) => [...new Set(effects.map(([tick]) => tick))]
+
+/** Commands by the part of the robot that executes them. */
+const partsOf: { readonly [verb: string]: NonNullable<Definition['uses']> } = {
+  ...{ led: 'lamp', display: 'display', clearDisplay: 'display', picture: 'display', say: 'speech' },
 }
 
 /** The first tick in which an effect follows one in the tick before. */
@@ -42,7 +49,7 @@ describe.each(statements.map((definition) => [definition.type, definition] as co
   '%s',
   (_, definition) => {
     test('acts once while it waits, though its `run` is called again every tick', () => {
-      const again = repeatedIn(ticksOfEffects(alone(definition)))
+      const again = repeatedIn(ticksOf(effectsOf(alone(definition))))
       expect(
         again,
         'it acts again in this tick: remember in frame.counter or frame.stage that it did',
@@ -51,7 +58,13 @@ describe.each(statements.map((definition) => [definition.type, definition] as co
 
     if (definition.uses)
       test(`uses the robot’s ${definition.uses}`, () => {
-        expect(ticksOfEffects(alone(definition))).not.toEqual([])
+        expect(effectsOf(alone(definition))).not.toEqual([])
       })
+
+    test('names the lamp, the display or the voice exactly if it uses it', () => {
+      const used = effectsOf(alone(definition)).flatMap(([, verb]) => partsOf[verb] ?? [])
+      const named = definition.uses === 'sound' ? undefined : definition.uses
+      expect([...new Set(used)]).toEqual(named ? [named] : [])
+    })
   },
 )

@@ -1,9 +1,12 @@
 import fc from 'fast-check'
 import { describe, expect, it } from 'vitest'
-import type { Template } from '../types.ts'
+import { addBlocks, definitions, type BlockType, type Template } from '../index.ts'
+import { expert } from '../packs/expert/index.ts'
 import { functions } from './expression-functions.ts'
 import { ExpressionError } from './expression-tokens.ts'
 import { expressionIn } from './expressions.ts'
+
+addBlocks(expert)
 
 /** The tree as a Lisp would write it: nothing is left to binding. */
 function lisp({ type, fields = {}, values = {}, mutation }: Template): string {
@@ -65,6 +68,9 @@ describe('what stands in an expression', () => {
     ['constrain(x, 0, 9)', '(constrain (get x) 0 9)'],
     ['getFromEnd([1], 0)', '(getIndex GET FROM_END (create_with 1) 0)'],
     ['createTextWith("a", 1)', '(join (text a) 1)'],
+    ['castStringToNumber("7")', '(cast_string_toNumber (text 7))'],
+    ['castToChar(65)', '(cast_toChar 65)'],
+    ['ev3.connectToRobot("Bo 2")', '(startConnection (text Bo 2))'],
     ['mine(1, 2)', '(mine 1 2)'],
     ['  1\n+\t2 ', '(arithmetic ADD 1 2)'],
   ])('%s is %s', (text, tree) => {
@@ -75,7 +81,10 @@ describe('what stands in an expression', () => {
     for (const [name, { takes }] of functions) {
       const args = (count: number) => Array.from({ length: count }, () => '1').join(', ')
       const wanted = takes ?? 3
-      const { values = {} } = expressionIn(`${name}(${args(wanted)})`)
+      const { type, values = {} } = expressionIn(`${name}(${args(wanted)})`)
+      const { inputs, items } = definitions[type as BlockType].look
+      const places = [...inputs.map((input) => input.name), ...(items ? ['ADD0', 'ADD1', 'ADD2'] : [])]
+      expect(places, name).toEqual(expect.arrayContaining(Object.keys(values)))
       expect(Object.keys(values), name).toHaveLength(wanted)
       if (takes !== null) expect(whereItFails(`1 + ${name}(${args(takes + 1)})`), name).toBe(4)
     }

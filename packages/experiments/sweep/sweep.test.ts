@@ -60,7 +60,7 @@ describe('the rows of a sweep', () => {
         .split('\n')
         .map((line) => line.split(',').length),
     )
-    // Six settings, and nine figures of what came of them.
+    // Six settings and nine results.
     expect(new Set(cells.flat())).toEqual(new Set([6 + 9]))
   })
 })

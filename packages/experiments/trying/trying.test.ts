@@ -11,7 +11,7 @@ const world: World = {
     { id: 'bo', pose: { x: 2000, y: 2000, heading: 0 }, program: 'main', brain: '', config: cardConfig },
   ],
 }
-/** All that it can do is drive ahead: 5.6 π cm a second, 1,056 cm a minute. */
+/** Its only action is to drive ahead: 5.6 π cm a second, 1,056 cm a minute. */
 const trial: Trial = {
   ...{ sensors: [{ port: '2', mode: 'distance' }], edges: [[15, 40]], bump: true, bumpEnds: false },
   ...{ actions: [{ left: 50, right: 50 }], hold: 15, pay: [{ for: 'ahead', coins: 1 }] },
