@@ -1,6 +1,6 @@
 import fc from 'fast-check'
 import { expect, test } from 'vitest'
-import { merged, readAnswersFile, writeAnswersFile } from './file.ts'
+import { birds, merged, readAnswer, readAnswersFile, readPaper, writeAnswersFile } from './file.ts'
 import { nothingReleased, released } from './release.ts'
 import { talliesOf } from './tally.ts'
 import { answersOf, chanceOf, columns } from './testing/answers.ts'
@@ -30,6 +30,19 @@ test('what is no file of answers is refused by its place', () => {
     { nickname: 'Fox' },
   ])
     expect(() => readAnswersFile(file(over))).toThrow()
+})
+
+test('every bird that a child can choose begins a code', () => {
+  const [answer] = fc.sample(answersOf(['after']), { numRuns: 50, seed: 1 }).flat()
+  const codes = birds.map((bird) => `${bird}-100`)
+  expect(new Set(codes).size).toBe(24)
+  for (const code of codes) expect(readAnswer({ ...answer, code }).code).toBe(code)
+})
+
+test('counts from paper are of five to a thousand sheets', () => {
+  const paper = (n: number) => ({ form: 'after', bands: ['5-6'], n, counts: { glad: [n] }, open: {} })
+  for (const n of [5, 1000]) expect(readPaper(paper(n))).toEqual(paper(n))
+  for (const n of [4, 1001]) expect(() => readPaper(paper(n))).toThrow()
 })
 
 /** A file with one letter changed, taken out or doubled. */
