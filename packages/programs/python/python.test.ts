@@ -2,6 +2,7 @@ import { addBlocks, definitions, type Definition, type Template } from '@botgart
 import { expert } from '@botgarten/blocks/packs/expert'
 import { learning } from '@botgarten/blocks/packs/learning'
 import { timed } from '@botgarten/numbers/testing/processor'
+import { emptyBrain } from '@botgarten/learning/neural-network/brain'
 import { cardConfig } from '@botgarten/simulation'
 import { beforeAll, describe, expect, it } from 'vitest'
 import { stacksOf } from '@botgarten/blocks'
@@ -113,6 +114,20 @@ it('variables that a function changes are made once, before it, and are global i
   const define = ['def add():', '    global x', '    x += 1']
   expect(rows.filter((row) => row === making || define.includes(row))).toEqual([making, ...define])
   expect(rows.at(-1)).toBe('add()')
+})
+
+it('tables of a network have names that say what they hold', () => {
+  const neuron = (id: string, bias: number) => ({ id, activation: 'identity' as const, bias })
+  const layers = [[neuron('eye', 0)], [neuron('wheel', 0.5)]]
+  const brain = { ...emptyBrain, layers, weights: { eye: { wheel: 2 } } }
+  const bias = show(block('robSensors_get_bias', { NAME: 'wheel' }))
+  expect(lines([bias], { brains: { robControls_start: brain } })).toEqual(
+    expect.arrayContaining([
+      ...['net_inputs = {"eye": 0}', 'net_outputs = {"wheel": 0}'],
+      ...['net_weights = {"eye": {"wheel": 2}}', 'net_biases = {"wheel": 0.5}'],
+      'show(number_text(net_biases["wheel"]), 0, 0)',
+    ]),
+  )
 })
 
 describe('comments of helpers', () => {
