@@ -19,7 +19,7 @@ test('the file of the table names each figure of a child and has it in that colu
   const never = { ...table[0]!, firstRun: null }
   const [names, ...rows] = rowsOfTable([table[0]!, never])
   expect(names!.toSorted()).toEqual(Object.keys(table[0]!).sort())
-  const asRecords = rows.map((row) => Object.fromEntries(row.map((cell, k) => [names![k], cell])))
+  const asRecords = rows.map((row): unknown => Object.fromEntries(row.map((cell, k) => [names![k], cell])))
   expect(asRecords).toEqual([table[0], { ...never, firstRun: '' }])
 })
 
