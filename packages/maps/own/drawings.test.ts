@@ -82,6 +82,14 @@ describe('of a drawing is taken out, and named,', () => {
   })
 })
 
+test('a drawing of more than 5,000 elements is refused with that number', () => {
+  const groups = (count: number) => svg('<g/>'.repeat(count - 1))
+  expect(cleanDrawing(groups(5_000))).toHaveProperty('picture')
+  expect(cleanDrawing(groups(5_001))).toEqual({
+    problem: { kind: 'tooManyElements', facts: { most: 5_000 } },
+  })
+})
+
 test('a drawing with names that are nearly right is refused, and each is named', () => {
   const { map, ...rest } = openMap(svg(`${rect}<circle id="node_0" r="3"/>`), 'mine')
   expect(map).toBeNull()
