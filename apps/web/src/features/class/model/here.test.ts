@@ -1,5 +1,5 @@
 import { afterEach, beforeEach, expect, test, vi } from 'vitest'
-import { whenQuiet } from './here.ts'
+import { arrive, beginning, forgetHere, stayHere, whenQuiet } from './here.ts'
 
 const minute = 60_000
 let page: EventTarget
@@ -45,4 +45,33 @@ test('stopped, it asks nobody', () => {
   stop()
   vi.advanceTimersByTime(20 * minute)
   expect(asked).toBe(0)
+})
+
+/** What a browser holds for one tab. */
+function freshTab(): Map<string, string> {
+  const texts = new Map<string, string>()
+  vi.stubGlobal('sessionStorage', {
+    getItem: (key: string) => texts.get(key) ?? null,
+    setItem: (key: string, text: string) => void texts.set(key, text),
+    removeItem: (key: string) => void texts.delete(key),
+  })
+  return texts
+}
+
+test('a tab asks no more once its child is here, and asks every other child', () => {
+  freshTab()
+  expect(beginning('fox')).toBe('asks')
+  arrive('fox', 'new')
+  expect([beginning('fox'), beginning('owl')]).toEqual(['here', 'asks'])
+  arrive('owl', 'back')
+  expect([beginning('fox'), beginning('owl')]).toEqual(['asks', 'back'])
+  stayHere('owl')
+  expect(beginning('owl')).toBe('here')
+  forgetHere()
+  expect(beginning('owl')).toBe('asks')
+})
+
+test('a tab that an earlier version has left open in a lesson does not ask after its update', () => {
+  freshTab().set('botgarten.here', 'fox')
+  expect(beginning('fox')).toBe('here')
 })

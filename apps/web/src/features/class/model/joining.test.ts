@@ -99,4 +99,18 @@ describe('a child that types the code', () => {
     await answer(found('5b'))
     expect(joining.className).toBe('5b')
   })
+
+  test.each([
+    [0, 'kite', 0, ['kite', '', '', '']],
+    [0, 'kite ', 1, ['kite', '', '', '']],
+    [1, 'otter', 1, ['', 'otter', '', '']],
+    [1, '', 1, ['', '', '', '']],
+    [0, 'kite otter', 1, ['kite', 'otter', '', '']],
+    [0, 'kite otter plum ', 3, ['kite', 'otter', 'plum', '']],
+    [0, 'kite otter plum rope ', 3, ['kite', 'otter', 'plum', 'rope']],
+  ])('types into field %i “%s” and goes on in field %i', (field, text, next, words) => {
+    const joining = new Joining(slowClass().ask)
+    expect(joining.type(field, text)).toBe(next)
+    expect(joining.words).toEqual(words)
+  })
 })

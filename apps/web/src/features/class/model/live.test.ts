@@ -17,6 +17,7 @@ let live: PupilLive
 let known: Me | null
 let over: number
 let isPlugged: boolean
+let streams: number
 
 const silent = { onmessage: null, postMessage: () => {}, close: () => {} }
 
@@ -52,11 +53,16 @@ beforeEach(async () => {
   known = null
   over = 0
   isPlugged = true
+  streams = 0
   const ask = askerOf(fox)
+  const openStream = () => {
+    streams += 1
+    return new StreamSource(ask('/api/class/me/stream'))
+  }
   live = new PupilLive(
     askAs(fox.id, ask),
     { me: (me) => (known = me), over: () => (over += 1) },
-    (hear) => new SharedStream(hear, () => new StreamSource(ask('/api/class/me/stream')), silent),
+    (hear) => new SharedStream(hear, openStream, silent),
   )
   live.start()
   await settle(server)
@@ -127,15 +133,23 @@ describe('the page of a pupil', () => {
 
   test('is let go 20 s after the cable was pulled, and knows all again when it is back', async () => {
     await doTeach('put', '/attention', { on: true })
+    const stream = await teacher.events(`/classes/${school.id}/stream`)
+    // The class itself does not end it: a teacher's page reads on.
+    const reading = stream.until(() => false).catch(() => {})
     isPlugged = false
     await passes(15)
     expect(live.attention).toBe(true)
     await passes(10)
     expect(live.attention).toBe(false)
+    await stream.stop()
+    await reading
     await doTeach('post', '/handouts', { to: 'all', kind: 'hint', text: 'Look at the eyes.' })
     isPlugged = true
+    expect(streams).toBe(1)
     await passes(6)
     expect(live.handouts).toMatchObject([{ kind: 'hint', text: 'Look at the eyes.' }])
+    // The old stream may be dead without an error: a new one is opened, once.
+    expect(streams).toBe(2)
   })
 
   test('keeps what was sent until the child puts it away', async () => {

@@ -1,7 +1,7 @@
 import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest'
 import type { Source } from '#parts/page/source.ts'
 import type { Me } from './pupil.ts'
-import { SharedStream, type Channel } from './shared-stream.ts'
+import { holdWhileSeen, SharedStream, type Channel } from './shared-stream.ts'
 
 const me = (nickname: string): Me => ({
   ...{ id: 'p', nickname, fresh: true, hand: false, attention: null, inside: null, handouts: [], pair: null },
@@ -146,4 +146,26 @@ describe('pages of one browser', () => {
     expect(pages.standing).toHaveLength(1)
     stream.close()
   })
+})
+
+test('a page that is hidden leaves the stream to others, and takes it again when it is seen', () => {
+  const page = Object.assign(new EventTarget(), { visibilityState: 'visible' })
+  vi.stubGlobal('document', page)
+  vi.stubGlobal('addEventListener', () => {})
+  vi.stubGlobal('removeEventListener', () => {})
+  const turns = (visibilityState: string) => {
+    Object.assign(page, { visibilityState })
+    page.dispatchEvent(new Event('visibilitychange'))
+  }
+  const { stream } = pages.open()
+  const stop = holdWhileSeen(stream)
+  expect(stream.isHeld).toBe(true)
+  turns('hidden')
+  expect([stream.isHeld, pages.standing.length]).toEqual([false, 0])
+  turns('visible')
+  expect([stream.isHeld, pages.standing.length]).toEqual([true, 1])
+  stop()
+  turns('hidden')
+  expect(stream.isHeld).toBe(true)
+  vi.unstubAllGlobals()
 })
