@@ -47,7 +47,7 @@ test('stopped, it asks nobody', () => {
   expect(asked).toBe(0)
 })
 
-/** What a browser holds for one tab. */
+/** An empty session storage. Returns its entries. */
 function freshTab(): Map<string, string> {
   const texts = new Map<string, string>()
   vi.stubGlobal('sessionStorage', {

@@ -239,8 +239,8 @@ export class Together {
 
   /** Shows what has come, once no block is in a hand. @param all a hand wants to see it at once */
   #show(all = false): void {
-    clearTimeout(this.#showing)
     if (!this.#peer || this.#isBringing || this.#live.working !== this.pair) return
+    clearTimeout(this.#showing)
     if (!this.#session.settleBlocks()) {
       this.#showing = setTimeout(() => this.#show(), again)
       return

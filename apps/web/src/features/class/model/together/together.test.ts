@@ -14,22 +14,31 @@ import { invite } from './pairing.ts'
 import { Together } from './together.svelte.ts'
 
 // Two sessions as the screen has them, and a real class server between them. Only clock and cable are not.
+type Pupil = Awaited<ReturnType<Server['pupil']>>
 interface Child {
   session: LabSession
   readonly ask: Ask
   together: Together
   isPlugged: boolean
+  /** The status that the class answers to its operations; 0: its own. */
+  refusal: number
 }
 /** Which blocks the pages have asked for. */
 let asked: string[]
+/** Blocks arrive after this. */
+let coming: Promise<void>
 const packs: Packs = {
   loadLearning: () => Promise.resolve(),
-  loadFor({ programs }) {
+  async loadFor({ programs }) {
     asked.push(JSON.stringify(programs))
-    return Promise.resolve(false)
+    await coming
+    return false
   },
 }
 let server: Server
+let pupils: readonly [Pupil, Pupil]
+/** A classmate who works alone. */
+let mate: Pupil
 let fox: Child
 let owl: Child
 
@@ -41,10 +50,12 @@ async function passes(seconds: number) {
   }
 }
 
-function asker({ browser, id }: Awaited<ReturnType<Server['pupil']>>, plugged: () => boolean): Ask {
+function asker({ browser, id }: Pupil, child: Pick<Child, 'isPlugged' | 'refusal'>): Ask {
   const cookie = [...browser.cookies].map(([name, value]) => `${name}=${value}`).join('; ')
   return askAs(id, (path, init) => {
-    if (!plugged()) return Promise.reject(new TypeError('The cable is out.'))
+    if (!child.isPlugged) return Promise.reject(new TypeError('The cable is out.'))
+    if (child.refusal > 0 && path.endsWith('/pair/operations'))
+      return Promise.resolve(Response.json({ error: 'refused' }, { status: child.refusal }))
     const headers = new Headers(init.headers)
     headers.set('cookie', cookie)
     headers.set('origin', 'http://lab.test')
@@ -54,16 +65,18 @@ function asker({ browser, id }: Awaited<ReturnType<Server['pupil']>>, plugged: (
 
 beforeEach(async () => {
   asked = []
+  coming = Promise.resolve()
   await freshDevice()
   const database = openSqlite(':memory:')
   await migrate(database)
   server = new Server(database, quickAccounts(database))
   const { code } = await server.openClass(await server.firstTeacher())
-  const pupils = [await server.pupil(code, 'Fuchs'), await server.pupil(code, 'Eule')] as const
+  pupils = [await server.pupil(code, 'Fuchs'), await server.pupil(code, 'Eule')]
+  mate = await server.pupil(code, 'Dachs')
   vi.useFakeTimers({ toFake: ['setTimeout', 'clearTimeout', 'setInterval', 'clearInterval'] })
   const children = pupils.map((pupil) => {
-    const child = { isPlugged: true } as { -readonly [Key in keyof Child]: Child[Key] }
-    child.ask = asker(pupil, () => child.isPlugged)
+    const child = { isPlugged: true, refusal: 0 } as { -readonly [Key in keyof Child]: Child[Key] }
+    child.ask = asker(pupil, child)
     child.session = sessionOf().session
     return child
   })
@@ -96,6 +109,8 @@ function adds(child: Child, id: string) {
   const after = { ...main(child), stacks: [...main(child).stacks, { x: 300, y: 300, blocks: [block] }] }
   child.session.apply({ kind: 'program', program: 'main', after })
 }
+/** The number of operations that the class has of the two. */
+const lengthInClass = async () => ((await pupils[1].browser.get('/pair')).body as { length: number }).length
 const same = () => {
   for (const part of ['programs', 'brains', 'world'] as const)
     expect(owl.session.project[part]).toEqual(fox.session.project[part])
@@ -139,6 +154,99 @@ test('undo takes back only the own steps, and redo does them again', async () =>
   fox.session.undo.redo()
   await passes(6)
   expect(weight(owl)).toBe(0.7)
+})
+
+test('undo takes back what was done in this moment, not the step before it', async () => {
+  turn(fox, 0.4)
+  await passes(1)
+  turn(fox, 0.7)
+  fox.session.undo.undo()
+  expect(weight(fox)).toBe(0.4)
+  turn(fox, 0.9)
+  fox.session.undo.redo()
+  expect(weight(fox)).toBe(0.9)
+})
+
+test('each page knows the other child before the class says anything new, and warns of nothing', () => {
+  expect([fox.together.about?.with, owl.together.about?.with]).toEqual(['Eule', 'Fuchs'])
+  expect([fox.together.hadPhoto, fox.together.isFull]).toEqual([false, false])
+})
+
+test('a child that works with another one invites nobody else', async () => {
+  const own = { id: 'friendship', project: fox.session.project }
+  expect(await invite(fox.ask, mate.id, own)).toBe('togetherBusy')
+  const askOfMate = asker(mate, { isPlugged: true, refusal: 0 })
+  expect(await invite(askOfMate, pupils[0].id, own)).toBe('togetherBusy')
+  expect(await invite(askOfMate, mate.id, own)).toBe('togetherNotSent')
+  fox.isPlugged = false
+  expect(await invite(fox.ask, mate.id, own)).toBe('togetherNotSent')
+})
+
+test.each([400, 409, 413])('a class that takes no more of it (%i) ends the common work', async (status) => {
+  fox.refusal = status
+  turn(fox, 0.4)
+  await passes(1)
+  expect([fox.together.isFull, fox.together.isAway]).toEqual([true, false])
+})
+
+test('a class that is only too busy for a moment (429) gets it later', async () => {
+  fox.refusal = 429
+  turn(fox, 0.4)
+  await passes(1)
+  expect([fox.together.isFull, fox.together.isAway]).toEqual([false, false])
+  expect(await lengthInClass()).toBe(0)
+  fox.refusal = 0
+  await passes(2)
+  expect([fox.together.isFull, await lengthInClass()]).toEqual([false, 1])
+})
+
+test('more than the class takes at once is sent without a pause, and fetched without a pause', async () => {
+  fox.isPlugged = false
+  const { stacks } = main(fox)
+  const more = Array.from({ length: 450 }, (_, at): Block => ({
+    id: `new-${at}`,
+    type: 'robActions_motorDiff_stop',
+  }))
+  const after = {
+    ...main(fox),
+    stacks: [...stacks, ...more.map((block, at) => ({ x: at, y: 0, blocks: [block] }))],
+  }
+  fox.session.apply({ kind: 'program', program: 'main', after })
+  await passes(1)
+  fox.isPlugged = true
+  await passes(2)
+  expect(await lengthInClass()).toBe(450)
+  await passes(5)
+  same()
+})
+
+test('a page that the class does not answer at its beginning waits, and then has all of it', async () => {
+  fox.together.stop()
+  fox.isPlugged = false
+  const live = new PupilLive(fox.ask, { me: () => {}, over: () => {} })
+  fox.together = new Together(live, fox.session, fox.together.pair, packs, () => {})
+  turn(owl, 0.4)
+  await passes(12)
+  expect([fox.together.isAway, fox.together.about, weight(fox)]).toEqual([true, null, 0])
+  fox.isPlugged = true
+  await passes(6)
+  expect([fox.together.isAway, weight(fox)]).toEqual([false, 0.4])
+})
+
+test('blocks of the other one are not shown before they have come, also where a step is taken back', async () => {
+  turn(fox, 0.4)
+  await passes(6)
+  let come = () => {}
+  coming = new Promise((resolve) => (come = resolve))
+  adds(owl, 'of-owl')
+  await passes(6)
+  fox.session.undo.undo()
+  const ids = () => main(fox).stacks.map(({ blocks }) => blocks[0]!.id)
+  expect(ids()).not.toContain('of-owl')
+  come()
+  await passes(6)
+  expect(ids()).toContain('of-owl')
+  expect([weight(fox), weight(owl)]).toEqual([0, 0])
 })
 
 test('a thing that is moved stands there for both', async () => {
