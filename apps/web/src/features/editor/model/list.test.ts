@@ -1,6 +1,7 @@
 import * as Blockly from 'blockly/core'
 import fc from 'fast-check'
 import { afterEach, describe, expect, it } from 'vitest'
+import type { BotBlock } from './bot-block.ts'
 import { watchCopies, type Copy } from './copies.ts'
 import { followNeurons } from '../view/follow.ts'
 import { addLine, foot, linesOf, removeLine } from './list.ts'
@@ -59,6 +60,16 @@ describe('the plus of a list', () => {
     bench.settle()
     bench.undo()
     expect(bench.program()).toEqual(before)
+  })
+})
+
+describe('a list that is made anew', () => {
+  it('has one empty row for a neuron, with a pointed plug where it is a layer of a deeper network', () => {
+    friendship()
+    expect(linesOf(bench.workspace.newBlock('ai_easy_list') as BotBlock)).toEqual(['ADD0'])
+    bench.adds({ id: 'hidden', type: 'ai_nn_hidden_layer' })
+    expect(bench.block('hidden').frame).toEqual({ plug: 'pointed', tint: 'hidden' })
+    expect(bench.block('eyeLeft').frame).toBeNull()
   })
 })
 

@@ -14,7 +14,7 @@ import * as Blockly from 'blockly/core'
 import fc from 'fast-check'
 import { afterEach, beforeAll, describe, expect, it } from 'vitest'
 import { fits } from './fits.ts'
-import { toProgram, toWorkspace } from './program.ts'
+import { awaited, toProgram, toWorkspace } from './program.ts'
 import { defineBlocks } from '../view/shape.ts'
 import { defineUnknownBlocks } from './unknown.ts'
 import { wordsIn } from '#words/message.ts'
@@ -234,6 +234,35 @@ describe('a program on the workspace', () => {
     const block = workspace.getBlockById('odd')!
     expect([block.getFieldValue('NAME'), block.getStyleName()]).toEqual(['robActions_fly', 'unknown'])
     expect(toProgram(workspace, program).stacks[0]!.blocks[1]).toEqual(fly)
+  })
+
+  it('comes back whole while the rest of its rows is still on its way', () => {
+    const stop = (id: string): Block => ({ id, type: 'robActions_motorDiff_stop' })
+    const wait: Block = { id: 'wait', type: 'robControls_wait_time' }
+    const workspace = open(programOf([wait, stop('a')], [stop('alone')]))
+    awaited.set(workspace, new Map([['wait', [stop('b'), stop('c')]]]))
+    expect(toProgram(workspace, empty).stacks.map(({ blocks }) => blocks.map(({ id }) => id))).toEqual([
+      ['wait', 'a', 'b', 'c'],
+      ['alone'],
+    ])
+  })
+
+  it('comes back as its file has it where a sensor block has no fields, or no mutation', () => {
+    const type = 'robSensors_touch_getSample'
+    const rows: readonly Block[] = [
+      { id: 'bare', type, mutation: { attrs: { mode: 'PRESSED' } } },
+      { id: 'plain', type, fields: { MODE: 'PRESSED', SENSORPORT: '1' } },
+    ]
+    const program = programOf(...rows.map((block) => [block]))
+    expect(backAndForth(program)).toEqual(program)
+  })
+
+  it('has no rows in a block that holds no list', () => {
+    const workspace = open(empty)
+    workspace.newBlock('robActions_motorDiff_stop', 'stop')
+    workspace.newBlock('ai_easy_list', 'list')
+    const blocks = toProgram(workspace, empty).stacks.flatMap(({ blocks }) => blocks)
+    expect(blocks.map(({ mutation }) => mutation?.attrs['items'])).toEqual([undefined, '1'])
   })
 
   it('comes back frozen to its leaves', () => {

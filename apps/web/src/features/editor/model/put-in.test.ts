@@ -77,6 +77,7 @@ describe('a network that is put in', () => {
     benchOf([{ ...start, disabled: true }, forever('loop', net())])
     put()
     expect(networksByUse(bench.program())[0]!.idle).toBe(null)
+    expect(stacks()).toEqual(['start loop(net)'])
   })
 
   it('comes from behind a loop that never ends alone', () => {

@@ -1,7 +1,7 @@
 import fc from 'fast-check'
 import { expect, test } from 'vitest'
 import { trace, type Brain } from '@botgarten/learning/neural-network'
-import { answerOf, courseOf, endsOf, rangeAround, rangeOf, spread } from './function.ts'
+import { answerOf, courseOf, endsOf, layersBefore, rangeAround, rangeOf, spread } from './function.ts'
 
 const neuron = (id: string, bias = 0) => ({ id, activation: 'identity' as const, bias })
 const brain: Brain = {
@@ -45,6 +45,21 @@ test('there is no curve from an output, backwards, or of neurons that are not th
     ['nobody', 'm'],
   ] as const)
     expect(answerOf(brain, brain.weights, now, from, to)).toBeNull()
+})
+
+test('a neuron is asked about from each layer before its own; an input from none', () => {
+  expect(
+    [...brain.layers.flat(), neuron('other')].map(({ id }) => [id, layersBefore(brain, id).length]),
+  ).toEqual([
+    ...[
+      ['a', 0],
+      ['b', 0],
+      ['h', 1],
+      ['g', 1],
+      ['m', 2],
+      ['other', 0],
+    ],
+  ])
 })
 
 test('axes hold what is there, in steps of fifty', () => {

@@ -1,6 +1,7 @@
 import fc from 'fast-check'
 import { expect, test } from 'vitest'
-import { barsOf, endToEnd, mostOf, reasonsOf } from './reasons.ts'
+import type { Brain } from '@botgarten/learning/neural-network'
+import { barsOf, endToEnd, mostOf, reasonsIn, reasonsOf } from './reasons.ts'
 
 const reasons = (values: readonly number[], weights: readonly number[], base = 0) => {
   const shares = values.map((value, index) => value * weights[index]!)
@@ -16,6 +17,24 @@ test('91 × 0.6 and 100 × 0.2 are 55 and 20, together 75', () => {
   expect(rows.map(({ share }) => share)).toEqual([55, 20])
   expect(total).toBe(75)
   expect(rows.map(({ digits }) => digits)).toEqual([0, 0])
+})
+
+test('the inputs of a deeper network have no one weight to its output, those of a link have theirs', () => {
+  const neuron = (id: string) => ({ id, activation: 'identity' as const, bias: 0 })
+  const weights = { a: { h: 0.5 }, b: { h: 0.25 }, h: { m: 2 } }
+  const brain: Brain = {
+    kind: 'network',
+    layers: [[neuron('a'), neuron('b')], [neuron('h')], [neuron('m')]],
+    ...{ weights, sets: {} },
+  }
+  const asked = { inputs: [{ id: 'a' }, { id: 'b' }], brain, weights }
+  const shown = (id: string) => {
+    const { rows, total } = reasonsIn(asked, id, [40, 80])
+    return [...rows.map(({ input, weight, share, digits }) => [input, weight, share, digits]), total]
+  }
+  // 40 × 0.5 = 20 and 80 × 0.25 = 20; × 2 both are 40.
+  expect(shown('h')).toEqual([[40, 0.5, 20, 0], [80, 0.25, 20, 0], 40])
+  expect(shown('m')).toEqual([[40, null, 40, 0], [80, null, 40, 0], 80])
 })
 
 test('numbers below ten have one digit behind the comma', () => {
@@ -65,6 +84,7 @@ test('bars begin at one line, and the longest reaches its end', () => {
   const { zero, bars } = barsOf([30, -10])
   expect(zero).toBe(0.25)
   expect(bars[1]).toEqual({ at: 0, width: 0.25, negative: true })
+  expect(barsOf([0.5, 0.5]).bars).toEqual(Array(2).fill({ at: 0, width: 0.5, negative: false }))
   expect(barsOf([0, 0]).bars.every(({ width }) => width === 0)).toBe(true)
 })
 
