@@ -24,6 +24,15 @@ describe('the brain of something shared', () => {
     expect(after.world).toEqual(mine.world)
   })
 
+  it('has a name also where the brain before it is given none, and never one that is taken', () => {
+    const taken = (project: Project) => {
+      const own = brainOf(project)!
+      return withBrain(project, own, fitted(brainOf(theirs)!, own)!, ' ')
+    }
+    const { net } = brainOf(mine)!
+    expect(Object.keys(taken(taken(mine)).brains[net.id]!.sets)).toEqual(['brain', 'brain 2'])
+  })
+
   it('fits alike with the same sensors; a sensor at another port and one that stands elsewhere are named', () => {
     expect(fitted(brainOf(theirs)!, brainOf(mine)!)!.differences).toEqual([])
     const swapped = JSON.parse(

@@ -85,6 +85,28 @@ describe('a gallery', () => {
     expect([gallery.problem, gallery.items]).toEqual(['off', null])
   })
 
+  it('opens nothing where the shared thing is gone, and looks at the list again', async () => {
+    const { gallery, asked, refuse } = classWith(3)
+    await gallery.show()
+    await gallery.look('item-0')
+    refuse({ kind: 'refused', status: 404, code: 'noSuchShared', facts: {} })
+    asked.length = 0
+    await gallery.look('item-1')
+    expect([gallery.opened, gallery.problem]).toEqual([null, 'gone'])
+    expect(asked).toEqual(['GET /gallery/item-1', 'GET /gallery?by=newest&from=0'])
+  })
+
+  it('that the teacher closes while it is open is empty at the next look', async () => {
+    vi.useFakeTimers()
+    const { gallery, refuse } = classWith(3)
+    await gallery.show()
+    refuse({ kind: 'refused', status: 403, code: 'galleryOff', facts: {} })
+    gallery.lookSoon()
+    await vi.advanceTimersByTimeAsync(2000)
+    expect([gallery.problem, gallery.items]).toEqual(['off', null])
+    vi.useRealTimers()
+  })
+
   it('asks for a heart to be given, and for one that was given to be taken away', async () => {
     const asked: unknown[] = []
     const gallery = new Gallery((_method, _path, body) => {

@@ -26,6 +26,14 @@ it('what has learned a way by trying drives it', async () => {
   expect(lab.view('').robots[0]!.pose).not.toEqual(pose)
 })
 
+it('what was shared before tables had a seed is learned, too', async () => {
+  const { q: _q, ...project } = projectOf('mars', 'solution')
+  for (const q of [undefined, {}])
+    expect(
+      (await afterLearning({ ...project, ...(q && { q }) }, mapOf))!.world.lines.map(({ id }) => id),
+    ).toContain('goal')
+})
+
 it('where nothing is learned by trying there is nothing to drive so', async () => {
   expect(await afterLearning(projectOf('friendship', 'solution'), mapOf)).toBe(null)
 })

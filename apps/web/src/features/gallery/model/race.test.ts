@@ -65,6 +65,15 @@ describe('a race beside mine', () => {
     expect(lab.view().robots[1]!.problem).toBeNull()
   })
 
+  it('a title is the name of its weights up to forty letters', () => {
+    const nameFor = (title: string) =>
+      robotsOf(besideMine(mine, projectOf('friendship', 'solution'), title)!)[1]!.brain
+    expect([nameFor('x'.repeat(40)), nameFor('x'.repeat(41))]).toEqual([
+      'x'.repeat(40),
+      expect.stringMatching(/^bo/),
+    ])
+  })
+
   it('a title that no weight set may have is not its name', () => {
     for (const title of ['__proto__', 'bo', 'x'.repeat(60)]) {
       const both = parsed(besideMine(mine, projectOf('friendship', 'solution'), title))
