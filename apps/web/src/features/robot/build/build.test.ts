@@ -51,6 +51,17 @@ describe('a sensor in the picture', () => {
     expect(nudged(nudged(bumper, 0, 1), 0, -1)).toEqual(bumper)
   })
 
+  it('that is a bumper changes its end at the middle of the body', () => {
+    const middle = (FRONT - REAR) / 2
+    expect(movedTo(bumper, { x: 0, y: 0.1 - middle }).x).toBe(-REAR)
+    expect(movedTo(bumper, { x: 0, y: -0.1 - middle }).x).toBe(FRONT)
+  })
+
+  it('can be of each kind that a robot of Open Roberta has', () => {
+    const known = parts.flatMap(({ is }) => ('sensor' in is ? [is.sensor] : []))
+    expect([...kinds].sort()).toEqual([...new Set<string>([...known, 'position'])].sort())
+  })
+
   it('goes half a centimetre by an arrow key', () => {
     expect(nudged(eye, 1, 0)).toEqual({ ...eye, y: 3.5 })
     expect(nudged(eye, 0, 1)).toEqual({ ...eye, x: 9.5 })
@@ -134,8 +145,16 @@ describe('what a file has plugged in', () => {
 
 describe('a key on a sensor', () => {
   it('moves it, or turns it where it looks somewhere', () => {
-    expect(placedByKey(eye, 'ArrowRight')).toEqual(nudged(eye, 1, 0))
-    expect(placedByKey(eye, 'ArrowUp')).toEqual(nudged(eye, 0, -1))
+    const steps = ['ArrowLeft', 'ArrowRight', 'ArrowUp', 'ArrowDown'].map((key) => {
+      const { x, y } = spotOf(placedByKey({ ...eye, x: 5 }, key)!)
+      return [x + 4, y + 5]
+    })
+    expect(steps).toEqual([
+      [-0.5, 0],
+      [0.5, 0],
+      [0, -0.5],
+      [0, 0.5],
+    ])
     expect(placedByKey(eye, ',')?.angle).toBe(25)
     expect(placedByKey(eye, '.')?.angle).toBe(15)
   })
