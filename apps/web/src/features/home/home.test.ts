@@ -33,6 +33,11 @@ describe('the card to play next', () => {
     expect(nextOf([card('vessels', 0, 0), card('tidy up', 1, 2)])?.label).toBe('tidy up')
   })
 
+  test('is a card with a single start place as long as it was not reached from there', () => {
+    expect(nextOf([card('one place', 0, 1), card('fear', 1, 3)])?.label).toBe('one place')
+    expect(nextOf([card('one place', 1, 1), card('fear', 1, 3)])?.label).toBe('fear')
+  })
+
   test('is the first one again where all are done', () => {
     expect(nextOf([card('vessels', 0, 0), card('tidy up', 2, 2)])?.label).toBe('vessels')
   })
@@ -93,6 +98,14 @@ describe('the cards of a bed', () => {
     expect(bed.map(({ href }) => href)).toEqual(own.map(({ id }) => `/lab/${id}`))
     expect(new Set(bedOf('drive', [], goals).map(({ number }) => number))).toEqual(new Set(['']))
     expect(bed.map(({ closed }) => closed)).toEqual(own.map(() => false))
+  })
+
+  test('lie in the groups of their cards', () => {
+    for (const bed of ['network', 'q-learning', 'sorting', 'drive'] as const)
+      expect(bedOf(bed, [], goals).map(({ group }) => group)).toEqual(
+        allCards.filter((one) => one.bed === bed).map(({ group }) => group ?? null),
+      )
+    expect(allCards.some(({ group }) => group !== undefined)).toBe(true)
   })
 
   test('have a topic in the language, else in English, else none', async () => {

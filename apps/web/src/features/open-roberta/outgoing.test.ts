@@ -2,8 +2,8 @@ import { readFileSync } from 'node:fs'
 import { content } from '@botgarten/content/files'
 import { parseProject } from '@botgarten/programs'
 import { projectFrom } from '@botgarten/programs/open-roberta'
-import { expect, it } from 'vitest'
-import { filesOf, outgoingOf } from './outgoing.ts'
+import { afterEach, expect, it, vi } from 'vitest'
+import { filesOf, outgoingOf, save } from './outgoing.ts'
 
 const read = (path: string) => readFileSync(new URL(`../../../../../${path}`, import.meta.url), 'utf8')
 const world = content.world('friendship')!
@@ -16,6 +16,37 @@ const foreign = projectFrom(
   'meins ab',
   world,
 )
+
+afterEach(() => {
+  vi.unstubAllGlobals()
+  vi.restoreAllMocks()
+})
+
+it('a name has eighty letters at the most, and is never empty', () => {
+  const nameOf = (name: string) => Object.keys(filesOf([{ ...foreign, name }], ''))
+  expect(nameOf('x'.repeat(81))).toEqual([`${'x'.repeat(80)}.xml`])
+  expect(nameOf('?/')).toEqual(['botgarten.xml'])
+})
+
+it('a program is saved as it is, and only where that is wanted with its network in steps', async () => {
+  const files: Blob[] = []
+  const links: { download?: string }[] = []
+  vi.spyOn(URL, 'createObjectURL').mockImplementation((blob) => `blob:${files.push(blob as Blob)}`)
+  vi.stubGlobal('document', {
+    createElement: () => {
+      const link = { click: () => {} }
+      links.push(link)
+      return link
+    },
+  })
+  save(outgoingOf(solution, world.robots[0]!.id))
+  save(outgoingOf(solution, world.robots[0]!.id), true)
+  const [whole, steps] = (await Promise.all(files.map((file) => file.text()))) as [string, string]
+  expect([whole.includes('ai_neural_network'), whole.includes('robActions_NNstep')]).toEqual([true, false])
+  expect([steps.includes('ai_neural_network'), steps.includes('robActions_NNstep')]).toEqual([false, true])
+  expect(links.map(({ download }) => download)).toEqual(Array(2).fill('Meins AB.xml'))
+  expect(files.map(({ type }) => type)).toEqual(Array(2).fill('application/xml'))
+})
 
 it('every program of every project has a file, under a name that is free', () => {
   const files = filesOf([solution, foreign, foreign], 'with steps')

@@ -86,6 +86,14 @@ describe('a gap in the program', () => {
   })
 })
 
+test('a block that the robot of the file cannot obey has a mark of the robot, which stops no run', () => {
+  const { code } = codeOf(solved('mars'))
+  expect(code.missing).toMatchObject([
+    { block: 'draw', problem: 'python.atBlock', mark: 'robot', stops: false },
+  ])
+  expect(code.missing[0]!.facts!['what']).not.toBe('')
+})
+
 describe('lines', () => {
   test('belong to their blocks; those above the program do not run', () => {
     const { code } = codeOf()

@@ -214,6 +214,42 @@ test('only the cards of the part are open, and each child has projects of its ow
   expect(allowed.isOpen('free')).toBe(true)
 })
 
+test('after a child has ended, the device is ready for the next one of the same study', () => {
+  device.begin(pseudonymOf(1, 2), true)
+  device.end()
+  expect([device.child, device.ready, device.plan]).toEqual([null, true, plan])
+  device.close()
+  device.end()
+  expect([device.child, device.ready, device.plan]).toEqual([null, false, null])
+})
+
+test('a hint is in the log once, whatever else the child reaches', async () => {
+  device.begin(pseudonymOf(1, 2), true)
+  const { session } = sessionOf()
+  const leave = follow(session)
+  const reaches = (hints: number, starts: readonly number[]) =>
+    session.apply({ kind: 'progress', after: { hints, starts } })
+  reaches(1, [])
+  reaches(1, [0])
+  reaches(2, [0])
+  reaches(2, [0, 1])
+  leave()
+  const lines = await logged()
+  expect(lines.flatMap(({ says }) => (says.event === 'hint' ? [says.shown] : []))).toEqual([1, 2])
+})
+
+test('a lab that is opened on another page takes the log over', async () => {
+  device.begin(pseudonymOf(1, 2), true)
+  vi.resetModules()
+  const { device: other } = await import('./device.svelte.ts')
+  other.hold()
+  device.look({ key: 'botgarten.study' })
+  expect(device.writes).toBe(false)
+  const leave = follow(sessionOf().session)
+  expect(device.writes).toBe(true)
+  leave()
+})
+
 test('one number is deleted without a trace, and the others stay', async () => {
   for (const number of [1, 2]) {
     device.begin(pseudonymOf(1, number), true)
