@@ -30,11 +30,11 @@ it('a name has eighty letters at the most, and is never empty', () => {
 
 it('a program is saved as it is, and only where that is wanted with its network in steps', async () => {
   const files: Blob[] = []
-  const links: { download?: string }[] = []
+  const links: { download: string }[] = []
   vi.spyOn(URL, 'createObjectURL').mockImplementation((blob) => `blob:${files.push(blob as Blob)}`)
   vi.stubGlobal('document', {
     createElement: () => {
-      const link = { click: () => {} }
+      const link = { click: () => {}, download: '' }
       links.push(link)
       return link
     },

@@ -27,6 +27,11 @@ const now = () => session.weights.now('net')['eyeLeft']!['wheelRight']
 const sets = () => session.lab.document.brains['net']!.sets
 
 describe('the list of saved brains', () => {
+  test('calls a brain without a name “Brain”, and the next one “Brain 2”', () => {
+    for (const name of ['', ' ']) brains.put(session, net, name)
+    expect(brains.savedBrains(session, net)).toEqual(['Brain', 'Brain 2'])
+  })
+
   test('takes the weights of now under a name that is free, and gives them back', () => {
     turn(0.3)
     brains.put(session, net, 'Shy')

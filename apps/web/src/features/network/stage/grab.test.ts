@@ -23,6 +23,13 @@ beforeEach(() => {
 })
 
 describe('a finger on a knob', () => {
+  test('holds it, alone; one far from all links holds nothing', () => {
+    const knob = knobPlace(tracks[0]!, 0.5)
+    expect(grab.down(1, { x: knob.x, y: 1000 }, tracks, weights)).toBe(false)
+    expect(grab.down(1, knob, tracks, weights)).toBe(true)
+    expect(grab.down(2, knob, tracks, weights)).toBe(false)
+  })
+
   test('that only touches it changes nothing', () => {
     const knob = knobPlace(tracks[0]!, 0.5)
     grab.down(1, { x: knob.x + 9, y: knob.y }, tracks, weights)
