@@ -218,7 +218,7 @@ test('a browser is told in the first line of the blocks and of the page of the l
   for (const script of [largest, own]) expect(script.split('\n', 1)).toEqual(['//# allFunctionsCalledOnLoad'])
 })
 
-test('what is kept for times without a network comes after the page, and is at most 2.75 MB on the wire', async ({
+test('what is kept for times without a network comes after the page, and is at most 2.77 MB on the wire', async ({
   child,
   page,
   door,
@@ -229,5 +229,6 @@ test('what is kept for times without a network comes after the page, and is at m
   await isKept(page)
   expect(door.asked).toContain('/service-worker.js')
   expect(door.asked.length - requests).toBeLessThanOrEqual(440)
-  expect(door.bytes - bytes).toBeLessThanOrEqual(2_750_000)
+  // 14 kB of it are the tokens of questionnaires, which pages on plain http make without help of the browser.
+  expect(door.bytes - bytes).toBeLessThanOrEqual(2_770_000)
 })
