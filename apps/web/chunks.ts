@@ -109,6 +109,23 @@ interface Built {
  */
 let heavy: readonly string[] = []
 
+const virtual = 'virtual:files-of-teachers'
+/** Files that only pages of teachers load at once. */
+let ofTeachers: readonly string[] = []
+
+/** Tells the service worker, which is built after the pages, what a child's device need not store. */
+export const filesOfTeachers: Plugin = {
+  name: 'files-of-teachers',
+  resolveId: (id) => (id === virtual ? `\0${virtual}` : null),
+  load: (id) => (id === `\0${virtual}` ? `export const ofTeachers = ${JSON.stringify(ofTeachers)}` : null),
+}
+
+/** The folder of the page that a node is made of; null for the frame of all pages. */
+const routeOf = ({ modules = {} }: Built) =>
+  Object.keys(modules).flatMap((id) => page.exec(id)?.[1] ?? [])[0] ?? null
+
+const isOfTeachers = (route: string | null) => route !== null && /^[\\/]teacher(?:[\\/]|$)/.test(route)
+
 /** The chunk of a page or of its frame. */
 const isNode = ({ type, fileName }: Built) => type === 'chunk' && /[\\/]nodes[\\/]/.test(fileName)
 
@@ -122,7 +139,7 @@ export const allOfPagesAtOnce: Plugin = {
     const built = bundle as unknown as { readonly [file: string]: Built }
     const nodes = Object.values(built).filter(isNode)
     const shared = new Set<Built>()
-    const pagesWith = new Map<string, readonly { readonly waits: boolean }[]>()
+    const pagesWith = new Map<string, readonly { readonly waits: boolean; readonly teachers: boolean }[]>()
     for (const node of nodes) {
       const all = new Map<string, Built>()
       const add = (file: string) => {
@@ -139,14 +156,18 @@ export const allOfPagesAtOnce: Plugin = {
         .filter(({ modules = {} }) => asked.some((id) => id in modules))
         .forEach(({ fileName }) => add(fileName))
       node.imports = [...all.keys()]
+      const about = { waits: asked.length > 0, teachers: isOfTeachers(routeOf(node)) }
       for (const file of [node.fileName, ...node.imports])
-        pagesWith.set(file, [...(pagesWith.get(file) ?? []), { waits: asked.length > 0 }])
+        pagesWith.set(file, [...(pagesWith.get(file) ?? []), about])
       const later = [node, ...all.values()].flatMap(({ dynamicImports = [] }) => dynamicImports)
       node.dynamicImports = [...new Set(later)]
     }
     for (const chunk of shared) if (!isNode(chunk)) chunk.dynamicImports = []
     heavy = [...pagesWith]
       .filter(([, pages]) => pages.length === nodes.length || pages.every(({ waits }) => waits))
+      .map(([file]) => file)
+    ofTeachers = [...pagesWith]
+      .filter(([, pages]) => pages.every(({ teachers }) => teachers))
       .map(([file]) => file)
   },
 }

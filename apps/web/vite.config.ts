@@ -2,7 +2,7 @@ import adapter from '@sveltejs/adapter-node'
 import { sveltekit } from '@sveltejs/kit/vite'
 import { defineConfig } from 'vite'
 import { contentPlugin } from '@botgarten/content/vite'
-import { allOfPagesAtOnce, chunks, compiledAtOnce, pagesOfModules } from './chunks.ts'
+import { allOfPagesAtOnce, chunks, compiledAtOnce, filesOfTeachers, pagesOfModules } from './chunks.ts'
 import { examples } from './examples.ts'
 import { notices } from './notices.ts'
 import { webSpace } from './web-space.ts'
@@ -24,6 +24,7 @@ export default defineConfig({
     pagesOfModules,
     allOfPagesAtOnce,
     compiledAtOnce,
+    filesOfTeachers,
     sveltekit({
       adapter: folder ? webSpace(folder) : adapter({ precompress: true }),
       // The sizes of the one build are not those of the other.

@@ -1,6 +1,7 @@
 // Rooms: service-worker
 // By address: the subject is a browser without an answer from the server.
 import { content } from '@botgarten/content/files'
+import type { Page } from '@playwright/test'
 import { flags } from '../browser.ts'
 import { findChromium } from '../chromium.mjs'
 import { Child, leftEye, leftWheel } from '../child.ts'
@@ -218,7 +219,7 @@ test('a browser is told in the first line of the blocks and of the page of the l
   for (const script of [largest, own]) expect(script.split('\n', 1)).toEqual(['//# allFunctionsCalledOnLoad'])
 })
 
-test('what is kept for times without a network comes after the page, and is at most 2.77 MB on the wire', async ({
+test('what is kept for times without a network comes after the page, and is at most 2.75 MB on the wire', async ({
   child,
   page,
   door,
@@ -229,6 +230,19 @@ test('what is kept for times without a network comes after the page, and is at m
   await isKept(page)
   expect(door.asked).toContain('/service-worker.js')
   expect(door.asked.length - requests).toBeLessThanOrEqual(440)
-  // 14 kB of it are the tokens of questionnaires, which pages on plain http make without help of the browser.
-  expect(door.bytes - bytes).toBeLessThanOrEqual(2_770_000)
+  expect(door.bytes - bytes).toBeLessThanOrEqual(2_750_000)
+  for (const file of await ownFilesOf(page, '/projects')) expect(door.asked).toContain(file)
+  const ofTeachers = await ownFilesOf(page, '/teacher')
+  expect(ofTeachers.length).toBeGreaterThan(0)
+  for (const file of ofTeachers) expect(door.asked).not.toContain(file)
+  // With the server the pages of teachers open as before.
+  await page.goto('/teacher')
+  await child.seesTitle()
 })
+
+/** The scripts that a page has for itself, without the frame of all pages. */
+async function ownFilesOf({ request }: Page, address: string): Promise<readonly string[]> {
+  const html = await (await request.get(address)).text()
+  const links = [...html.matchAll(/<link href="([^"]*\/nodes\/(?!0\.)[^"]+)" rel="modulepreload">/g)]
+  return links.map(([, file]) => `/${file!.replace(/^(?:\.*\/)+/, '')}`)
+}

@@ -310,6 +310,18 @@ test('the phrase has ten words and is taken as people type it', () => {
   )
 })
 
+test('a backup that another implementation of age and of tar has made is opened', () =>
+  elsewhere(async (folder) => {
+    // reference/rage.py
+    const rage = join(import.meta.dirname, 'reference', 'rage.age')
+    const words = 'kite-otter-plum-rope-kite-otter-plum-rope-kite-otter'
+    expect(await openSealed(rage, words, folder)).toEqual({
+      ...{ kind: 'opened', day: '2026-11-24', names: ['botgarten.db', 'secret.key'] },
+    })
+    expect([...readFileSync(join(folder, 'secret.key'))]).toEqual(Array.from({ length: 32 }, (_, at) => at))
+    expect(readFileSync(join(folder, 'botgarten.db'), 'utf8')).toBe('a database'.repeat(10_000))
+  }))
+
 test('two servers have two phrases', () =>
   elsewhere(async (folder) => {
     const database = await openedIn(folder)

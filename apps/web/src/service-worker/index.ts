@@ -4,17 +4,21 @@
 import { version } from '$app/env'
 import { assets, immutable, prerendered } from '$app/manifest'
 import { self } from '$app/service-worker'
+import { ofTeachers } from 'virtual:files-of-teachers'
 import { isPast, oneOf, storeOf, wayOf } from './way.ts'
 
 const scope = new URL('./', self.location.href)
 const addressOf = ({ path }: { readonly path: string }) => new URL(path.replace(/^\//, ''), scope).href
 const own = {
   scope: scope.href,
-  // A teacher's pages are nothing without the server.
+  // A teacher's pages, and the files that only they load, are of no use without the server.
   pages: new Set(prerendered.filter(({ path }) => !/^\/?teacher(\/|$)/.test(path)).map(addressOf)),
   // Who installs the lab is given its icons then; nobody asks a page for a notice.
   files: new Set(
-    [...immutable, ...assets.filter(({ path }) => !/icon-.*png$|NOTICE/.test(path))].map(addressOf),
+    [
+      ...immutable.filter(({ path }) => !ofTeachers.some((file) => path.endsWith(file))),
+      ...assets.filter(({ path }) => !/icon-.*png$|NOTICE/.test(path)),
+    ].map(addressOf),
   ),
 }
 const store = storeOf(version)
