@@ -41,7 +41,7 @@ async function copy(args: string[]): Promise<string> {
   })
 }
 
-/** The passphrase, where nobody has seen it yet; else where to find it. */
+/** The passphrase until it was shown once; after that, the command that shows it. */
 async function phraseFirst(database: Database, secret: Uint8Array): Promise<string> {
   if (await phraseShown(database.db)) return message('serve.phraseKnown')
   return await showPhrase(database, secret)

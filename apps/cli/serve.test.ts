@@ -60,7 +60,7 @@ test('a backup is made while a server runs, and is not put back while it does', 
   await again.close()
 })
 
-test('on another machine a backup is restored with its phrase; what is not known there is said', async () => {
+test('on another machine a backup is restored with its phrase, and later deletions are reported as unknown', async () => {
   const server = await withTeacher()
   await server.close()
   const [file, paper, elsewhere] = ['copy.age', 'paper.txt', 'elsewhere'].map((name) => join(data, name))
@@ -83,7 +83,7 @@ test('on another machine a backup is restored with its phrase; what is not known
 const teacherIn = async ({ ports }: Awaited<ReturnType<typeof openClassServer>>) =>
   (await ports.database.db.selectFrom('teacher').select('id').executeTakeFirstOrThrow()).id
 
-test('a backup that cannot be used says why, and changes nothing', async () => {
+test('an unusable backup is refused with its reason and changes nothing', async () => {
   await (await withTeacher()).close()
   const [file, paper, cut] = ['copy.age', 'paper.txt', 'cut.age'].map((name) => join(data, name))
   await botgarten('backup', file!, '--data', data)

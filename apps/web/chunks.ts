@@ -113,7 +113,7 @@ const virtual = 'virtual:files-of-teachers'
 /** Files that only pages of teachers load at once. */
 let ofTeachers: readonly string[] = []
 
-/** Tells the service worker, which is built after the pages, what a child's device need not store. */
+/** Gives the list to the service worker, which is built after the pages. */
 export const filesOfTeachers: Plugin = {
   name: 'files-of-teachers',
   resolveId: (id) => (id === virtual ? `\0${virtual}` : null),

@@ -63,7 +63,7 @@ for (const language of languagesOf(import.meta.filename))
       await child.presses('parts.close')
       await expect(words).toHaveCount(0)
 
-      // Whoever comes later to the open page needs the password.
+      // Another person at the open page needs the password.
       await child.presses('teacher.phrase.show')
       const password = page.getByLabel(child.word('teacher.password'), { exact: true })
       await password.fill('kastanie im schnee')

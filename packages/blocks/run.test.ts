@@ -23,12 +23,12 @@ addBlocks(expert)
 
 const [no, yes] = [compare('LT', number(2), number(1)), compare('LT', number(1), number(2))]
 
-test('dividing by 0 stops at the block, and says why', () => {
+test('dividing by 0 stops at the block with a reason', () => {
   const { problem } = run([show(calculate('DIVIDE', number(1), number(0)))]).thread
   expect(problem).toMatchObject({ block: 'math_arithmetic', problem: 'problem.divisionByZero' })
 })
 
-test('a wait executes what belongs to its first condition that is true', () => {
+test('a wait executes the branch of its first true condition', () => {
   const waiting = (...conditions: Template[]): Template => ({
     type: 'robControls_wait_for',
     mutation: { attrs: { wait: String(conditions.length - 1) } },

@@ -94,7 +94,7 @@ describe('rule 9: building while a program runs', () => {
     expect(lab.hash()).toBe(there)
   })
 
-  it('a program that is over ends its run when it would have, whatever is built meanwhile', () => {
+  it('a finished program ends its run in time, whatever is built at the same time', () => {
     const way = { ...drive, values: { ...drive.values, DISTANCE: number('way', 5) } }
     const main = { stacks: [{ x: 0, y: 0, blocks: [blocks[0]!, way] }], config: { stacks: [] } }
     const endOf = (change: (lab: ReturnType<typeof running>) => void) => {

@@ -18,7 +18,7 @@ test('a share is rounded down: 100 % is a language that is complete', () => {
   expect(sharesIn(folder)).toEqual(['fr: 2 of 3 messages (66 %)'])
 })
 
-test('only files of JSON hold messages', () => {
+test('only JSON files are read as messages', () => {
   expect(filesIn(folder)).toEqual(['app'])
 })
 

@@ -7,7 +7,7 @@ const sense = (SENSE: string, more = {}) => block('ai_try_senses', { SENSE, SENS
 const edgesOf = (...senses: ReturnType<typeof sense>[]) =>
   tryingIn(programOf([start, ...senses, act]))!.trial.edges
 
-describe('what a robot that learns by trying tells apart', () => {
+describe('states of a robot that learns by trying', () => {
   it('is each of the seven colours, and a touch', () => {
     expect(edgesOf(sense('COLOUR'), sense('TOUCH'))).toEqual([[1, 2, 3, 4, 5, 6, 7], [1]])
   })

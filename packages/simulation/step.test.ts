@@ -76,7 +76,7 @@ describe('rule 5: bumping', () => {
     expect(robotOf(sim).touching).toEqual([])
   })
 
-  test('a thing that is pushed off its middle turns the same, whatever other thing is named before it', () => {
+  test('a thing that is pushed off-centre turns the same, also if another thing comes before it in the list', () => {
     const pushed = thing('pushed', square(30), pose(150, 207))
     const other = thing('other', square(4), pose(20, 20))
     const [alone, behind] = [

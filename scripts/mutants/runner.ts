@@ -6,7 +6,7 @@ import { createVitest, type TestModule, type TestSpecification } from 'vitest/no
 export interface Request {
   /** A file below the copy's folder, and its text with a fault; null: all tests of the folders run without a fault. */
   readonly fault: { readonly file: string; readonly text: string } | null
-  /** Tests outside of these folders are not asked. */
+  /** Tests outside of these folders do not run. */
   readonly tests: readonly string[]
   /** Tests that are asked whatever they import. */
   readonly walking: readonly string[]
@@ -35,7 +35,7 @@ const vitest = await createVitest('test', {
 type Tests = readonly (readonly TestSpecification[])[]
 const specs = new Map<string, Promise<Tests>>()
 
-/** The tests that are asked about a file: those that are called like it, those in its folder, then the others. */
+/** The tests for a file: those with its name, those in its folder, then the others. */
 function testsOf(file: string, request: Request): Promise<Tests> {
   const found = specs.get(file) ?? related(join(root, file), request)
   specs.set(file, found)

@@ -17,13 +17,13 @@ export interface Restoring {
   readonly day: string
   /** The passphrase of an encrypted backup; null for a copy of the database (`….db`). */
   readonly phrase: string | null
-  /** Path of a list of deletions (`deleted.jsonl`) that another machine has; null for none. */
+  /** Path of another machine's list of deletions (`deleted.jsonl`); null for none. */
   readonly deleted?: string | null
 }
 
 interface Done {
   readonly kind: 'restored'
-  /** Where the database of before is now; null if there was none. */
+  /** New path of the previous database; null if there was none. */
   readonly before: string | null
   /** The folder or the caller has no list of deletions: those after the backup are not known. */
   readonly deletionsUnknown: boolean

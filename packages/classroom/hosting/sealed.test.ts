@@ -29,7 +29,7 @@ import { restore } from './restore.ts'
 import { isSealed, openSealed, writeSealed } from './sealed-file.ts'
 import { bury, buriedIn } from './tombstones.ts'
 
-/** The server whose backup is opened elsewhere: a class with a pupil who has saved. */
+/** The server whose backups are tested: a class with a pupil who has saved. */
 let home: string
 let file: string
 let phrase: string
@@ -210,7 +210,7 @@ test('a restore in place of another server renames its database, answers and key
     expect(existsSync(join(folder, 'answers.db.before-restore-1'))).toBe(true)
   }))
 
-test('what was deleted before the backup is on its list, and a list of the old machine deletes the rest', async () => {
+test('deletions before the backup are on its list, and the list of the old machine has the later ones', async () => {
   const { database, server } = await serverOn(home)
   const browser = server.browser()
   await browser.post('/auth/sign-in/username', { username: 'm.weber', password: 'kastanie im regen' })

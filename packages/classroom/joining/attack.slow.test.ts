@@ -16,7 +16,7 @@ const school = '192.0.2.1'
 const secondsOf = ({ body }: Answered) => (body as { seconds: number }).seconds
 
 onBothDatabases((fresh) => {
-  test('thirty children join while an attacker guesses, also from their own address: none waits more than 2 s', async () => {
+  test('thirty children join while an attacker guesses, also from their own address: no child waits more than 2 s', async () => {
     const database = await fresh()
     const server = new Server(database, quickAccounts(database))
     server.holdClock()

@@ -1,11 +1,11 @@
 import { codeWords, type CodeLanguage } from '@botgarten/content/codes'
 
 const words = 4
-/** Codes of older classes: they hold until their class ends. */
+/** Codes of older classes, valid until their class ends. */
 const wordsBefore = 3
 const telling = 4
 
-/** Four different words for a new class: nobody wonders if a word was read twice. `random`: that many random bytes. */
+/** Four different words for a new class: a repeated word would look like a mistake. `random`: that many random bytes. */
 export function newCode(language: CodeLanguage, random: (bytes: number) => Uint8Array): string {
   const list = codeWords(language)
   const code = new Set<string>()

@@ -104,7 +104,7 @@ test('what waits is not tried at all beyond its pace, and is free again with tim
   expect(passes(guesses, account)).toBe(true)
 })
 
-test('what was right does not count', () => {
+test('a right try does not count', () => {
   const { guesses } = nodeWith({ atOnce: 10, eachSecond: 1 })
   for (let count = 0; count < 1000; count++) expect(passes(guesses, address('one'))).toBe(true)
   expect(tryWrong(guesses, address('one'))).toBe(0)

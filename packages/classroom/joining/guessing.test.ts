@@ -46,7 +46,7 @@ onBothDatabases((fresh) => {
     expect(answers).toEqual(new Set(['404 noOpenClass', '429 tooManyTries']))
     expect((await server.browser('10.3.0.1').post('/look', { code })).status).toBe(200)
     expect((await server.browser('10.3.0.2').post('/look', { code })).status).toBe(200)
-    // A delay is a header, never a connection that is held.
+    // A delay is a header, never an open connection.
     const slowed = await server.browser('10.3.0.1').post('/look', { code: noCode })
     expect(Number(slowed.headers.get('retry-after'))).toBe(30)
     server.later(60)
@@ -82,7 +82,7 @@ onBothDatabases((fresh) => {
     expect((await server.browser('10.5.0.2').post('/look', { code: noCode })).status).toBe(404)
   })
 
-  test('a device gets a cookie with its first wrong try, and none before', async () => {
+  test('a device gets a cookie only with its first wrong try', async () => {
     const { code } = await server.openClass(teacher)
     const browser = server.browser('10.6.0.1')
     await browser.get('/state')

@@ -5,7 +5,7 @@ import { mostOpenings, pauseAfter, triesAfter } from './picture-limits.ts'
 import { hasLocked, lockNickname, openNicknames } from './pupils-store.ts'
 import { countAfter, countTry, forgetTries, putBack, triesOf, tryMemory, uncountTry } from './tries-store.ts'
 
-/** Only a keyed hash of the pictures is stored: no one can read them from it, the teacher neither. */
+/** Only a keyed hash of the pictures is stored, from which they cannot be read, not even by the teacher. */
 export const hashOfPictures = ({ secret }: Ports, pupil: string, shown: readonly string[]) =>
   keyedHash(secret, 'pictures of', pupil, ...shown)
 

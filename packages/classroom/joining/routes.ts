@@ -95,7 +95,7 @@ async function comeBack(
     await tryFromElsewhere(ports, { class: classId, key }, { owner, shown: body.pictures })
     guess.right()
   }
-  // Where no one has the nickname no pictures are right.
+  // Pictures are never right for an unknown nickname.
   const { id, nickname } = owner!
   const token = await startSession(db, ports, owner!)
   return { body: { id, class: classId, nickname }, cookies: [cookie(pupilCookie, token, caller)] }

@@ -8,7 +8,7 @@ export interface Triers {
   readonly address: string
 }
 
-/** Of a school behind one address: a class that mistypes the code twice. */
+/** Enough for a class behind one address in which every child mistypes the code twice. */
 const ofAddress: Pace = { atOnce: 60, eachSecond: 0.2 }
 const ofDevice: Pace = { atOnce: 20, eachSecond: 1 / 30 }
 /** Each wrong one is one of the few that a nickname has. */

@@ -40,7 +40,7 @@ onBothDatabases((fresh) => {
   const answersTo = async (key: string) =>
     (await database.answers.db.selectFrom('answer').select('id').where('asking', '=', key).execute()).length
 
-  test('one child with the key of the form fills no form: none of 293 further answers is taken', async () => {
+  test('one child with the key of the form cannot fill it: 0 of 293 further answers are accepted', async () => {
     const { child } = await asked()
     const permit = await permitOf(child)
     expect((await send(permit)).status).toBe(204)

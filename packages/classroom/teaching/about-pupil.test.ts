@@ -22,7 +22,7 @@ const partOf: { readonly [table: string]: string } = {
   version: 'versions',
   versionAsset: 'versions',
 }
-/** Tables that hold how things are done, and no content of a child. */
+/** Tables without content of a child. */
 const technical: { readonly [table: string]: string } = {
   answered: 'which save became which revision, for a save that is sent twice',
   mark: 'a random token for each change, to notice a restore',
@@ -67,7 +67,7 @@ onBothDatabases((fresh) => {
 
   const everything = async () => JSON.parse((await teacher.get(at)).body as string) as object
 
-  test('all about a pupil holds earlier versions, the bin, results, hints and pictures', async () => {
+  test('the data of a pupil include earlier versions, the bin, results, hints and pictures', async () => {
     const all = await everything()
     expect(all).toMatchObject({
       ...{ nickname: 'Füchschen 7', bin: ['project-2'], results: [{ card: 'friendship', done: 2 }] },

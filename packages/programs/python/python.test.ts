@@ -116,7 +116,7 @@ it('variables that a function changes are made once, before it, and are global i
   expect(rows.at(-1)).toBe('add()')
 })
 
-it('tables of a network have names that say what they hold', () => {
+it('tables of a network are named after their content', () => {
   const neuron = (id: string, bias: number) => ({ id, activation: 'identity' as const, bias })
   const layers = [[neuron('eye', 0)], [neuron('wheel', 0.5)]]
   const brain = { ...emptyBrain, layers, weights: { eye: { wheel: 2 } } }

@@ -38,7 +38,7 @@ describe('rule 1: the first stack under a start block runs', () => {
   })
 })
 
-it('a decision is a condition that is asked, whatever it answers', () => {
+it('each evaluated condition is a decision, true or false', () => {
   const when = (a: number, b: number) =>
     block('robControls_if', {}, { IF0: compare('LT', number(a), number(b)) }, { DO0: [lamp('RED')] })
   const { thread } = run([repeat(number(3), when(1, 2), when(2, 1)), lamp('GREEN')])

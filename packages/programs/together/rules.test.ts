@@ -227,7 +227,7 @@ describe('hostile operations', () => {
   })
 })
 
-test('a block whose place is gone lies below all stacks, where it covers none', () => {
+test('a block whose place was deleted is put below all stacks', () => {
   const stacks = [0, 300].map((y) => ({ x: 0, y, blocks: [stop(`at${y}`)] }))
   const loose = inserted(stacks, stop('loose'), { after: 'gone' }).at(-1)!
   expect(loose.blocks).toEqual([stop('loose')])

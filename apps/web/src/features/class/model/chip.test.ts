@@ -17,7 +17,7 @@ test('a new project is on its way from its first save on; before any change noth
 test('while it is saved on the device it is on its way', () =>
   expect(stateOf({ state: 'saving', revision: 3 }, { kind: 'class', revision: 3 }, null)).toBe('onItsWay'))
 
-test('what keeps it from the class comes first, and what keeps it from the device before that', () => {
+test('a reason why the class does not have it comes first, and a failure of the device before that', () => {
   expect(stateOf(saved(3), { kind: 'class', revision: 3 }, 'away')).toBe('away')
   expect(stateOf(saved(3), { kind: 'conflict', revision: 4 }, 'away')).toBe('conflict')
   expect(stateOf(saved(3), { kind: 'refused', reason: 'tooBig' }, 'away')).toBe('refused')

@@ -4,7 +4,7 @@ const telling = 4
 export const codeLength = 4
 const codeLengthBefore = 3
 
-/** The words of a code as somebody types or a link holds them: at most four. */
+/** The words of a code that was typed or is in a link: at most four. */
 export const wordsIn = (text: string): readonly string[] =>
   text
     .normalize('NFKC')
@@ -23,7 +23,7 @@ export function codeOf(fields: readonly string[]): string | null {
   return fits && words.every((word) => word.length >= telling) ? words.join(' ') : null
 }
 
-/** Whether nothing more can be typed: the class is asked at once. */
+/** Whether the code is complete: the class is looked up at once. */
 export const isComplete = (fields: readonly string[]): boolean =>
   fields.length === codeLength && fields.at(-1) !== '' && codeOf(fields) !== null
 

@@ -63,7 +63,7 @@ describe('the plus of a list', () => {
   })
 })
 
-describe('a list that is made anew', () => {
+describe('a list that is rebuilt', () => {
   it('has one empty row for a neuron, with a pointed plug where it is a layer of a deeper network', () => {
     friendship()
     expect(linesOf(bench.workspace.newBlock('ai_easy_list') as BotBlock)).toEqual(['ADD0'])

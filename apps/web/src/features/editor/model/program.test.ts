@@ -236,7 +236,7 @@ describe('a program on the workspace', () => {
     expect(toProgram(workspace, program).stacks[0]!.blocks[1]).toEqual(fly)
   })
 
-  it('comes back whole while the rest of its rows is still on its way', () => {
+  it('is read completely while its last rows are still loading', () => {
     const stop = (id: string): Block => ({ id, type: 'robActions_motorDiff_stop' })
     const wait: Block = { id: 'wait', type: 'robControls_wait_time' }
     const workspace = open(programOf([wait, stop('a')], [stop('alone')]))
@@ -247,7 +247,7 @@ describe('a program on the workspace', () => {
     ])
   })
 
-  it('comes back as its file has it where a sensor block has no fields, or no mutation', () => {
+  it('is written as its file has it if a sensor block has no fields or no mutation', () => {
     const type = 'robSensors_touch_getSample'
     const rows: readonly Block[] = [
       { id: 'bare', type, mutation: { attrs: { mode: 'PRESSED' } } },
@@ -257,7 +257,7 @@ describe('a program on the workspace', () => {
     expect(backAndForth(program)).toEqual(program)
   })
 
-  it('has no rows in a block that holds no list', () => {
+  it('has no rows in a block without a list', () => {
     const workspace = open(empty)
     workspace.newBlock('robActions_motorDiff_stop', 'stop')
     workspace.newBlock('ai_easy_list', 'list')

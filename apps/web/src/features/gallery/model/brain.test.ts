@@ -24,7 +24,7 @@ describe('the brain of something shared', () => {
     expect(after.world).toEqual(mine.world)
   })
 
-  it('has a name also where the brain before it is given none, and never one that is taken', () => {
+  it('has a name even if the brain before it has none, and never a name that is in use', () => {
     const taken = (project: Project) => {
       const own = brainOf(project)!
       return withBrain(project, own, fitted(brainOf(theirs)!, own)!, ' ')

@@ -26,7 +26,7 @@ it('what has learned a way by trying drives it', async () => {
   expect(lab.view('').robots[0]!.pose).not.toEqual(pose)
 })
 
-it('what was shared before tables had a seed is learned, too', async () => {
+it('tables that were shared before they had a seed are read as learned, too', async () => {
   const { q: _q, ...project } = projectOf('mars', 'solution')
   for (const q of [undefined, {}])
     expect(

@@ -47,7 +47,7 @@ test('there is no curve from an output, backwards, or of neurons that are not th
     expect(answerOf(brain, brain.weights, now, from, to)).toBeNull()
 })
 
-test('a neuron is asked about from each layer before its own; an input from none', () => {
+test('a neuron has reasons in each layer before its own, an input has none', () => {
   expect(
     [...brain.layers.flat(), neuron('other')].map(({ id }) => [id, layersBefore(brain, id).length]),
   ).toEqual([

@@ -19,7 +19,7 @@ test('91 × 0.6 and 100 × 0.2 are 55 and 20, together 75', () => {
   expect(rows.map(({ digits }) => digits)).toEqual([0, 0])
 })
 
-test('the inputs of a deeper network have no one weight to its output, those of a link have theirs', () => {
+test('in a deeper network an input has no single weight to the output, in a direct link it has one', () => {
   const neuron = (id: string) => ({ id, activation: 'identity' as const, bias: 0 })
   const weights = { a: { h: 0.5 }, b: { h: 0.25 }, h: { m: 2 } }
   const brain: Brain = {

@@ -23,7 +23,7 @@ beforeEach(() => {
 })
 
 describe('a finger on a knob', () => {
-  test('holds it, alone; one far from all links holds nothing', () => {
+  test('grabs it alone; a finger far from all links grabs nothing', () => {
     const knob = knobPlace(tracks[0]!, 0.5)
     expect(grab.down(1, { x: knob.x, y: 1000 }, tracks, weights)).toBe(false)
     expect(grab.down(1, knob, tracks, weights)).toBe(true)

@@ -223,7 +223,7 @@ test('after a child has ended, the device is ready for the next one of the same 
   expect([device.child, device.ready, device.plan]).toEqual([null, false, null])
 })
 
-test('a hint is in the log once, whatever else the child reaches', async () => {
+test('a hint is logged once, however often the child reaches it', async () => {
   device.begin(pseudonymOf(1, 2), true)
   const { session } = sessionOf()
   const leave = follow(session)

@@ -28,7 +28,7 @@ test('a study with a title and a word is a plan that is read again, under a name
   expect(making.plan!.id).toBe('study')
 })
 
-test('a further module has the free lab and a name of its own', () => {
+test('a new module has the free lab and a new name', () => {
   const making = new Making()
   making.add()
   making.remove(0)

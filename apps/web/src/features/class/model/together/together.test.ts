@@ -156,7 +156,7 @@ test('undo takes back only the own steps, and redo does them again', async () =>
   expect(weight(owl)).toBe(0.7)
 })
 
-test('undo takes back what was done in this moment, not the step before it', async () => {
+test('undo reverts the step of this moment, not the one before it', async () => {
   turn(fox, 0.4)
   await passes(1)
   turn(fox, 0.7)
@@ -172,7 +172,7 @@ test('each page knows the other child before the class says anything new, and wa
   expect([fox.together.hadPhoto, fox.together.isFull]).toEqual([false, false])
 })
 
-test('a child that works with another one invites nobody else', async () => {
+test('a child that works with another child cannot invite a third one', async () => {
   const own = { id: 'friendship', project: fox.session.project }
   expect(await invite(fox.ask, mate.id, own)).toBe('togetherBusy')
   const askOfMate = asker(mate, { isPlugged: true, refusal: 0 })
@@ -233,7 +233,7 @@ test('a page that the class does not answer at its beginning waits, and then has
   expect([fox.together.isAway, weight(fox)]).toEqual([false, 0.4])
 })
 
-test('blocks of the other one are not shown before they have come, also where a step is taken back', async () => {
+test('blocks of the other child are shown only after they have arrived, also after undo', async () => {
   turn(fox, 0.4)
   await passes(6)
   let come = () => {}
