@@ -27,6 +27,7 @@ export { accountsOn, type Accounts } from './teaching/accounts.ts'
 export { carryOut } from './teaching/deleting-store.ts'
 export { firstTeacherToken, hasTeacher } from './teaching/first-teacher.ts'
 export { everyNight } from './teaching/every-night.ts'
+export { clockDoubted } from './teaching/running-days-store.ts'
 export {
   backup,
   lastBackup,
