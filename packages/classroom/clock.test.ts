@@ -33,6 +33,8 @@ onBothDatabases((fresh) => {
     expect((await save(2)).body).toMatchObject({ revision: 3 })
   })
 
+  /** The class ends later than any clock here shows: a class that has ended is hidden. */
+  const afterAll = '2028-12-31'
   const [hour, day, year] = [3_600_000, 86_400_000, 365 * 86_400_000]
   test.each([
     ['an hour', hour],
@@ -45,6 +47,7 @@ onBothDatabases((fresh) => {
       const server = new Server(database, quickAccounts(database))
       const teacher = await server.firstTeacher()
       const { id, code } = await server.openClass(teacher)
+      await teacher.patch(`/classes/${id}`, { endsOn: afterAll })
       const child = await server.pupil(code, 'Fuchs')
       server.now += ahead
       await teacher.post(`/classes/${id}/close`)
@@ -69,7 +72,9 @@ onBothDatabases((fresh) => {
   ])('a clock that is set %s by %i ms in a lesson asks for the pictures at most once', async (_, change) => {
     const database = await fresh()
     const server = new Server(database, quickAccounts(database))
-    const { code } = await server.openClass(await server.firstTeacher())
+    const teacher = await server.firstTeacher()
+    const { id, code } = await server.openClass(teacher)
+    await teacher.patch(`/classes/${id}`, { endsOn: afterAll })
     const child = await server.pupil(code, 'Fuchs')
     server.now += change
     if ((await child.browser.get('/projects')).status === 401)

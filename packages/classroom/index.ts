@@ -26,7 +26,7 @@ export { Limits } from './limits.ts'
 export { accountsOn, type Accounts } from './teaching/accounts.ts'
 export { carryOut } from './teaching/deleting-store.ts'
 export { firstTeacherToken, hasTeacher } from './teaching/first-teacher.ts'
-export { everyNight } from './teaching/every-night.ts'
+export { endClasses, everyNight } from './teaching/every-night.ts'
 export { clockDoubted } from './teaching/running-days-store.ts'
 export {
   backup,

@@ -32,6 +32,7 @@ const bodies: { readonly [route: string]: unknown } = {
   'POST /classes/:class/programs': projectText('c'),
   'POST /substitute': { token: 'none' },
   'POST /rehearsal': { pupils: 2, seconds: 1 },
+  'POST /clock': { right: false, today: '2026-11-24' },
   'POST /gallery': projectText('g'),
   'PUT /gallery/:shared/heart': { on: true },
   'PUT /classes/:class/gallery': { on: true },
@@ -174,6 +175,53 @@ onBothDatabases((fresh) => {
       }
     },
   )
+
+  test('no route of a class that has ended and is not deleted yet gives or takes anything, whoever asks', async () => {
+    const asked = await scene()
+    await owner.post(`/classes/${asked.class}/questionnaires`, { form: 'after' })
+    const { key } = (await asked.browser.get('/me/questionnaire?tokens=1')).body as { key: string }
+    const lent = await substitute('substitute of the class', asked)
+    const { code } = (await owner.get(`/classes/${asked.class}`)).body as { code: string }
+    const { token } = (await owner.post(`/classes/${asked.class}/substitute`)).body as { token: string }
+    const { db } = server.ports.database
+    await db
+      .updateTable('class')
+      .set({ endsOn: server.ports.day(0) })
+      .where('id', '=', asked.class)
+      .execute()
+
+    const byRole = { pupil: asked.browser, returning: asked.browser, owner, substitute: lent }
+    for (const role of ['pupil', 'returning', 'owner', 'substitute'] as const)
+      for (const route of routes.filter(({ roles }) => roles.includes(role))) {
+        const path = pathOf(route, asked)
+        const answer = await byRole[role].ask(route.method, path, bodies[`${route.method} ${route.path}`])
+        const why = `${route.method} ${route.path} as ${role}`
+        expect(answer, why).toMatchObject({ status: 423, body: { error: 'classHidden' } })
+      }
+
+    const here = (await asked.browser.get('/state')).body
+    expect(here).toMatchObject({ pupil: null, ended: false, hidden: true })
+    expect((await lent.get('/state')).body).toMatchObject({ substitute: null })
+    const device = server.browser()
+    const pictures = ['boat', 'key', 'leaf']
+    const sent = { '/look': {}, '/join': { nickname: 'Otter' }, '/return': { nickname: 'Otter', pictures } }
+    for (const [path, body] of Object.entries(sent))
+      expect((await device.post(path, { code, ...body })).body).toMatchObject({ error: 'noOpenClass' })
+    expect((await device.post('/substitute', { token })).status).toBe(423)
+    // Answers come without a cookie.
+    const nobody = server.browser()
+    const answer = { key, id: 'b'.repeat(32), code: null }
+    expect((await nobody.get(`/answers/key?class=${asked.class}`)).status).toBe(423)
+    expect((await nobody.post('/answers', { ...answer, values: {} })).status).toBe(423)
+    expect((await nobody.post('/answers/code', { ...answer, code: 'owl-200' })).status).toBe(423)
+
+    // The list of its teacher has its name without any content.
+    const { classes } = (await owner.get('/classes')).body as { classes: { id: string }[] }
+    expect(classes.find(({ id }) => id === asked.class)).toEqual({
+      ...{ id: asked.class, name: '5b', language: 'en', grade: 5, endsOn: server.ports.day(0), hidden: true },
+      ...{ code: '', words: [], open: false, joiningUntil: null, endsSoon: false, cards: null, level: null },
+    })
+  })
 
   test('what a pupil of another class saves under the same id is another project', async () => {
     const [one, other] = [await scene(), await scene()]

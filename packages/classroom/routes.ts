@@ -11,6 +11,7 @@ import { projectRoutes } from './projects/routes.ts'
 import type { Method, Route } from './route.ts'
 import { accountRoutes } from './teaching/account-routes.ts'
 import { classRoutes } from './teaching/class-routes.ts'
+import { clockRoutes } from './teaching/clock-routes.ts'
 import { dataRoutes } from './teaching/data-routes.ts'
 import { rehearsalRoutes } from './teaching/rehearsal-routes.ts'
 import { resultRoutes } from './teaching/results-routes.ts'
@@ -32,6 +33,7 @@ export const routes: readonly Route[] = [
   ...wifiRoutes,
   ...resultRoutes,
   ...dataRoutes,
+  ...clockRoutes,
   ...questionnaireRoutes,
   ...tokenRoutes,
   ...answerRoutes,

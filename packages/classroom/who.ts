@@ -5,6 +5,7 @@ import { cookieIn, pupilCookie, substituteCookie } from './joining/cookies.ts'
 import { isOperator } from './teaching/operators-store.ts'
 import { classLent } from './teaching/substitutes-store.ts'
 import { classOf } from './teaching/classes-store.ts'
+import { refuseHidden } from './teaching/ending-store.ts'
 import type { Teacher } from './teaching/accounts.ts'
 import type { ClassRow } from './database/tables.ts'
 
@@ -31,7 +32,8 @@ const nobody: Who = { pupil: null, teacher: null, class: null }
 
 /**
  * Finds out whether the sender of a request has one of the roles.
- * @throws Refusal 401 for nobody, 403 for a role that is not enough, 404 for the class of somebody else, 410 for a class that has ended
+ * @throws Refusal 401 for nobody, 403 for a role that is not enough, 404 for the class of somebody else, 410 for a class that was
+ * deleted, 423 for one that has ended and is not deleted yet
  */
 export async function whoAsks(
   ports: Ports,
@@ -58,12 +60,17 @@ async function classAsking(
   const { db } = ports.database
   const teacher = await ports.accounts.teacherOf(headers)
   const own = teacher && (await classOf(db, classId, teacher.id))
-  if (own) return { ...nobody, teacher, class: own }
+  if (own) return await shown(ports, { ...nobody, teacher, class: own })
   const token = roles.includes('substitute') ? cookieIn(headers, substituteCookie) : null
   const lent = token === null ? undefined : await classLent(db, token, ports.day(0))
-  if (lent?.id === classId) return { ...nobody, class: lent }
+  if (lent?.id === classId) return await shown(ports, { ...nobody, class: lent })
   // Whether another teacher has such a class is not revealed.
   throw teacher || lent ? new Refusal(404, 'noSuchClass') : new Refusal(401, 'signIn')
+}
+
+async function shown(ports: Ports, who: Who & { readonly class: ClassRow }): Promise<Who> {
+  await refuseHidden(ports, who.class)
+  return who
 }
 
 async function pupilAsking(ports: Ports, roles: readonly Role[], headers: Headers): Promise<Who> {

@@ -131,20 +131,20 @@ export async function openClassServer(options: ClassOptions): Promise<ClassServe
       : openServer(options.database))
     await checkKey(database, secret, folder)
     await resetByFile({ accounts: accountsOn(database, secret) }, folder)
-    return serverOn(database, secret, folder, options, free)
+    return await serverOn(database, secret, folder, options, free)
   } catch (error) {
     free()
     throw error
   }
 }
 
-function serverOn(
+async function serverOn(
   database: Database,
   secret: Uint8Array,
   folder: string,
   { publicAddress, proxies = [], database: address }: ClassOptions,
   free: () => void,
-): ClassServer {
+): Promise<ClassServer> {
   const teacherMade = () => rmSync(join(folder, linkFile), { force: true })
   const bus = address === undefined ? noBus : postgresBus(address)
   let addresses: () => readonly string[] = () => []
@@ -159,7 +159,8 @@ function serverOn(
     bus,
   })
   const stopLive = startLive(ports.live)
-  const stopNights = startNights(ports, folder)
+  // Before the first answer: a class that has ended is not shown once more.
+  const stopNights = await startNights(ports, folder)
   /** What is being answered; the database stays open for it. */
   const inHand = new Set<Promise<unknown>>()
 

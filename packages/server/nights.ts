@@ -1,10 +1,17 @@
-import { everyNight, hasTeacher, lastBackup, nightlyBackup, type Ports } from '@botgarten/classroom'
+import {
+  endClasses,
+  everyNight,
+  hasTeacher,
+  lastBackup,
+  nightlyBackup,
+  type Ports,
+} from '@botgarten/classroom'
 import { causeIn } from './problem.ts'
 
 const every = 10 * 60_000
 const quietFrom = 2
 
-/** Does what is due: once a day, from two in the night on, or as soon as the server runs on that day. */
+/** Daily work, from two in the night on, or as soon as the server runs on that day. */
 async function doNightly(ports: Ports, folder: string): Promise<void> {
   await everyNight(ports)
   const { database, secret } = ports
@@ -13,22 +20,38 @@ async function doNightly(ports: Ports, folder: string): Promise<void> {
   if (await hasTeacher(ports)) await nightlyBackup({ database, secret, folder, day })
 }
 
-/** Looks every ten minutes whether a day began. @returns stops it, and waits for what runs */
-export function startNights(ports: Ports, folder: string): () => Promise<void> {
-  let [last, running] = ['', Promise.resolve()]
-  const look = () => {
+/** Does its work once a day. A failure is tried again at the next look: a full disk may have room by then. */
+function daily(ports: Ports, work: () => Promise<unknown>): () => Promise<void> {
+  let last = ''
+  return async () => {
     const day = ports.day(0)
-    if (day === last || new Date(ports.now()).getHours() < quietFrom) return
+    if (day === last) return
     last = day
-    running = doNightly(ports, folder).catch((error: unknown) => {
-      // It is tried again at the next look; a full disk may have room by then.
+    await work().catch((error: unknown) => {
       last = ''
       console.error(`Nightly work failed: ${causeIn(error)}`)
     })
   }
-  const timer = setInterval(look, every)
+}
+
+/**
+ * Ends classes whose day has come, and from then on checks every ten minutes whether a day began.
+ * @returns stops it, and waits for the work in progress
+ */
+export async function startNights(ports: Ports, folder: string): Promise<() => Promise<void>> {
+  const end = daily(ports, () => endClasses(ports))
+  const night = daily(ports, () => doNightly(ports, folder))
+  const look = async () => {
+    await end()
+    if (new Date(ports.now()).getHours() >= quietFrom) await night()
+  }
+  await end()
+  let running = look()
+  const timer = setInterval(() => {
+    // One after the other: the work of a night may take longer.
+    running = running.then(look)
+  }, every)
   timer.unref()
-  look()
   return async () => {
     clearInterval(timer)
     await running

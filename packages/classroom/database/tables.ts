@@ -58,7 +58,7 @@ export interface ClassTable {
   lesson: Generated<number>
   /** ISO day. */
   endsOn: string
-  /** On which of the days that the server ran the teacher was shown that the end is near. */
+  /** No longer read: classes end by the calendar. */
   announcedDay: number | null
   /** Bytes of its versions and assets. */
   space: number

@@ -6,7 +6,7 @@ import { tryMemory } from './tries-store.ts'
 export const classToJoin = (db: Db, code: string, now: number) =>
   db
     .selectFrom('class')
-    .select(['id', 'name', 'language', 'grade'])
+    .select(['id', 'name', 'language', 'grade', 'endsOn'])
     .where('code', '=', code)
     .where('joiningUntil', '>', now)
     .executeTakeFirst()

@@ -12,6 +12,7 @@ import { hashOfPictures, tryFromElsewhere, tryOnOwnDevice } from './picture-trie
 import { newSecret, pictures } from './pictures.ts'
 import { addPupil, classToJoin, countPupils, pupilCalled, pupilOf, setHand } from './pupils-store.ts'
 import { endSession, proveSession, readPupil, startSession } from './sessions-store.ts'
+import { isHidden } from '../teaching/ending-store.ts'
 import { triersOfCode, triersOfPictures } from './triers.ts'
 
 /** A class of a school has up to 36 pupils. */
@@ -32,7 +33,7 @@ async function classFor({ ports, triers, body }: Call<{ readonly code: string }>
   const guess = (isShortCode(key) ? shortCodes : codes).begin(triersOfCode(triers, ports.secret))
   // A code of no shape costs the same query.
   const found = await classToJoin(ports.database.db, key, ports.now())
-  if (found) {
+  if (found && !(await isHidden(ports, found))) {
     guess.right()
     return found
   }

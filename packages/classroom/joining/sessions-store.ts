@@ -2,6 +2,7 @@ import type { Db } from '../database/database.ts'
 import { hashOf, newToken } from '../hashes.ts'
 import type { Ports } from '../ports.ts'
 import { Refusal } from '../refusal.ts'
+import { refuseHidden } from '../teaching/ending-store.ts'
 
 const lesson = 90 * 60_000
 
@@ -33,12 +34,11 @@ export async function startSession(
 
 /**
  * Whose session a token is; null where it is nobody's (any more).
- * @throws Refusal 410 where the class of the token has ended
+ * @throws Refusal 410 where the class of the token was deleted, 423 where it has ended and is not deleted yet
  */
-export async function readPupil(
-  { database: { db }, now }: Ports,
-  token: string | null,
-): Promise<Pupil | null> {
+export async function readPupil(ports: Ports, token: string | null): Promise<Pupil | null> {
+  const { database, now } = ports
+  const { db } = database
   if (token === null) return null
   const tokenHash = hashOf(token)
   const row = await db
@@ -46,10 +46,11 @@ export async function readPupil(
     .innerJoin('pupil', 'pupil.id', 'pupilSession.pupil')
     .innerJoin('class', 'class.id', 'pupilSession.class')
     .select(['pupil.id', 'pupil.class', 'pupil.nickname', 'pupilSession.provenAt'])
-    .select(['pupilSession.lesson as proven', 'class.lesson'])
+    .select(['pupilSession.lesson as proven', 'class.lesson', 'class.endsOn'])
     .where('tokenHash', '=', tokenHash)
     .executeTakeFirst()
   if (!row) return await refuseEnded(db, token)
+  await refuseHidden(ports, row)
   // A clock that was set back since is no proof that it was a moment ago.
   const fresh = row.proven === row.lesson && Math.abs(now() - row.provenAt) < lesson
   return { id: row.id, class: row.class, nickname: row.nickname, session: tokenHash, fresh }

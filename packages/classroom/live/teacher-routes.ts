@@ -7,6 +7,7 @@ import type { Ports } from '../ports.ts'
 import { Refusal } from '../refusal.ts'
 import { route, type Answer, type Call, type Route } from '../route.ts'
 import { changeClass, classById } from '../teaching/classes-store.ts'
+import { isHidden } from '../teaching/ending-store.ts'
 import { shownClass } from '../teaching/shown.ts'
 import type { Who } from '../who.ts'
 import { addHandout } from './handouts-store.ts'
@@ -36,7 +37,7 @@ function stream({ ports, who }: Call<undefined>): Promise<Response> {
   const { id } = who.class!
   const read = async () => {
     const row = await classById(ports.database.db, id)
-    return row ? await stateOf(ports, row) : null
+    return row && !(await isHidden(ports, row)) ? await stateOf(ports, row) : null
   }
   return Promise.resolve(ports.live.open({ class: id, pupil: null, teacher: who.teacher?.id ?? null, read }))
 }

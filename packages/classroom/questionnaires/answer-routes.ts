@@ -6,6 +6,8 @@ import { cookieIn, deviceCookie, pupilCookie } from '../joining/cookies.ts'
 import type { Ports } from '../ports.ts'
 import { Refusal } from '../refusal.ts'
 import { route, type Call, type Route } from '../route.ts'
+import { classById } from '../teaching/classes-store.ts'
+import { refuseHidden } from '../teaching/ending-store.ts'
 import { hasAnswer, hasCode, takeAnswer } from './answers-store.ts'
 import { askingByKey, openAskingOf } from './askings-store.ts'
 import { readSent } from './asked.ts'
@@ -48,10 +50,16 @@ function admit({ ports, headers, triers }: Pick<Call<unknown>, 'ports' | 'header
   ports.limits.request(`answers from ${triers.address}`, cost)
 }
 
-async function asking({ answers }: Ports['database'], key: string) {
-  const found = await askingByKey(answers.db, key)
+async function asking(ports: Ports, key: string) {
+  const found = await askingByKey(ports.database.answers.db, key)
   if (!found) throw new Refusal(404, 'noSuchForm')
+  await refuseHiddenClass(ports, found.class)
   return found
+}
+
+async function refuseHiddenClass(ports: Ports, id: string): Promise<void> {
+  const row = await classById(ports.database.db, id)
+  if (row) await refuseHidden(ports, row)
 }
 
 function readAs(read: () => Given): Given {
@@ -66,7 +74,7 @@ async function take(call: Call<v.InferOutput<typeof sent>>): Promise<Response> {
   const { ports, body } = call
   admit(call)
   const { database, random, now } = ports
-  const row = await asking(database, body.key)
+  const row = await asking(ports, body.key)
   const { key: _, token: sent, ...given } = body
   const { id, code, values } = readAs(() => readSent(row, given))
   checkToken(row, id, sent)
@@ -88,7 +96,7 @@ async function choose(call: Call<v.InferOutput<typeof chosen>>): Promise<Respons
   admit(call)
   const { key, id, code } = body
   const { database, secret, random } = ports
-  const row = await asking(database, key)
+  const row = await asking(ports, key)
   readAs(() => readSent(row, { id, code, values: {} }))
   checkToken(row, id, body.token)
   if (await hasCode(database.answers.db, key, code, id)) return done({ taken: true })
@@ -107,6 +115,7 @@ async function publicKey({ ports, headers, query }: Call<undefined>): Promise<Re
   refuseKnown(headers)
   const row = await openAskingOf(ports.database.answers.db, query.get('class') ?? '')
   if (!row) throw new Refusal(404, 'noSuchForm')
+  await refuseHiddenClass(ports, row.class)
   return done({ key: row.key, publicKey: row.publicKey })
 }
 

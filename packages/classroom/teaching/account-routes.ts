@@ -11,6 +11,7 @@ import { route, type Answer, type Call, type Route } from '../route.ts'
 import { mounted, type Mounted } from './accounts.ts'
 import { endSessionsOfTeacher } from './accounts-store.ts'
 import { deviceKnownTo, knownAfter, knownCookie } from './known-device.ts'
+import { isHidden } from './ending-store.ts'
 import { classLent } from './substitutes-store.ts'
 import { sizesOfAll } from './classes-store.ts'
 import { addInvitation, firstTeacher, isOperator, makeOperator, takeInvitation } from './operators-store.ts'
@@ -23,22 +24,26 @@ const password = v.pipe(v.string(), v.minLength(10), v.maxLength(128))
 const token = v.pipe(v.string(), v.maxLength(100))
 const newTeacher = v.strictObject({ token, username, password })
 
-/** The pupil of a request, if one has joined on this device. `ended`: the class is no more. */
+/** Refusals of a pupil whose class was deleted, or has ended. */
+const noLonger = new Set(['classEnded', 'classHidden'])
+
+/** The pupil of a request, if one has joined on this device. `ended`: the class is no more; `hidden`: it has ended and is not deleted yet. */
 async function pupilAsking(ports: Ports, headers: Headers) {
   try {
     const pupil = await readPupil(ports, cookieIn(headers, pupilCookie))
-    return { pupil: pupil && (await liveOfPupil(ports, pupil)), ended: false }
+    return { pupil: pupil && (await liveOfPupil(ports, pupil)), ended: false, hidden: false }
   } catch (error) {
-    if (error instanceof Refusal && error.status === 410) return { pupil: null, ended: true }
-    throw error
+    if (!(error instanceof Refusal) || !noLonger.has(error.code)) throw error
+    return { pupil: null, ended: error.code === 'classEnded', hidden: error.code === 'classHidden' }
   }
 }
 
 /** The class that a substitute has today. */
-async function substituteAsking({ database, day }: Ports, headers: Headers) {
+async function substituteAsking(ports: Ports, headers: Headers) {
+  const { database, day } = ports
   const token = cookieIn(headers, substituteCookie)
   const lent = token === null ? undefined : await classLent(database.db, token, day(0))
-  return lent ? { class: lent.id, name: lent.name } : null
+  return lent && !(await isHidden(ports, lent)) ? { class: lent.id, name: lent.name } : null
 }
 
 /** What every page asks first: is there a class server, who made it theirs, and who sits here? */

@@ -1,4 +1,5 @@
 import * as v from 'valibot'
+import type { ClassRow } from '../database/tables.ts'
 import { newToken } from '../hashes.ts'
 import { newCode, codeKey } from '../joining/code.ts'
 import { endSessionsOfClass } from '../joining/sessions-store.ts'
@@ -9,8 +10,8 @@ import { Refusal } from '../refusal.ts'
 import { route, type Answer, type Call, type Route } from '../route.ts'
 import { addClass, changeClass, classesOf, closeClass, giveCode, sizesOf } from './classes-store.ts'
 import { carryOut } from './deleting-store.ts'
-import { announce } from './ending-store.ts'
-import { languageOf, shownClass } from './shown.ts'
+import { isHidden } from './ending-store.ts'
+import { hiddenClass, languageOf, shownClass } from './shown.ts'
 
 const joiningLength = 20 * 60_000
 
@@ -23,8 +24,9 @@ const changes = v.partial(v.strictObject({ name, grade, endsOn: day }))
 
 async function list({ ports, who }: Call<undefined>): Promise<Answer> {
   const rows = await classesOf(ports.database.db, who.teacher!.id)
-  const announced = await Promise.all(rows.map((row) => announce(ports, row)))
-  return { body: { classes: announced.map((row) => shownClass(row, ports)) } }
+  const show = async (row: ClassRow) =>
+    (await isHidden(ports, row)) ? hiddenClass(row) : shownClass(row, ports)
+  return { body: { classes: await Promise.all(rows.map(show)) } }
 }
 
 /** A code that no other class has; words are drawn again where one is taken. */
@@ -57,16 +59,14 @@ function refusePast(ports: Ports, endsOn: string) {
 }
 
 async function one({ ports, who }: Call<undefined>): Promise<Answer> {
-  const row = await announce(ports, who.class!)
+  const row = who.class!
   const sizes = await sizesOf(ports.database.db, row.id)
   return { body: { ...shownClass(row, ports), ...sizes, space: row.space, mostSpace } }
 }
 
 async function change({ ports, who, body }: Call<v.InferOutput<typeof changes>>): Promise<Answer> {
   if (body.endsOn !== undefined) refusePast(ports, body.endsOn)
-  // A moved date is announced again.
-  const moved = body.endsOn === undefined ? {} : { announcedDay: null }
-  if (Object.keys(body).length > 0) await changeClass(ports.database.db, who.class!.id, { ...body, ...moved })
+  if (Object.keys(body).length > 0) await changeClass(ports.database.db, who.class!.id, body)
   ports.live.changed(who.class!.id)
   return {}
 }

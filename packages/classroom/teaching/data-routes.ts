@@ -11,6 +11,7 @@ import { Refusal } from '../refusal.ts'
 import { route, type Answer, type Call, type Route } from '../route.ts'
 import { newestIn } from './about-pupil.ts'
 import { sizesOf } from './classes-store.ts'
+import { endsSoon } from './ending-store.ts'
 import { isOperator } from './operators-store.ts'
 import { resultsOf } from './results-store.ts'
 import { arrayOf, streamed } from './streamed.ts'
@@ -20,12 +21,12 @@ const nights = 7
 
 /** What is kept of a class, how much, until when. */
 async function data({ ports, who }: Call<undefined>): Promise<Answer> {
-  const { id, space, endsOn, announcedDay } = who.class!
+  const { id, space, endsOn } = who.class!
   const sizes = await sizesOf(ports.database.db, id)
   return {
     body: {
       ...sizes,
-      ...{ space, mostSpace, endsOn, endsSoon: announcedDay !== null },
+      ...{ space, mostSpace, endsOn, endsSoon: endsSoon({ endsOn }, ports.day) },
       shared: await countAllShared(ports.database.db, id),
       results: (await resultsOf(ports.database.db, id)).length,
       forms: (await askingsOf(ports.database.answers.db, id)).length,

@@ -9,7 +9,6 @@ import type { Browser } from '../testing/browser.ts'
 import { projectText } from '../testing/projects.ts'
 import { Server } from '../testing/world.ts'
 import { carryOut } from './deleting-store.ts'
-import { everyNight } from './every-night.ts'
 
 const tables = [
   'class',
@@ -101,37 +100,6 @@ onBothDatabases((fresh) => {
       nickname: 'Luchs',
       projects: [{ id: 'project-1', project: { name: 'Garden Luchs' } }],
     })
-  })
-
-  test('a class ends on its day only when its teacher was shown so on a day the server ran, 14 such days before', async () => {
-    const end = async (endsOn: string) => {
-      const { id } = await classWith('Reh')
-      await teacher.patch(`/classes/${id}`, { endsOn })
-      return id
-    }
-    const days = async (count: number) => {
-      for (let day = 0; day < count; day++) {
-        server.later(24 * 60)
-        await everyNight(server.ports)
-      }
-    }
-    const there = async (id: string) => (await teacher.get(`/classes/${id}`)).status === 200
-    const unseen = await end(server.ports.day(10))
-    await days(30)
-    expect(await rowsAbout(server, unseen)).not.toEqual([])
-    // Seen at last: the fourteen days begin.
-    const { classes } = (await teacher.get('/classes')).body as {
-      classes: { id: string; endsSoon: boolean }[]
-    }
-    expect(classes.find(({ id }) => id === unseen)).toMatchObject({ endsSoon: true })
-    await days(13)
-    expect(await there(unseen)).toBe(true)
-    // The nights of a server that does not run do not count, nor does one night twice.
-    server.later(24 * 60)
-    await everyNight(server.ports)
-    await everyNight(server.ports)
-    expect(await there(unseen)).toBe(false)
-    expect(server.buried.at(-1)).toEqual({ kind: 'class', id: unseen })
   })
 
   test('a date that is moved is announced again', async () => {

@@ -1,46 +1,36 @@
 import type { Db } from '../database/database.ts'
 import type { ClassRow } from '../database/tables.ts'
 import type { Ports } from '../ports.ts'
-import { changeClass } from './classes-store.ts'
+import { Refusal } from '../refusal.ts'
+import { daysNow } from './running-days-store.ts'
+import type { Clock } from './running-days.ts'
 
-/** A class ends by itself only this many days after its teacher was shown that it will, counted in days the server ran. */
-const warning = 14
-const counter = 'days'
+/** Teachers see the end of a class so many days before. */
+const notice = 14
 
-/** How many different days this server has run on. */
-async function daysRun(db: Db): Promise<number> {
-  const row = await db.selectFrom('meta').select('value').where('key', '=', counter).executeTakeFirst()
-  return row ? Number(row.value.split(' ')[0]) : 0
-}
+export const endsSoon = ({ endsOn }: Pick<ClassRow, 'endsOn'>, day: Clock): boolean => endsOn <= day(notice)
 
-/** Counts today once, however often it is asked. A clock that was set back counts nothing. */
-export async function countDay({ database: { db }, day }: Ports): Promise<void> {
-  const row = await db.selectFrom('meta').select('value').where('key', '=', counter).executeTakeFirst()
-  const [count = '0', last = ''] = row?.value.split(' ') ?? []
-  if (last >= day(0)) return
-  const value = `${Number(count) + 1} ${day(0)}`
-  await db
-    .insertInto('meta')
-    .values({ key: counter, value })
-    .onConflict((conflict) => conflict.column('key').doUpdateSet({ value }))
-    .execute()
-}
-
-/** Notes that a teacher is shown the end of a class, where it is near. */
-export async function announce(ports: Ports, row: ClassRow): Promise<ClassRow> {
-  if (row.announcedDay !== null || row.endsOn > ports.day(warning)) return row
-  const announcedDay = await daysRun(ports.database.db)
-  await changeClass(ports.database.db, row.id, { announcedDay })
-  return { ...row, announcedDay }
-}
-
-/** Ids of the classes that end today or should have. */
-export async function endingNow({ database: { db }, day }: Ports): Promise<readonly string[]> {
-  const rows = await db
-    .selectFrom('class')
-    .select('id')
-    .where('endsOn', '<=', day(0))
-    .where('announcedDay', '<=', (await daysRun(db)) - warning)
-    .execute()
+/** Ids of the classes whose last day is over by the clock. */
+export async function endedClasses(db: Db, day: Clock): Promise<readonly string[]> {
+  const rows = await db.selectFrom('class').select('id').where('endsOn', '<=', day(0)).execute()
   return rows.map(({ id }) => id)
+}
+
+/**
+ * Is a class hidden from everyone? It is from the day on which it ends until it is deleted, unless the operator has answered
+ * that the clock is wrong.
+ */
+export async function isHidden(
+  { database: { db }, day }: Pick<Ports, 'database' | 'day'>,
+  { endsOn }: Pick<ClassRow, 'endsOn'>,
+): Promise<boolean> {
+  return endsOn <= day(0) && (await daysNow({ db, clock: day })).doubt?.denied !== true
+}
+
+/** @throws Refusal 423 for a class that has ended and is not deleted yet: devices keep their work and try again */
+export async function refuseHidden(
+  ports: Pick<Ports, 'database' | 'day'>,
+  row: Pick<ClassRow, 'endsOn'>,
+): Promise<void> {
+  if (await isHidden(ports, row)) throw new Refusal(423, 'classHidden')
 }

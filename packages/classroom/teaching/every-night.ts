@@ -1,24 +1,42 @@
-import type { Ports } from '../ports.ts'
 import { deleteUnheld } from '../live/handouts-store.ts'
-import { settleAll } from '../questionnaires/nightly.ts'
+import type { Ports } from '../ports.ts'
 import { recount } from '../projects/assets-store.ts'
+import { settleAll } from '../questionnaires/nightly.ts'
 import { deleteForGood } from './class-routes.ts'
 import { allClasses, clearAway } from './clearing-store.ts'
-import { countDay, endingNow } from './ending-store.ts'
+import { endedClasses } from './ending-store.ts'
+import { noteDay } from './running-days-store.ts'
 
 async function endClass(ports: Ports, id: string) {
   await deleteForGood(ports, { kind: 'class', id })
   ports.live.end(id, 'everybody', 'ended')
 }
 
-/** What the server does once a day: counts the day, ends classes whose time has come, clears away what is over. */
+/**
+ * Checks the clock and deletes the classes that have ended. While the clock is doubted nothing is deleted, and their open pages
+ * are sent away. Runs before the first answer of a server, and when a day begins.
+ * @returns whether the clock is doubted
+ */
+export async function endClasses(ports: Ports): Promise<boolean> {
+  const { db } = ports.database
+  // A clock that jumps in between must not decide with another day.
+  const today = ports.day(0)
+  const { doubt } = await noteDay({ db, clock: ports.day })
+  if (ports.day(0) !== today) return endClasses(ports)
+  for (const id of await endedClasses(db, () => today))
+    if (doubt === null) await endClass(ports, id)
+    else if (!doubt.denied) ports.live.end(id, 'everybody', 'again')
+  return doubt !== null
+}
+
+/** The daily work of the server: it ends classes whose time has come and clears away data that is over. */
 export async function everyNight(ports: Ports): Promise<void> {
   const { db } = ports.database
-  const now = ports.now()
-  await countDay(ports)
-  for (const id of await endingNow(ports)) await endClass(ports, id)
-  await settleAll(ports)
-  await clearAway(db, now, ports.day(0))
+  const isDoubted = await endClasses(ports)
+  if (!isDoubted) {
+    await settleAll(ports)
+    await clearAway(db, ports.now(), ports.day(0))
+  }
   await deleteUnheld(db)
   for (const id of await allClasses(db)) await db.transaction().execute((inside) => recount(inside, id))
 }

@@ -6,7 +6,7 @@ const usual = 7
 const patience = 14
 const year = 365
 /** A server of this version cannot run before it: a clock without a battery starts in 1970. */
-const earliest = '2026-11-01'
+const earliest = '2026-01-01'
 
 /** Days are ISO days at the place of the server: `2026-11-24`. */
 export interface RunningDays {

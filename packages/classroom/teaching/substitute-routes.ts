@@ -3,6 +3,7 @@ import { newToken } from '../hashes.ts'
 import { cookie, substituteCookie } from '../joining/cookies.ts'
 import { Refusal } from '../refusal.ts'
 import { route, type Answer, type Call, type Route } from '../route.ts'
+import { refuseHidden } from './ending-store.ts'
 import { addSubstitute, classLent, endSubstitutes } from './substitutes-store.ts'
 
 /** A link for somebody who takes the class today. */
@@ -23,6 +24,7 @@ const wholeDay = 24 * 3600
 async function begin({ ports, body, caller }: Call<{ readonly token: string }>): Promise<Answer> {
   const found = await classLent(ports.database.db, body.token, ports.day(0))
   if (!found) throw new Refusal(403, 'linkUsedUp')
+  await refuseHidden(ports, found)
   const { id, name } = found
   return { body: { id, name }, cookies: [cookie(substituteCookie, body.token, caller, wholeDay)] }
 }
