@@ -4,7 +4,7 @@ import { countAllShared } from '../gallery/shared-store.ts'
 import { markPhraseShown, phraseOf, phraseShown } from '../hosting/phrase-store.ts'
 import { pupilsOf } from '../joining/pupils-store.ts'
 import { triersOfKnown } from '../joining/triers.ts'
-import type { Ports } from '../ports.ts'
+import type { Finding, Ports } from '../ports.ts'
 import { mostSpace } from '../projects/saves-store.ts'
 import { askingsOf } from '../questionnaires/askings-store.ts'
 import { Refusal } from '../refusal.ts'
@@ -14,6 +14,7 @@ import { sizesOf } from './classes-store.ts'
 import { endsSoon } from './ending-store.ts'
 import { isOperator } from './operators-store.ts'
 import { resultsOf } from './results-store.ts'
+import { daysNow } from './running-days-store.ts'
 import { arrayOf, streamed } from './streamed.ts'
 
 /** How many nights a deleted class is still in the backups. */
@@ -71,9 +72,19 @@ const health = ({ ports, caller }: Call<undefined>): Promise<Answer> =>
     },
   })
 
+/** Findings of the machine with the one of the days of running: these are in the database. */
+async function withClock({ database, day }: Ports, all: readonly Finding[]): Promise<readonly Finding[]> {
+  const { last, doubt } = await daysNow({ db: database.db, clock: day })
+  // A clock that was never set is found out by the age of files.
+  if (doubt === null || last === null) return all
+  const verdict = doubt.denied ? 'clock.denied' : 'clock.doubted'
+  const doubted = { verdict, fine: false, facts: { now: day(0), last } }
+  return [...all.filter((finding) => finding.verdict !== 'clock.fine'), doubted]
+}
+
 /** The same in sentences. Where things lie on the machine is for who runs it alone. */
 async function findings({ ports, who }: Call<undefined>): Promise<Answer> {
-  const all = ports.host.findings(ports.live.size)
+  const all = await withClock(ports, ports.host.findings(ports.live.size))
   const operates = await isOperator(ports.database.db, who.teacher!.id)
   return { body: { findings: operates ? all : all.filter(({ verdict }) => !verdict.startsWith('folder.')) } }
 }

@@ -5,9 +5,9 @@ import type { Member } from './member.svelte.ts'
 
 /**
  * What stands before the page. `asks`: "Are you …?" at a start · `quiet`: after ten minutes · `back`: the child has just come
- * back, and its work comes · `pictures` · `locked` · `signedOut` · `ended`; null: nothing, the page is the child's.
+ * back, and its work comes · `pictures` · `locked` · `signedOut` · `ended` · `hidden`; null: nothing, the page is the child's.
  */
-type Question = 'asks' | 'quiet' | 'back' | 'pictures' | 'locked' | 'signedOut' | 'ended' | null
+type Question = 'asks' | 'quiet' | 'back' | 'pictures' | 'locked' | 'signedOut' | 'ended' | 'hidden' | null
 
 /** Lets only the pupil of this device to its work. */
 export class Gate {

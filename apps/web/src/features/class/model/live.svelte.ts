@@ -16,8 +16,8 @@ const reportEvery = 5000
 /** In ms: so long after the last sign of the class, attention and the eye end by themselves. */
 const longestSilence = 20_000
 const tickEvery = 1000
-/** Signed out, another pupil's, or ended. */
-const notHere: readonly number[] = [401, 403, 410]
+/** Signed out, another pupil's, ended, or hidden. */
+const notHere: readonly number[] = [401, 403, 410, 423]
 
 /** What a page is at: its lab says so. */
 export interface Work {

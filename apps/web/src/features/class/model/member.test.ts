@@ -5,6 +5,7 @@ import {
   backUp,
   Cable,
   headsIn,
+  hideClass,
   newDevice,
   newPupil,
   Work,
@@ -83,4 +84,17 @@ test('a mark of the class that the page has not seen makes it compare, and lost 
   await member.enter()
   await expect.poll(() => headsIn(pupil)).toEqual(['work 1'])
   expect(cable.requests).toContain('PUT')
+})
+
+test('while the class is hidden, signing out leaves the work on the device, and it is sent once the class is shown', async () => {
+  const { device, pupil, cable, member } = await begin()
+  const show = await hideClass(pupil)
+  await member.outbox.flush()
+  expect(member.pause).toBe('hidden')
+  expect(await member.enter()).toBe('hidden')
+  await member.leave()
+  expect(await isOn(device, 'fear')).toBe(true)
+  await show()
+  await (await memberOn(device, pupil, cable)).outbox.flush()
+  expect(await headsIn(pupil)).toEqual(['work 1'])
 })

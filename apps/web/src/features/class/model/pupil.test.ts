@@ -11,6 +11,7 @@ test('"yes" is enough within a lesson, then the pictures are asked, and without 
   expect(passage('away', false)).toBe('locked')
   expect(passage('otherPupil', true)).toBe('signedOut')
   expect(passage('ended', true)).toBe('ended')
+  expect(passage('hidden', true)).toBe('hidden')
 })
 
 test('after each failure it waits twice as long, at most about a minute', () => {

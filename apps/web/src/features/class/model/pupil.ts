@@ -74,12 +74,15 @@ export async function fetchMe(ask: Ask): Promise<Me | Pause> {
   return read(me, reply) ?? pauseOf(reply)
 }
 
-/** What becomes of a child that answers yes. `locked`: a lesson is over, and the class cannot be asked for the pictures. */
-export type Passage = 'through' | 'pictures' | 'locked' | 'signedOut' | 'ended'
+/**
+ * What becomes of a child that answers yes. `locked`: a lesson is over, and the class cannot be asked for the pictures ·
+ * `hidden`: the class has ended by the date of the server, and may be shown again.
+ */
+export type Passage = 'through' | 'pictures' | 'locked' | 'signedOut' | 'ended' | 'hidden'
 
 export function passage(me: Pick<Me, 'fresh'> | Pause, isProven: boolean): Passage {
   if (typeof me === 'object') return me.fresh ? 'through' : 'pictures'
-  if (me === 'ended') return 'ended'
+  if (me === 'ended' || me === 'hidden') return me
   if (me === 'signedOut' || me === 'otherPupil') return 'signedOut'
   return isProven ? 'through' : 'locked'
 }

@@ -163,6 +163,7 @@ test.each([
   ['trouble', 500, 'ourFault'],
   ['signedOut', 401, 'join'],
   ['ended', 410, 'classEnded'],
+  ['hidden', 423, 'classHidden'],
 ] as const)(
   'a class that answers %s (%i %s) gets the save later, under the same name',
   async (pause, status, code) => {

@@ -28,6 +28,8 @@ const schoolClass = v.object({
   /** ISO day. */
   endsOn: v.string(),
   endsSoon: v.boolean(),
+  /** It has ended by the date of the server and is not deleted yet. */
+  hidden: v.optional(v.boolean(), false),
   /** Ids of the cards that are free today; null: all. */
   cards: v.nullable(list(v.string())),
   /** Which blocks there are; null: as each child chooses. */
@@ -165,6 +167,20 @@ const finding = v.object({
 export type Finding = v.InferOutput<typeof finding>
 export const findings = v.object({ findings: list(finding) })
 export const sizes = v.object({ classes: list(v.object({ space: v.number(), pupils: v.number() })) })
+
+export const clock = v.object({
+  /** ISO days: of the clock, and the last one before on which the server ran; null: it never ran before. */
+  today: v.string(),
+  last: v.nullable(v.string()),
+  doubted: v.boolean(),
+  /** The operator has answered that the clock is wrong. */
+  denied: v.boolean(),
+  /** Different days of running since the doubt began. */
+  days: v.number(),
+  /** Classes that have ended if the clock is right. */
+  ended: v.number(),
+})
+export type Clock = v.InferOutput<typeof clock>
 
 export const backedUp = v.object({ backups })
 /** Ten words with hyphens. */

@@ -8,8 +8,8 @@ import { Refused, type ClassApi } from './api.ts'
 import { Attempts } from './attempts.svelte.ts'
 import type { Tile } from './live.ts'
 
-/** The session is over, or the class is no more. */
-const isOver = (error: unknown) => error instanceof Refused && [401, 404, 410].includes(error.status)
+/** The session is over, or the class is deleted or hidden. */
+const isOver = (error: unknown) => error instanceof Refused && [401, 404, 410, 423].includes(error.status)
 
 /** A hint of a card by its number from 1, or in own words. */
 type Hint = { readonly card: string; readonly hint: number } | { readonly text: string }

@@ -1,4 +1,4 @@
-import { backedUp, findings, sizes, type Finding } from './answers.ts'
+import { backedUp, clock, findings, sizes, type Clock, type Finding } from './answers.ts'
 import type { ClassApi } from './api.ts'
 import { Attempts } from './attempts.svelte.ts'
 
@@ -19,6 +19,7 @@ export class ServerHealth {
   readonly #attempts = new Attempts()
   #findings = $state.raw<readonly Finding[] | null>(null)
   #sizes = $state.raw<Sizes | null>(null)
+  #clock = $state.raw<Clock | null>(null)
   #saving = $state(false)
 
   constructor(api: ClassApi) {
@@ -34,6 +35,11 @@ export class ServerHealth {
     return this.#sizes
   }
 
+  /** The question about the clock; null while it is not doubted, and for teachers who are not the operator. */
+  get clock(): Clock | null {
+    return this.#clock
+  }
+
   get refused(): string | null {
     return this.#attempts.refused
   }
@@ -44,9 +50,12 @@ export class ServerHealth {
 
   /** @param operates is the teacher who asks the operator of the server? */
   async look(operates: boolean): Promise<void> {
-    const found = await this.#attempts.try(() => this.#api.ask(findings, 'GET', '/findings'))
-    if (found) this.#findings = found.findings.toSorted((one, other) => Number(one.fine) - Number(other.fine))
-    if (operates) await this.#measure()
+    const all = await this.#attempts.try(() => this.#api.ask(findings, 'GET', '/findings'))
+    if (all) this.#findings = all.findings.toSorted((one, other) => Number(one.fine) - Number(other.fine))
+    if (!operates) return
+    await this.#measure()
+    const found = await this.#attempts.try(() => this.#api.ask(clock, 'GET', '/clock'))
+    if (found) this.#clock = found.doubted ? found : null
   }
 
   async #measure(): Promise<void> {
@@ -60,6 +69,13 @@ export class ServerHealth {
     void this.look(operates)
     const timer = setInterval(() => document.visibilityState === 'visible' && void this.look(operates), every)
     return () => clearInterval(timer)
+  }
+
+  /** Answers whether the clock is right. Then ended classes are deleted, or else shown again. */
+  async answer(right: boolean): Promise<void> {
+    const today = this.#clock?.today
+    if (await this.#attempts.do(() => this.#api.send('POST', '/clock', { right, today })))
+      await this.look(true)
   }
 
   /** Makes the copy of today. */

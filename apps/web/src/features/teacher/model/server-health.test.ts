@@ -1,6 +1,7 @@
-import { firstTeacherToken } from '@botgarten/classroom'
+import { endClasses, firstTeacherToken } from '@botgarten/classroom'
 import { expect, test } from 'vitest'
 import { apiOn, freshServer } from '../testing/class-server.ts'
+import { classes, made } from './answers.ts'
 import { BackupPhrase } from './backup-phrase.svelte.ts'
 import { ServerHealth } from './server-health.svelte.ts'
 
@@ -73,4 +74,36 @@ test('the phrase of the backups is shown once for the asking, from then on for t
   await later.show('kastanie im regen')
   expect(later.words!.split('-')).toHaveLength(10)
   expect(later.needsPassword).toBe(false)
+})
+
+test('the operator sees both dates of a clock that is doubted, and answers with one press', async () => {
+  const server = await freshServer()
+  const api = apiOn(server)
+  const token = await firstTeacherToken(server.ports)
+  await api.send('POST', '/teachers', { token, username: 'm.weber', password: 'kastanie im regen' })
+  const { id } = await api.ask(made, 'POST', '/classes', {
+    ...{ name: '5b', language: 'en', grade: 5, endsOn: server.ports.day(3) },
+  })
+  await endClasses(server.ports)
+  const last = server.ports.day(0)
+  const health = new ServerHealth(api)
+  await health.look(true)
+  expect(health.clock).toBeNull()
+
+  server.now += 8 * 86_400_000
+  await health.look(true)
+  const today = server.ports.day(0)
+  expect(health.clock).toMatchObject({ today, last, ended: 1, denied: false })
+  const doubted = { verdict: 'clock.doubted', fine: false, facts: { now: today, last } }
+  expect(health.findings).toContainEqual(doubted)
+
+  const own = async () => (await api.ask(classes, 'GET', '/classes')).classes
+  expect(await own()).toMatchObject([{ id, hidden: true, words: [] }])
+  await health.answer(false)
+  expect(health.clock).toMatchObject({ denied: true })
+  expect(await own()).toMatchObject([{ id, hidden: false }])
+  await health.answer(true)
+  expect(health.clock).toBeNull()
+  expect(health.refused).toBeNull()
+  expect(await own()).toEqual([])
 })

@@ -35,6 +35,14 @@ export async function newPupil() {
   return server.pupil(code, `Kind ${++nicknames}`)
 }
 
+/** The class of a pupil has ended by the date of the server, and is shown again later. @returns shows it again */
+export async function hideClass({ class: id }: Pupil): Promise<() => Promise<void>> {
+  const end = async (endsOn: string) =>
+    void (await database.db.updateTable('class').set({ endsOn }).where('id', '=', id).execute())
+  await end(server.ports.day(0))
+  return () => end(server.ports.day(60))
+}
+
 /** The outcome of a request. `late`: it arrives much later, when the device has long given up. */
 export type Fate = 'arrives' | 'isLost' | 'answerIsLost' | 'comesTwice' | 'late'
 
