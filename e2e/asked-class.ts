@@ -44,6 +44,7 @@ export async function isAnswered(made: MadeClass, form: string, count: number): 
 /** The server's clock goes on. */
 export function passes({ classServer }: MadeClass, minutes: number): void {
   const { ports } = classServer
-  const { now } = ports
-  Object.assign(ports, { now: () => now() + minutes * 60_000 })
+  const { now, steady } = ports
+  const later = (clock: () => number) => () => clock() + minutes * 60_000
+  Object.assign(ports, { now: later(now), steady: later(steady) })
 }

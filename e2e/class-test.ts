@@ -11,9 +11,9 @@ export async function lendClass(
   use: (school: MadeClass) => Promise<void>,
 ): Promise<void> {
   const { ports } = room.classServer
-  const { now } = ports
+  const { now, steady } = ports
   await use(await nextClass(room, language))
-  Object.assign(ports, { now })
+  Object.assign(ports, { now, steady })
 }
 
 /** Tests in a class of their own; a worker has one server for the classes of all files. */

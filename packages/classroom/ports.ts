@@ -121,6 +121,8 @@ export interface Ports {
   readonly database: Database
   /** Milliseconds since 1970, UTC. */
   readonly now: () => number
+  /** For durations, ms: it advances while the server runs, does not depend on its clock, and continues after a restart. */
+  readonly steady: () => number
   /** The ISO day where the server stands, so many days from today. */
   readonly day: (offset: number) => string
   /** That many random bytes, good enough for secrets. */

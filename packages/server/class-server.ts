@@ -25,6 +25,7 @@ import { lockFolder } from './lock.ts'
 import { startLive } from './live.ts'
 import { resetByFile } from './reset.ts'
 import { startNights } from './nights.ts'
+import { startSteady } from './steady.ts'
 import { postgresBus } from './postgres-bus.ts'
 import { dayHere, portsOn } from './ports.ts'
 import { CannotServe, causeIn } from './problem.ts'
@@ -149,12 +150,13 @@ async function serverOn(
   const bus = address === undefined ? noBus : postgresBus(address)
   let addresses: () => readonly string[] = () => []
   const record = new ReachedRecord(folder)
+  const steady = await startSteady(database)
   const { ports, close } = portsOn(database, secret, {
     folder,
     address,
     publicAddress: publicAddress ?? null,
     proxied: proxies.length > 0,
-    teacherMade,
+    ...{ teacherMade, steady: steady.now },
     reached: { addresses: () => addresses(), record },
     bus,
   })
@@ -203,6 +205,7 @@ async function serverOn(
       await ports.live.close()
       await stopNights()
       await Promise.all(inHand)
+      await steady.stop()
       await close()
       await database.close()
       free()

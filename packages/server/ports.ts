@@ -88,6 +88,7 @@ export interface PortOptions {
   /** A proxy stands before the server: its own addresses are none for pages. */
   readonly proxied: boolean
   readonly teacherMade: () => void
+  readonly steady: () => number
   readonly bus?: Bus
   readonly reached: {
     /** Under which the server is reached now. */
@@ -102,6 +103,7 @@ export function portsOn(database: Database, secret: Uint8Array, options: PortOpt
   const ports: Ports = {
     database,
     now: () => Date.now(),
+    steady: options.steady,
     day: dayHere,
     random: (bytes) => new Uint8Array(randomBytes(bytes)),
     secret,
@@ -114,7 +116,7 @@ export function portsOn(database: Database, secret: Uint8Array, options: PortOpt
     announced: ({ reached }) => announcedTo(reached, { ...options, addresses: options.reached.addresses }),
     teacherMade: options.teacherMade,
     limits: new Limits(() => performance.now()),
-    live: new Hub(options.bus ?? noBus, () => Date.now()),
+    live: new Hub(options.bus ?? noBus, { now: () => Date.now(), elapsed: () => performance.now() }),
     cards: cardsInWorker(),
     questionnaires: questionnairesInWorker(),
     host: hostOf(database, secret, options),

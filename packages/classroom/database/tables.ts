@@ -38,6 +38,7 @@ interface AccountTable {
 interface InvitationTable {
   tokenHash: string
   first: 0 | 1
+  /** Ms since 1970; for the first teacher of the steady clock. */
   endsAt: number
 }
 
@@ -50,6 +51,7 @@ export interface ClassTable {
   grade: number
   /** Its words by their first four letters: `kite-otte-plum-rose`; of older classes three. */
   code: string
+  /** Of the steady clock. */
   joiningUntil: number
   openedAt: number | null
   /** No longer read: until lessons were counted it decided who had shown the pictures in this one. */

@@ -20,6 +20,7 @@ export interface PairTable {
   ofInviter: number
   ofInvited: number
   /** Entries within one window of time. */
+  /** Of the steady clock, ms. */
   windowEndsAt: number
   inWindow: number
   at: number

@@ -8,6 +8,7 @@ const mostJoins = 10
 
 interface Clocked {
   readonly db: Db
+  /** Of the steady clock. */
   readonly now: number
   readonly secret: Uint8Array
 }

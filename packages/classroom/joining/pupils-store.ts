@@ -2,7 +2,7 @@ import type { Db } from '../database/database.ts'
 import type { NewPupil, PupilRow } from '../database/tables.ts'
 import { tryMemory } from './tries-store.ts'
 
-/** The class whose code this is, while joining is open. */
+/** The class whose code this is, while joining is open. @param now of the steady clock */
 export const classToJoin = (db: Db, code: string, now: number) =>
   db
     .selectFrom('class')

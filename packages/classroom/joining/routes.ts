@@ -21,7 +21,7 @@ const mostPupils = 100
 const short = v.pipe(v.string(), v.maxLength(100))
 const threePictures = v.strictTuple([v.picklist(pictures), v.picklist(pictures), v.picklist(pictures)])
 
-const clocked = ({ database, now, secret }: Ports) => ({ db: database.db, now: now(), secret })
+const clocked = ({ database, steady, secret }: Ports) => ({ db: database.db, now: steady(), secret })
 
 /**
  * The class of a code. The right one always passes: whoever has guessed too often waits after a wrong one. A wrong one, a closed
@@ -32,7 +32,7 @@ async function classFor({ ports, triers, body }: Call<{ readonly code: string }>
   const { codes, shortCodes } = ports.limits.guesses
   const guess = (isShortCode(key) ? shortCodes : codes).begin(triersOfCode(triers, ports.secret))
   // A code of no shape costs the same query.
-  const found = await classToJoin(ports.database.db, key, ports.now())
+  const found = await classToJoin(ports.database.db, key, ports.steady())
   if (found && !(await isHidden(ports, found))) {
     guess.right()
     return found

@@ -8,15 +8,16 @@ export type Message =
   | {
       readonly kind: 'attention'
       readonly class: string
-      readonly endsAt: number
-      readonly leaseUntil: number
+      /** Ms from now on; 0: it ends. */
+      readonly left: number
     }
   | {
       readonly kind: 'inside'
       readonly class: string
       readonly pupil: string
       readonly by: string | null
-      readonly until: number
+      /** Ms from now on; 0: it ends. */
+      readonly left: number
     }
   /** A short event for the pages of one pupil; null: of all. */
   | {

@@ -3,7 +3,7 @@ import { noBus } from './bus.ts'
 import { Hub } from './hub.ts'
 
 test('a stream whose state could not be read gets it with the next flush', async () => {
-  const hub = new Hub(noBus, () => 0)
+  const hub = new Hub(noBus, { now: () => 0, elapsed: () => 0 })
   let reads = 0
   const read = () => {
     reads += 1

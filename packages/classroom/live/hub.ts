@@ -28,6 +28,7 @@ type Opened = Pick<Stream, 'class' | 'pupil' | 'teacher' | 'read'> & {
   readonly closed?: () => void
 }
 
+/** In ms of the clock that never goes back. */
 interface Attention {
   readonly endsAt: number
   readonly leaseUntil: number
@@ -47,10 +48,13 @@ export class Hub {
   private heard = new Map<string, Map<string, Live>>()
   private readonly bus: Bus
   private readonly now: () => number
+  private readonly elapsed: () => number
 
-  constructor(bus: Bus, now: () => number) {
+  /** @param clocks `now`: ms since 1970 · `elapsed`: ms of a clock that never goes back, for durations */
+  constructor(bus: Bus, { now, elapsed }: { readonly now: () => number; readonly elapsed: () => number }) {
     this.bus = bus
     this.now = now
+    this.elapsed = elapsed
     bus.listen(
       (message) => this.take(message),
       () => this.refreshAll(),
@@ -65,7 +69,7 @@ export class Hub {
   private take(message: Message) {
     if (message.kind === 'tiles') for (const { id, live } of message.tiles) this.note(message.class, id, live)
     else if (message.kind === 'changed') this.refresh(message.class, message.pupils)
-    else if (message.kind === 'attention') this.pay(message.class, message)
+    else if (message.kind === 'attention') this.pay(message.class, message.left)
     else if (message.kind === 'inside') this.see(message.class, message.pupil, message)
     else if (message.kind === 'event') this.passOn(message)
     else this.endStreams(message)
@@ -141,36 +145,37 @@ export class Hub {
 
   /** @returns how long it lasts, s */
   askAttention(classId: string, on: boolean): number {
-    const endsAt = on ? this.now() + longestAttention : 0
-    this.publish({ kind: 'attention', class: classId, endsAt, leaseUntil: this.now() + lease })
+    this.publish({ kind: 'attention', class: classId, left: on ? longestAttention : 0 })
     return on ? longestAttention / 1000 : 0
   }
 
-  private pay(classId: string, { endsAt, leaseUntil }: Attention) {
+  private pay(classId: string, left: number) {
     const was = this.attentionOf(classId) !== null
-    if (endsAt > this.now()) this.attention.set(classId, { endsAt, leaseUntil })
+    const now = this.elapsed()
+    if (left > 0) this.attention.set(classId, { endsAt: now + left, leaseUntil: now + lease })
     else this.attention.delete(classId)
-    if (was !== endsAt > this.now()) this.refresh(classId, null)
+    if (was !== left > 0) this.refresh(classId, null)
   }
 
   /** Whole seconds for which attention is still asked at the most; null: it is not. */
   attentionOf(classId: string): number | null {
     const { endsAt = 0, leaseUntil = 0 } = this.attention.get(classId) ?? {}
-    return Math.min(endsAt, leaseUntil) > this.now() ? Math.ceil((endsAt - this.now()) / 1000) : null
+    const now = this.elapsed()
+    return Math.min(endsAt, leaseUntil) > now ? Math.ceil((endsAt - now) / 1000) : null
   }
 
   // Looking inside.
 
   /** @param by name of the teacher; null for a substitute @param seconds 0: no longer */
   look(classId: string, pupil: string, by: string | null, seconds: number): void {
-    this.publish({ kind: 'inside', class: classId, pupil, by, until: this.now() + seconds * 1000 })
+    this.publish({ kind: 'inside', class: classId, pupil, by, left: seconds * 1000 })
   }
 
-  private see(classId: string, pupil: string, { by, until }: { by: string | null; until: number }) {
+  private see(classId: string, pupil: string, { by, left }: { by: string | null; left: number }) {
     const was = this.insideOf(pupil) !== null
-    if (until > this.now()) this.inside.set(pupil, { by, until })
+    if (left > 0) this.inside.set(pupil, { by, until: this.elapsed() + left })
     else this.inside.delete(pupil)
-    if (was !== until > this.now()) this.refreshPupil(classId, pupil)
+    if (was !== left > 0) this.refreshPupil(classId, pupil)
   }
 
   private refreshPupil(classId: string, pupil: string) {
@@ -180,7 +185,7 @@ export class Hub {
 
   insideOf(pupil: string): { readonly by: string | null } | null {
     const found = this.inside.get(pupil)
-    return found && found.until > this.now() ? { by: found.by } : null
+    return found && found.until > this.elapsed() ? { by: found.by } : null
   }
 
   // Streams.
@@ -190,7 +195,7 @@ export class Hub {
       this.streams.delete(stream)
       closed?.()
     })
-    const stream: Stream = { ...opened, events, openedAt: this.now(), dirty: true, reading: false }
+    const stream: Stream = { ...opened, events, openedAt: this.elapsed(), dirty: true, reading: false }
     this.streams.add(stream)
     void this.show(stream)
     return events.response
@@ -232,7 +237,7 @@ export class Hub {
   /** Every few seconds: beats, leases of attention, looks inside that ended, streams that are old. */
   tick(): void {
     for (const stream of this.streams) {
-      if (this.now() - stream.openedAt < longestStream) stream.events.beat()
+      if (this.elapsed() - stream.openedAt < longestStream) stream.events.beat()
       else {
         stream.events.send('end', { reason: 'again' })
         stream.events.close()
@@ -249,7 +254,7 @@ export class Hub {
         this.attention.delete(classId)
         this.refresh(classId, null)
       } else if (taught.has(classId))
-        this.publish({ kind: 'attention', class: classId, endsAt, leaseUntil: this.now() + lease })
+        this.publish({ kind: 'attention', class: classId, left: endsAt - this.elapsed() })
     }
   }
 

@@ -153,7 +153,7 @@ onBothDatabases((fresh) => {
     await teacher.put(of('/attention'), { on: true })
     await state(stream, ({ attention }) => attention !== null)
     for (let seconds = 0; seconds < 600; seconds += 10) {
-      server.now += 10_000
+      server.passes(10_000)
       if (seconds < 590) expect(server.ports.live.attentionOf(open.id)).toBe(590 - seconds)
       server.ports.live.tick()
     }
@@ -164,10 +164,10 @@ onBothDatabases((fresh) => {
     await teacher.put(of('/attention'), { on: true })
     await state(stream, ({ attention }) => attention !== null)
     await view.stop()
-    server.now += 15_000
+    server.passes(15_000)
     server.ports.live.tick()
     expect(server.ports.live.attentionOf(open.id)).not.toBeNull()
-    server.now += 15_000
+    server.passes(15_000)
     server.ports.live.tick()
     await state(stream, ({ attention }) => attention === null)
   })
@@ -188,7 +188,7 @@ onBothDatabases((fresh) => {
     await state(stream, ({ inside }) => inside === null)
     await teacher.get(of(`/pupils/${fox.id}/projects/project-1`))
     await state(stream, ({ inside }) => inside !== null)
-    server.now += 16_000
+    server.passes(16_000)
     server.ports.live.tick()
     await state(stream, ({ inside }) => inside === null)
   })

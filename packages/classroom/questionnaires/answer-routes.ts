@@ -73,12 +73,12 @@ function readAs(read: () => Given): Given {
 async function take(call: Call<v.InferOutput<typeof sent>>): Promise<Response> {
   const { ports, body } = call
   admit(call)
-  const { database, random, now } = ports
+  const { database, random, steady } = ports
   const row = await asking(ports, body.key)
   const { key: _, token: sent, ...given } = body
   const { id, code, values } = readAs(() => readSent(row, given))
   checkToken(row, id, sent)
-  const isOver = row.state === 'closed' || (row.state === 'closing' && (row.closesAt ?? 0) <= now())
+  const isOver = row.state === 'closed' || (row.state === 'closing' && (row.closesAt ?? 0) <= steady())
   if (isOver) {
     if (await hasAnswer(database.answers.db, row.key, id)) return done()
     throw new Refusal(409, 'formClosed')

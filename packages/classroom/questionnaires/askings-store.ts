@@ -38,7 +38,7 @@ export function locked({ locks }: AnswersDatabase, db: AnswersDb, classId: strin
   return (locks ? query.forUpdate() : query).execute()
 }
 
-/** @param closesAt while it closes, ms since 1970 */
+/** @param closesAt while it closes, ms of the steady clock */
 export async function setState(
   db: AnswersDb,
   key: string,

@@ -26,8 +26,8 @@ type Wanted = v.InferOutput<typeof wanted>
 /** Read by the parser of answers. */
 const typed = v.record(v.string(), v.unknown())
 
-const settled = async ({ database, now, random }: Ports, classId: string) => {
-  await settle(database.answers, classId, now(), chanceOf(random))
+const settled = async ({ database, steady, random }: Ports, classId: string) => {
+  await settle(database.answers, classId, steady(), chanceOf(random))
   return inTime(await askingsOf(database.answers.db, classId))
 }
 
@@ -43,7 +43,7 @@ async function list({ ports, who }: Call<undefined>): Promise<Answer> {
   const papers = await papersOf(ports.database.answers.db, keys)
   const shown = askings.map((asking) => {
     const { form, text } = askedIn(asking)
-    const seconds = asking.closesAt === null ? null : Math.ceil((asking.closesAt - ports.now()) / 1000)
+    const seconds = asking.closesAt === null ? null : Math.ceil((asking.closesAt - ports.steady()) / 1000)
     const { state, grade } = asking
     return {
       form,
@@ -117,7 +117,7 @@ async function formAt({ ports, who, at }: Call<unknown>): Promise<AskingRow> {
 async function close(call: Call<undefined>): Promise<Answer> {
   const { ports, who } = call
   const { key, state } = await formAt(call)
-  if (state === 'open') await setState(ports.database.answers.db, key, 'closing', ports.now() + grace)
+  if (state === 'open') await setState(ports.database.answers.db, key, 'closing', ports.steady() + grace)
   ports.live.changed(who.class!.id)
   return {}
 }

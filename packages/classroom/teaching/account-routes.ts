@@ -65,7 +65,7 @@ async function state({ ports, headers, caller }: Call<undefined>): Promise<Answe
 async function makeTeacher(call: Call<v.InferOutput<typeof newTeacher>>): Promise<Response> {
   const { ports, body, headers } = call
   const { db } = ports.database
-  const invitation = await takeInvitation(db, body.token, ports.now())
+  const invitation = await takeInvitation(db, body.token, ports)
   if (!invitation) throw new Refusal(403, 'linkUsedUp')
   const id = await ports.accounts.create(body)
   if (id === null) {

@@ -75,7 +75,8 @@ async function change({ ports, who, body }: Call<v.InferOutput<typeof changes>>)
 async function open({ ports, who }: Call<undefined>): Promise<Answer> {
   const now = ports.now()
   const openedAt = who.class!.openedAt ?? now
-  await changeClass(ports.database.db, who.class!.id, { openedAt, joiningUntil: now + joiningLength })
+  const joiningUntil = ports.steady() + joiningLength
+  await changeClass(ports.database.db, who.class!.id, { openedAt, joiningUntil })
   ports.live.changed(who.class!.id)
   return { body: { joiningUntil: now + joiningLength } }
 }

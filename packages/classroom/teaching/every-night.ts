@@ -33,10 +33,8 @@ export async function endClasses(ports: Ports): Promise<boolean> {
 export async function everyNight(ports: Ports): Promise<void> {
   const { db } = ports.database
   const isDoubted = await endClasses(ports)
-  if (!isDoubted) {
-    await settleAll(ports)
-    await clearAway(db, ports.now(), ports.day(0))
-  }
+  await settleAll(ports)
+  if (!isDoubted) await clearAway(db, ports.now(), ports.day(0))
   await deleteUnheld(db)
   for (const id of await allClasses(db)) await db.transaction().execute((inside) => recount(inside, id))
 }

@@ -1,5 +1,6 @@
 import type { Db } from '../database/database.ts'
 import { hashOf } from '../hashes.ts'
+import type { Ports } from '../ports.ts'
 
 export const isOperator = async (db: Db, teacher: string): Promise<boolean> =>
   (await db.selectFrom('operator').select('teacher').where('teacher', '=', teacher).executeTakeFirst()) !==
@@ -27,11 +28,20 @@ export async function addInvitation(db: Db, token: string, first: 0 | 1, endsAt:
     .execute()
 }
 
-/** Uses a link up: of two who come at once one gets it. @returns undefined where it does not work (any more) */
-export const takeInvitation = (db: Db, token: string, now: number) =>
+/**
+ * Uses a link up: of two who come at once one gets it. The half hour of the first teacher's link is a duration; others end at
+ * a date that was shown.
+ * @returns undefined where it does not work (any more)
+ */
+export const takeInvitation = (db: Db, token: string, { now, steady }: Pick<Ports, 'now' | 'steady'>) =>
   db
     .deleteFrom('invitation')
     .where('tokenHash', '=', hashOf(token))
-    .where('endsAt', '>', now)
+    .where((row) =>
+      row.or([
+        row.and([row('first', '=', 1), row('endsAt', '>', steady())]),
+        row.and([row('first', '=', 0), row('endsAt', '>', now())]),
+      ]),
+    )
     .returning(['first', 'endsAt'])
     .executeTakeFirst()

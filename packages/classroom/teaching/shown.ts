@@ -9,11 +9,17 @@ export const languageOf = ({ language }: Pick<ClassRow, 'language'>) => (languag
 export const cardsIn = (cards: string | null): readonly string[] | null =>
   cards === null ? null : (JSON.parse(cards) as string[])
 
+/** The end of the joining window by the clock of the server; null while joining is closed. */
+function joiningUntil({ joiningUntil: end }: ClassRow, { now, steady }: Pick<Ports, 'now' | 'steady'>) {
+  const left = end - steady()
+  return left > 0 ? now() + left : null
+}
+
 /** What a teacher sees of a class. */
-export const shownClass = (row: ClassRow, ports: Pick<Ports, 'now' | 'day'>) => ({
+export const shownClass = (row: ClassRow, ports: Pick<Ports, 'now' | 'steady' | 'day'>) => ({
   ...{ id: row.id, name: row.name, language: row.language, grade: row.grade, code: row.code },
   words: wordsOfKey(row.code, languageOf(row)),
-  ...{ open: row.openedAt !== null, joiningUntil: row.joiningUntil > ports.now() ? row.joiningUntil : null },
+  ...{ open: row.openedAt !== null, joiningUntil: joiningUntil(row, ports) },
   ...{ endsOn: row.endsOn, endsSoon: endsSoon(row, ports.day) },
   ...{ cards: cardsIn(row.cards), level: row.level },
 })

@@ -32,7 +32,7 @@ export class Server {
   readonly buried: Tombstone[] = []
   /** A Tuesday in November, 8 o'clock. */
   now = Date.UTC(2026, 10, 24, 8)
-  /** Ms that the clock of the limits is ahead of the machine's. */
+  /** Ms that have passed by `later`, on every clock. */
   private ahead = 0
   private isHeld = false
 
@@ -40,6 +40,7 @@ export class Server {
     this.ports = {
       database,
       now: () => this.now,
+      steady: () => this.steady(),
       day: (offset) => new Date(this.now + offset * 86_400_000).toISOString().slice(0, 10),
       random: (bytes) => crypto.getRandomValues(new Uint8Array(bytes)),
       secret,
@@ -52,7 +53,7 @@ export class Server {
       announced: () => 'http://lab.test',
       teacherMade: () => {},
       limits: new Limits(() => this.elapsed()),
-      live: new Hub(noBus, () => this.now),
+      live: new Hub(noBus, { now: () => this.now, elapsed: () => this.ahead }),
       cards: () =>
         Promise.resolve([{ id: 'friendship', starts: 3, title: { en: 'Friendship', de: 'Freundschaft' } }]),
       questionnaires: () => Promise.resolve({ forms: content.forms, questions: content.questions }),
@@ -75,9 +76,19 @@ export class Server {
   }
 
   later(minutes: number) {
-    this.now += minutes * 60_000
-    // The one of the limits never goes back.
-    this.ahead += Math.max(0, minutes) * 60_000
+    this.passes(minutes * 60_000)
+  }
+
+  /** Time passes on every clock. `now` alone is a clock that is set. */
+  passes(ms: number) {
+    this.now += ms
+    // The others never go back.
+    this.ahead += Math.max(0, ms)
+  }
+
+  /** Time that is only passed by `later`, and not by setting the clock. */
+  steady(): number {
+    return Date.UTC(2026, 10, 24, 8) + Math.floor(this.ahead)
   }
 
   private elapsed(): number {

@@ -136,7 +136,7 @@ async function send(call: Call<Sending>): Promise<Answer> {
     if (!pair) throw new Refusal(404, 'noPair')
     const entries = freshOf(pair, who.pupil!.id, call.body)
     if (entries.length === 0) return pair.length
-    await addEntries(inside, pair, entries, limited(pair, entries, ports.now()))
+    await addEntries(inside, pair, entries, limited(pair, entries, ports.steady()))
     return pair.length + entries.length
   })
   ports.live.tell(own.class, otherOf(own, who.pupil!.id), 'pair', { length })

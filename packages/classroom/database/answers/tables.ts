@@ -14,7 +14,7 @@ interface AskingTable {
   day: string
   /** `closing`: nobody begins any more, and what is on its way is taken. */
   state: 'open' | 'closing' | 'closed'
-  /** When what is on its way has had its time, ms since 1970; only while closing. */
+  /** When what is on its way has had its time, ms of the steady clock; only while closing. */
   closesAt: number | null
   /** Make and check tokens, hexadecimal. Null: it was opened before there were tokens, and takes answers without. */
   secretKey: string | null

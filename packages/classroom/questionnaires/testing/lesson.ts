@@ -61,7 +61,7 @@ export async function playLesson(
     { at: pupil.sends, act: () => send(server, permits.get(pupil.id)!, form, child) },
   ])
   for (const { at, act } of events.toSorted((a, b) => a.at - b.at)) {
-    server.now = begun + at
+    server.passes(begun + at - server.now)
     await act()
   }
   const answered = pupils.map((pupil) => ({ ...pupil, answer: permits.get(pupil.id)!.id }))

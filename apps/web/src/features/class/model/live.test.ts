@@ -77,7 +77,7 @@ afterEach(() => {
 /** Time of the page and of the server. */
 async function passes(seconds: number) {
   for (let second = 0; second < seconds; second++) {
-    server.now += 1000
+    server.passes(1000)
     vi.advanceTimersByTime(1000)
     if (second % 5 === 0) server.ports.live.tick()
     await settle(server)
