@@ -12,6 +12,7 @@ import { mounted, type Mounted } from './accounts.ts'
 import { endSessionsOfTeacher } from './accounts-store.ts'
 import { deviceKnownTo, knownAfter, knownCookie } from './known-device.ts'
 import { isHidden } from './ending-store.ts'
+import { daysNow } from './running-days-store.ts'
 import { classLent } from './substitutes-store.ts'
 import { sizesOfAll } from './classes-store.ts'
 import { addInvitation, firstTeacher, isOperator, makeOperator, takeInvitation } from './operators-store.ts'
@@ -46,6 +47,12 @@ async function substituteAsking(ports: Ports, headers: Headers) {
   return lent && !(await isHidden(ports, lent)) ? { class: lent.id, name: lent.name } : null
 }
 
+/** Both dates of a clock that is doubted, for the doctor, who has no account; null for any other clock. */
+async function doubtedClock({ database: { db }, day }: Ports) {
+  const { last, doubt } = await daysNow({ db, clock: day })
+  return doubt && { today: day(0), last, denied: doubt.denied }
+}
+
 /** What every page asks first: is there a class server, who made it theirs, and who sits here? */
 async function state({ ports, headers, caller }: Call<undefined>): Promise<Answer> {
   const { db } = ports.database
@@ -58,6 +65,7 @@ async function state({ ports, headers, caller }: Call<undefined>): Promise<Answe
       ...(await pupilAsking(ports, headers)),
       substitute: await substituteAsking(ports, headers),
       address: ports.announced(caller),
+      clock: await doubtedClock(ports),
     },
   }
 }

@@ -75,11 +75,14 @@ onBothDatabases((fresh) => {
     expect(await clock()).toEqual({
       ...{ today: server.ports.day(0), last: lastDay, doubted: true, denied: false, days: 1, ended: 1 },
     })
+    const doubted = { today: server.ports.day(0), last: lastDay, denied: false }
+    expect((await server.browser().get('/state')).body).toMatchObject({ clock: doubted })
     expect((await answer(true)).status).toBe(204)
     expect(await ended.status()).toBe(404)
     expect(await goesOn.status()).toBe(200)
     expect(server.buried).toEqual([{ kind: 'class', id: ended.id }])
     expect(await clock()).toMatchObject({ doubted: false, ended: 0 })
+    expect((await server.browser().get('/state')).body).toMatchObject({ clock: null })
   })
 
   test('an answer about another day than the clock shows now does not count', async () => {

@@ -8,7 +8,7 @@ import { openClassServer } from '../class-server.ts'
 import { examineBackup } from './backup.ts'
 import { examineClock, examineDisk, examineFolder } from './machine.ts'
 import { examineAddress, examineFirewall } from './network.ts'
-import { examinePort } from './port.ts'
+import { examineDoubt, examinePort } from './port.ts'
 import { examineHotSpot, examineMemory, examineRunning } from './running.ts'
 
 let folder: string
@@ -55,6 +55,26 @@ test('a firewall is in the way only until another device has been there', () => 
   })
   expect(examineFirewall({ ...here, ufw: 'ENABLED=no\n' }).verdict).toBe('firewall.unknown')
   expect(examineFirewall({ ...here, ufw: null, platform: 'win32' }).verdict).toBe('firewall.windows')
+})
+
+test('a server that waits for an answer about its clock gives both dates', async () => {
+  const dates = { today: '2027-09-25', last: '2026-11-29' }
+  const answered = async (clock?: object | null) => {
+    const server = await listening(JSON.stringify({ firstTeacher: null, clock }), '127.0.0.1')
+    const finding = await examineDoubt(server.port, '127.0.0.1')
+    server.close()
+    return finding
+  }
+  const facts = { now: '2027-09-25', last: '2026-11-29' }
+  expect(await answered({ ...dates, denied: false })).toEqual({
+    verdict: 'clock.doubted',
+    fine: false,
+    facts,
+  })
+  expect(await answered({ ...dates, denied: true })).toMatchObject({ verdict: 'clock.denied' })
+  // A clock that was never set is found out by the age of files; an earlier version sends nothing.
+  for (const clock of [{ ...dates, last: null, denied: false }, null, undefined])
+    expect(await answered(clock)).toBeNull()
 })
 
 test('a clock in 1970, or before what was written already, is wrong', () => {

@@ -9,7 +9,7 @@ import { examineBackup } from './backup.ts'
 import { examineClock, examineDisk, examineFolder } from './machine.ts'
 import { examineAddress, examineFirewall, firewallHere } from './network.ts'
 import { oldFiles } from './old-files.ts'
-import { examinePort } from './port.ts'
+import { examineDoubt, examinePort } from './port.ts'
 
 export interface Examined {
   readonly port: number
@@ -30,7 +30,7 @@ export async function examine({ port, host, data }: Examined) {
     await examinePort(port, host),
     examineAddress(addresses(port, networkInterfaces()), before),
     examineFirewall(firewallHere(port, otherDevice)),
-    examineClock(Date.now(), oldFiles(data)),
+    (await examineDoubt(port, host)) ?? examineClock(Date.now(), oldFiles(data)),
     examineDisk(data),
     examineFolder(data),
     examineBackup(dataOf(data), Date.now()),

@@ -30,17 +30,30 @@ async function firstError(port: number, host?: string): Promise<string | null> {
   return null
 }
 
-/** Does a Botgarten answer at this port? Any other program answers something else, or nothing. */
-async function isBotgarten(port: number, host = 'localhost'): Promise<boolean> {
+interface State {
+  readonly firstTeacher: object | null
+  /** A clock that is doubted. Earlier versions do not send it. */
+  readonly clock?: { readonly today: string; readonly last: string | null; readonly denied: boolean } | null
+}
+
+/** The state of a Botgarten at this port, which may be empty; null: any other program answers something else, or nothing. */
+async function stateAt(port: number, host = 'localhost'): Promise<Partial<State> | null> {
   try {
     const signal = AbortSignal.timeout(timeout)
     const answer = await fetch(`http://${host}:${port}/api/class/state`, { signal })
-    if (answer.status === 204) return true
+    if (answer.status === 204) return {}
     const state: unknown = await answer.json()
-    return typeof state === 'object' && state !== null && 'firstTeacher' in state
+    return typeof state === 'object' && state !== null && 'firstTeacher' in state ? (state as State) : null
   } catch {
-    return false
+    return null
   }
+}
+
+/** Does a server at this port wait for an answer about its clock? null: it does not, or there is none. */
+export async function examineDoubt(port: number, host?: string) {
+  const { today: now, last, denied } = (await stateAt(port, host))?.clock ?? {}
+  if (now === undefined || !last) return null
+  return wrong(denied ? 'clock.denied' : 'clock.doubted', { now, last })
 }
 
 /** Can a server listen at a port? @param host the one address to listen at; all of them where it is missing */
@@ -50,7 +63,7 @@ export async function examinePort(port: number, host?: string) {
   if (code === 'EACCES') return wrong('port.forbidden', { port })
   if (code === 'EADDRNOTAVAIL' || code === 'ENOTFOUND') return wrong('port.otherHost', { host: host ?? '' })
   if (code !== 'EADDRINUSE') return wrong('port.failed', { port, why: code })
-  return (await isBotgarten(port, host))
+  return (await stateAt(port, host))
     ? fine('port.ours', { port })
     : wrong('port.taken', { port, next: port + 1 })
 }
