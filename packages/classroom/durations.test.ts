@@ -98,6 +98,25 @@ onBothDatabases((fresh) => {
     },
   )
 
+  test.each(jumps)(
+    'a clock that is set %s lets no pupil in without pictures after 90 minutes',
+    async (_, jump) => {
+      const server = await newServer()
+      const { code } = await openClass(server)
+      const child = await server.pupil(code, 'Fuchs')
+      const read = async () => (await child.browser.get('/projects')).status
+      server.later(30)
+      server.now += jump
+      server.later(61)
+      expect(await read()).toBe(401)
+      expect((await child.browser.post('/me/pictures', { pictures: child.pictures })).status).toBe(204)
+      server.later(89)
+      expect(await read()).toBe(200)
+      server.later(1)
+      expect(await read()).toBe(401)
+    },
+  )
+
   test.each(jumps)('a clock that is set %s leaves a form its minute to close', async (_, jump) => {
     const server = await newServer()
     const { id, teacher } = await openClass(server)

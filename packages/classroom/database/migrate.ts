@@ -1,6 +1,7 @@
 import { DEFAULT_MIGRATION_TABLE, Migrator, sql } from 'kysely'
 import type { Database } from './database.ts'
 import { migrateAnswers } from './answers/migrate.ts'
+import { days } from './days.ts'
 import { first } from './first.ts'
 import { gallery } from './gallery.ts'
 import { lessons } from './lessons.ts'
@@ -23,6 +24,7 @@ export const migrations = ({ kind }: Pick<Database, 'kind'>) => ({
   'step-008-marks': marks,
   'step-009-lessons': lessons,
   'step-011-tokens': tokens(kind),
+  'step-012-days': days,
 })
 
 const migrator = (database: Database) =>

@@ -109,6 +109,8 @@ interface PupilSessionTable {
   class: string
   /** When the pupil joined or showed the pictures. */
   provenAt: number
+  /** The same by the steady clock; null for a session of an earlier version. */
+  provenSteady: number | null
   /** The lesson of the class in which that was. */
   lesson: number
 }

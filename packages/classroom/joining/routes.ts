@@ -113,7 +113,7 @@ async function showPictures(call: Call<{ readonly pictures: Shown }>): Promise<A
   const owner = await pupilOf(db, classId, id)
   if (!owner) throw new Refusal(401, 'join')
   await tryOnOwnDevice(ports, session, { owner, shown: body.pictures })
-  await proveSession(db, session, ports.now())
+  await proveSession(ports, session)
   return {}
 }
 

@@ -18,14 +18,15 @@ export interface Pupil {
 /** @returns the token that the device keeps: the class, so that a class that ended can say so, and a secret. */
 export async function startSession(
   db: Db,
-  { now, random }: Ports,
+  { now, steady, random }: Ports,
   pupil: { readonly id: string; readonly class: string },
 ): Promise<string> {
   const token = `${pupil.class}.${newToken(random)}`
   await db
     .insertInto('pupilSession')
     .values((row) => ({
-      ...{ tokenHash: hashOf(token), pupil: pupil.id, class: pupil.class, provenAt: now() },
+      ...{ tokenHash: hashOf(token), pupil: pupil.id, class: pupil.class },
+      ...{ provenAt: now(), provenSteady: steady() },
       lesson: row.selectFrom('class').select('lesson').where('id', '=', pupil.class),
     }))
     .execute()
@@ -37,7 +38,7 @@ export async function startSession(
  * @throws Refusal 410 where the class of the token was deleted, 423 where it has ended and is not deleted yet
  */
 export async function readPupil(ports: Ports, token: string | null): Promise<Pupil | null> {
-  const { database, now } = ports
+  const { database, now, steady } = ports
   const { db } = database
   if (token === null) return null
   const tokenHash = hashOf(token)
@@ -45,14 +46,23 @@ export async function readPupil(ports: Ports, token: string | null): Promise<Pup
     .selectFrom('pupilSession')
     .innerJoin('pupil', 'pupil.id', 'pupilSession.pupil')
     .innerJoin('class', 'class.id', 'pupilSession.class')
-    .select(['pupil.id', 'pupil.class', 'pupil.nickname', 'pupilSession.provenAt'])
+    .select([
+      'pupil.id',
+      'pupil.class',
+      'pupil.nickname',
+      'pupilSession.provenAt',
+      'pupilSession.provenSteady',
+    ])
     .select(['pupilSession.lesson as proven', 'class.lesson', 'class.endsOn'])
     .where('tokenHash', '=', tokenHash)
     .executeTakeFirst()
   if (!row) return await refuseEnded(db, token)
   await refuseHidden(ports, row)
-  // A clock that was set back since is no proof that it was a moment ago.
-  const fresh = row.proven === row.lesson && Math.abs(now() - row.provenAt) < lesson
+  // Both clocks: one may have been set back, and the other one does not advance while the server is off.
+  const isWithin =
+    Math.abs(now() - row.provenAt) < lesson &&
+    (row.provenSteady === null || steady() - row.provenSteady < lesson)
+  const fresh = row.proven === row.lesson && isWithin
   return { id: row.id, class: row.class, nickname: row.nickname, session: tokenHash, fresh }
 }
 
@@ -72,11 +82,12 @@ export async function endSession(db: Db, session: string): Promise<void> {
   await db.deleteFrom('pupilSession').where('tokenHash', '=', session).execute()
 }
 
-export async function proveSession(db: Db, session: string, now: number): Promise<void> {
+export async function proveSession({ database: { db }, now, steady }: Ports, session: string): Promise<void> {
   await db
     .updateTable('pupilSession')
     .set((row) => ({
-      provenAt: now,
+      provenAt: now(),
+      provenSteady: steady(),
       lesson: row.selectFrom('class').select('lesson').whereRef('class.id', '=', 'pupilSession.class'),
     }))
     .where('tokenHash', '=', session)
