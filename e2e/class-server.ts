@@ -94,6 +94,14 @@ export async function classOfTest(
   return nextClass({ ...server, teacher: await firstTeacher(server) }, language)
 }
 
+/** @returns sets the clock of the server that many days ahead of the one of the machine */
+export function setClock({
+  classServer: { ports },
+}: Pick<ClassOfTest, 'classServer'>): (days: number) => void {
+  const { day } = ports
+  return (days) => void Object.assign(ports, { day: (offset: number) => day(offset + days) })
+}
+
 /** Makes the first teacher of a server, who is signed in. */
 export async function firstTeacher({
   url,

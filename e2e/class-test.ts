@@ -11,9 +11,9 @@ export async function lendClass(
   use: (school: MadeClass) => Promise<void>,
 ): Promise<void> {
   const { ports } = room.classServer
-  const { now, steady } = ports
+  const { now, steady, day } = ports
   await use(await nextClass(room, language))
-  Object.assign(ports, { now, steady })
+  Object.assign(ports, { now, steady, day })
 }
 
 /** Tests in a class of their own; a worker has one server for the classes of all files. */

@@ -2,6 +2,7 @@ import { expect, type Page } from '@playwright/test'
 import { opensForm } from './asked-class.ts'
 import { leftEye, leftWheel, type Child } from './child.ts'
 import { Pupil } from './child-class.ts'
+import { setClock } from './class-server.ts'
 import { joins, saves, signsIn, type Joined, type MadeClass } from './made-class.ts'
 import { galleryScreens } from './screens-gallery.ts'
 import { joining } from './screens-joining.ts'
@@ -124,6 +125,15 @@ const gate: readonly ClassScreen[] = [
       await made.teacher.ask('DELETE', `/classes/${made.id}`, { name: '5b' })
       await child.page.goto('/')
       await expect(child.words('class.ended')).toBeVisible()
+    },
+  },
+  {
+    name: 'class-hidden',
+    async show(child, made) {
+      await signsIn(child.page, made, await joins(made, 'Fuchs'))
+      setClock(made)(300)
+      await child.page.goto('/')
+      await expect(child.words('class.hidden')).toBeVisible()
     },
   },
 ]

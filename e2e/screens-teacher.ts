@@ -1,6 +1,7 @@
 import { expect, type Page } from '@playwright/test'
 import { isAnswered, opensForm, sends } from './asked-class.ts'
 import type { Child } from './child.ts'
+import { setClock } from './class-server.ts'
 import { fills, teaches, type MadeClass } from './made-class.ts'
 import type { ClassScreen } from './screens-class.ts'
 import { projector } from './screens-projector.ts'
@@ -223,6 +224,15 @@ const account: readonly ClassScreen[] = [
       await teaches(child.page, made)
       await child.page.goto('/teacher/health')
       await expect(child.page.getByText(child.word('teacher.about.backup'), { exact: true })).toBeVisible()
+    },
+  },
+  {
+    name: 'teacher-clock',
+    async show(child, made) {
+      setClock(made)(300)
+      await teaches(child.page, made)
+      await child.page.goto('/teacher/health')
+      await expect(child.words('teacher.clockDoubt.title')).toBeVisible()
     },
   },
   {

@@ -22,17 +22,18 @@ interface ClassState {
 const test = testInClass()
 test.use({
   complaints: [
-    /401 \(Unauthorized\)|403 \(Forbidden\)|409 \(Conflict\)|410 \(Gone\)|^A request to http:\/\/localhost:\d+\//,
+    /401 \(Unauthorized\)|403 \(Forbidden\)|409 \(Conflict\)|410 \(Gone\)|423 \(Locked\)|^A request to http:\/\/localhost:\d+\//,
   ],
 })
 
 /** States that `npm run pictures` shows too, by their names there. */
 const screens = [
   ...['join-nickname', 'join-pictures', 'join-return-wrong', 'are-you', 'hand-up', 'class-versions'],
-  ...['two-devices', 'class-ended', 'attention', 'from-teacher', 'closed-card', 'free-today'],
+  ...['two-devices', 'class-ended', 'class-hidden', 'attention', 'from-teacher', 'closed-card', 'free-today'],
   ...['gallery', 'gallery-brain', 'gallery-share', 'class-gallery', 'together'],
   ...[
     'teacher-health',
+    'teacher-clock',
     'teacher-backup-phrase',
     'class-projector-wifi',
     'class-wifi',

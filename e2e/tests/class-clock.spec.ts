@@ -1,6 +1,6 @@
 // Rooms: class, teacher
 // By address: a teacher comes by a bookmark of the own page.
-import { classOfTest } from '../class-server.ts'
+import { classOfTest, setClock } from '../class-server.ts'
 import { Child, leftEye, leftWheel } from '../child.ts'
 import { expect, test as base } from '../house.ts'
 import { joins, signsIn, teaches } from '../made-class.ts'
@@ -20,12 +20,6 @@ const test = base.extend<{ school: School }>({
 })
 // Work must not be lost: a fault here gets no further try.
 test.describe.configure({ retries: 0 })
-
-/** The clock of the server is ahead by days; at 0 it is right. */
-function setClock({ classServer: { ports } }: School): (days: number) => void {
-  const { day } = ports
-  return (days) => void Object.assign(ports, { day: (offset: number) => day(offset + days) })
-}
 
 for (const language of languagesOf(import.meta.filename))
   test.describe(`a clock that is doubted, in ${language}`, () => {

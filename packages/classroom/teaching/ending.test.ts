@@ -1,4 +1,7 @@
+import { sql } from 'kysely'
 import { beforeEach, expect, test } from 'vitest'
+import { migrate } from '../database/migrate.ts'
+import { openSqlite } from '../database/sqlite.ts'
 import { onBothDatabases } from '../testing/databases.ts'
 import type { Browser } from '../testing/browser.ts'
 import { projectText } from '../testing/projects.ts'
@@ -185,4 +188,22 @@ onBothDatabases((fresh) => {
     await signInAgain()
     expect(await clock()).toMatchObject({ last: server.ports.day(0), doubted: false, ended: 0 })
   })
+})
+
+test('a disk that takes no note of the day does not stop the deletion of a class that has ended', async () => {
+  const database = openSqlite(':memory:')
+  await migrate(database)
+  const server = new Server(database, quickAccounts(database))
+  const teacher = await server.firstTeacher()
+  const { id } = await server.openClass(teacher)
+  await teacher.patch(`/classes/${id}`, { endsOn: server.ports.day(1) })
+  await endClasses(server.ports)
+  for (const change of ['insert', 'update'])
+    await sql
+      .raw(`create trigger "no ${change}" before ${change} on meta begin select raise(abort, 'full'); end`)
+      .execute(database.db)
+  server.later(aDay)
+  expect(await endClasses(server.ports)).toBe(false)
+  expect(server.buried).toEqual([{ kind: 'class', id }])
+  await database.close()
 })

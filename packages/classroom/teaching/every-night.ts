@@ -5,7 +5,7 @@ import { settleAll } from '../questionnaires/nightly.ts'
 import { deleteForGood } from './class-routes.ts'
 import { allClasses, clearAway } from './clearing-store.ts'
 import { endedClasses } from './ending-store.ts'
-import { noteDay } from './running-days-store.ts'
+import { daysNow, noteDay } from './running-days-store.ts'
 
 async function endClass(ports: Ports, id: string) {
   await deleteForGood(ports, { kind: 'class', id })
@@ -21,7 +21,9 @@ export async function endClasses(ports: Ports): Promise<boolean> {
   const { db } = ports.database
   // A clock that jumps in between must not decide with another day.
   const today = ports.day(0)
-  const { doubt } = await noteDay({ db, clock: ports.day })
+  const clocked = { db, clock: ports.day }
+  // A full disk takes no note of the day. Deleting makes room on it.
+  const { doubt } = await noteDay(clocked).catch(() => daysNow(clocked))
   if (ports.day(0) !== today) return endClasses(ports)
   for (const id of await endedClasses(db, () => today))
     if (doubt === null) await endClass(ports, id)
