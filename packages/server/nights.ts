@@ -8,7 +8,9 @@ import {
 } from '@botgarten/classroom'
 import { causeIn } from './problem.ts'
 
-const every = 10 * 60_000
+const every = 60_000
+/** After a failure: a full disk may have room by then. */
+const pause = 10 * 60_000
 const quietFrom = 2
 
 /** Daily work, from two in the night on, or as soon as the server runs on that day. */
@@ -20,22 +22,24 @@ async function doNightly(ports: Ports, folder: string): Promise<void> {
   if (await hasTeacher(ports)) await nightlyBackup({ database, secret, folder, day })
 }
 
-/** Does its work once a day. A failure is tried again at the next look: a full disk may have room by then. */
+/** Does its work once a day, also where the clock is set to another one. */
 function daily(ports: Ports, work: () => Promise<unknown>): () => Promise<void> {
   let last = ''
+  let notBefore = 0
   return async () => {
     const day = ports.day(0)
-    if (day === last) return
+    if (day === last || ports.steady() < notBefore) return
     last = day
     await work().catch((error: unknown) => {
       last = ''
+      notBefore = ports.steady() + pause
       console.error(`Nightly work failed: ${causeIn(error)}`)
     })
   }
 }
 
 /**
- * Ends classes whose day has come, and from then on checks every ten minutes whether a day began.
+ * Ends classes whose day has come, and from then on checks every minute whether the day has changed.
  * @returns stops it, and waits for the work in progress
  */
 export async function startNights(ports: Ports, folder: string): Promise<() => Promise<void>> {
