@@ -27,6 +27,7 @@ for (const language of languagesOf(import.meta.filename)) {
       await time.chooses('Infinity')
       await child.seesCheck('railway', 'way')
       await child.seesCheck('railway', 'arrives')
+      await expect(child.button('lab.stop')).toHaveCount(0)
     })
 
     test('another map is chosen in the block while Bo drives: Bo stops, and the new map is to be learned', async ({

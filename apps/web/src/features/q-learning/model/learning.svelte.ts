@@ -110,6 +110,10 @@ export class Learning {
         if (session.lab.facts.phase === 'running') untrack(() => this.drive.comeForward())
       })
       $effect(() => this.drive.showMap(this.stage))
+      $effect(() => {
+        const { facts, view } = session.lab
+        if (facts.phase === 'running') untrack(() => this.drive.endAtGoal(view))
+      })
     })
     const leave = pauseWhenAway(() => this.pause())
     return () => {
