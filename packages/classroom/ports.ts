@@ -18,9 +18,9 @@ export interface LogLine {
   readonly error?: string
 }
 
-/** A class or a pupil that was deleted: the deletion is repeated after a backup was restored. */
+/** A class, a pupil or a teacher that was deleted: the deletion is repeated after a backup was restored. */
 export interface Tombstone {
-  readonly kind: 'class' | 'pupil'
+  readonly kind: 'class' | 'pupil' | 'teacher'
   readonly id: string
 }
 

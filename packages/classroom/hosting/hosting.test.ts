@@ -92,6 +92,21 @@ test('what was deleted after a backup does not come back with it', async () => {
   await again.close()
 })
 
+test('a teacher who was deleted after a backup stays deleted when it is restored', async () => {
+  const { database, server, teacher } = await serverOn()
+  const gone = await server.furtherTeacher(teacher, 'k.gone')
+  const { id } = await server.openClass(gone)
+  const copy = await backedUp(database)
+  await gone.delete(`/classes/${id}`, { name: '5b' })
+  await gone.delete('/teachers/me', { password: 'ein anderer satz' })
+  await database.close()
+  await copy.restore()
+  const again = await open()
+  const rows = await again.db.selectFrom('teacher').select('username').execute()
+  expect(rows).toEqual([{ username: 'm.weber' }])
+  await again.close()
+})
+
 test('a deletion whose line was cut off spoils no other', () => {
   bury(folder, { kind: 'class', id: 'one' })
   appendFileSync(join(folder, 'deleted.jsonl'), '{"kind":"cla')

@@ -11,6 +11,7 @@ import { route, type Answer, type Call, type Route } from '../route.ts'
 import { mounted, type Mounted } from './accounts.ts'
 import { endSessionsOfTeacher } from './accounts-store.ts'
 import { deviceKnownTo, knownAfter, knownCookie } from './known-device.ts'
+import { newPassword, weaknessOf } from './passwords.ts'
 import { classLent } from './substitutes-store.ts'
 import { sizesOfAll } from './classes-store.ts'
 import { addInvitation, firstTeacher, isOperator, makeOperator, takeInvitation } from './operators-store.ts'
@@ -19,9 +20,8 @@ const days = 86_400_000
 const invitationLength = 7 * days
 
 const username = v.pipe(v.string(), v.regex(/^[a-zA-Z0-9_.]{3,30}$/))
-const password = v.pipe(v.string(), v.minLength(10), v.maxLength(128))
 const token = v.pipe(v.string(), v.maxLength(100))
-const newTeacher = v.strictObject({ token, username, password })
+const newTeacher = v.strictObject({ token, username, password: newPassword })
 
 /** The pupil of a request, if one has joined on this device. `ended`: the class is no more. */
 async function pupilAsking(ports: Ports, headers: Headers) {
@@ -41,15 +41,17 @@ async function substituteAsking({ database, day }: Ports, headers: Headers) {
   return lent ? { class: lent.id, name: lent.name } : null
 }
 
-/** What every page asks first: is there a class server, who made it theirs, and who sits here? */
+/** What every page asks first: is there a class server with a teacher, and who sits here? */
 async function state({ ports, headers, caller }: Call<undefined>): Promise<Answer> {
   const { db } = ports.database
   const first = await firstTeacher(db)
   const found = await ports.accounts.teacherOf(headers)
+  // Anyone may ask: no name of an account. Pages of earlier versions expect the field.
+  const firstMade = first ? { name: null, madeAt: first.madeAt } : null
   const teacher = found && { username: found.username, operator: await isOperator(db, found.id) }
   return {
     body: {
-      ...{ firstTeacher: first ?? null, secure: caller.secure, teacher },
+      ...{ firstTeacher: firstMade, secure: caller.secure, teacher },
       ...(await pupilAsking(ports, headers)),
       substitute: await substituteAsking(ports, headers),
       address: ports.announced(caller),
@@ -60,6 +62,8 @@ async function state({ ports, headers, caller }: Call<undefined>): Promise<Answe
 async function makeTeacher(call: Call<v.InferOutput<typeof newTeacher>>): Promise<Response> {
   const { ports, body, headers } = call
   const { db } = ports.database
+  const weakness = await weaknessOf(body.password, [body.username])
+  if (weakness !== null) throw new Refusal(400, weakness)
   const invitation = await takeInvitation(db, body.token, ports.now())
   if (!invitation) throw new Refusal(403, 'linkUsedUp')
   const id = await ports.accounts.create(body)

@@ -2,7 +2,7 @@ import * as v from 'valibot'
 import { newToken } from '../hashes.ts'
 import { newCode, codeKey } from '../joining/code.ts'
 import { endSessionsOfClass } from '../joining/sessions-store.ts'
-import type { Ports } from '../ports.ts'
+import type { Ports, Tombstone } from '../ports.ts'
 import { mostSpace } from '../projects/saves-store.ts'
 import { forgetClass } from '../questionnaires/askings-store.ts'
 import { Refusal } from '../refusal.ts'
@@ -115,7 +115,7 @@ async function remove({ ports, who, body }: Call<{ readonly name: string }>): Pr
   return {}
 }
 
-export async function deleteForGood(ports: Ports, tombstone: { kind: 'class' | 'pupil'; id: string }) {
+export async function deleteForGood(ports: Ports, tombstone: Tombstone) {
   await ports.bury(tombstone)
   if (tombstone.kind === 'class') await forgetClass(ports.database.answers.db, tombstone.id)
   await ports.database.db.transaction().execute((inside) => carryOut(inside, tombstone))

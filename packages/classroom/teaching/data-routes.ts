@@ -3,7 +3,6 @@ import { sharedOf } from '../gallery/about-pupil-store.ts'
 import { countAllShared } from '../gallery/shared-store.ts'
 import { markPhraseShown, phraseOf, phraseShown } from '../hosting/phrase-store.ts'
 import { pupilsOf } from '../joining/pupils-store.ts'
-import { triersOfKnown } from '../joining/triers.ts'
 import type { Ports } from '../ports.ts'
 import { mostSpace } from '../projects/saves-store.ts'
 import { askingsOf } from '../questionnaires/askings-store.ts'
@@ -12,6 +11,7 @@ import { route, type Answer, type Call, type Route } from '../route.ts'
 import { newestIn } from './about-pupil.ts'
 import { sizesOf } from './classes-store.ts'
 import { isOperator } from './operators-store.ts'
+import { provePassword } from './prove-password.ts'
 import { resultsOf } from './results-store.ts'
 import { arrayOf, streamed } from './streamed.ts'
 
@@ -101,13 +101,7 @@ async function showPhrase({ ports, who, body }: Call<Asked>): Promise<Answer> {
   if (!database.backup) throw new Refusal(409, 'byOwnTools')
   if (await phraseShown(database.db)) {
     if (body.password === null) throw new Refusal(403, 'passwordNeeded')
-    const { id } = who.teacher!
-    const guess = ports.limits.guesses.knownSignIns.begin(triersOfKnown('backup phrase', id, secret))
-    if (!(await ports.accounts.isPassword(id, body.password))) {
-      const seconds = guess.wrong()
-      throw seconds === 0 ? new Refusal(403, 'passwordWrong') : new Refusal(429, 'tooManyTries', { seconds })
-    }
-    guess.right()
+    await provePassword(ports, who.teacher!.id, body.password)
   }
   const phrase = await phraseOf(database, secret)
   await markPhraseShown(database.db)

@@ -2,9 +2,10 @@ import type { Db } from '../database/database.ts'
 import { deleteUnheld } from '../live/handouts-store.ts'
 import type { Tombstone } from '../ports.ts'
 import { recount } from '../projects/assets-store.ts'
+import { deleteTeacherRow } from './accounts-store.ts'
 
 /**
- * Deletes a class or a pupil with all that hangs on it. What the database remembers is the id alone, so that a device
+ * Deletes a class, a pupil or a teacher with all that hangs on it. What the database remembers is the id alone, so that a device
  * that comes back is told. Doing it again changes nothing: after a restore every tombstone is carried out.
  */
 export async function carryOut(db: Db, { kind, id }: Tombstone): Promise<void> {
@@ -12,6 +13,9 @@ export async function carryOut(db: Db, { kind, id }: Tombstone): Promise<void> {
   if (kind === 'class') {
     // The rest hangs on it, and the database deletes it along.
     await db.deleteFrom('class').where('id', '=', id).execute()
+  } else if (kind === 'teacher') {
+    // Classes are deleted by tombstones of their own, and never along with a teacher.
+    await deleteTeacherRow(db, id)
   } else if (pupil) {
     await db.deleteFrom('pupil').where('id', '=', id).execute()
     await deleteUnheld(db)

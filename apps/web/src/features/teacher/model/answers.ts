@@ -5,7 +5,7 @@ import * as v from 'valibot'
 const list = <const Item extends v.GenericSchema>(item: Item) => v.array(item)
 
 export const serverState = v.object({
-  firstTeacher: v.nullable(v.object({ name: v.nullable(v.string()), madeAt: v.number() })),
+  firstTeacher: v.nullable(v.object({ madeAt: v.number() })),
   secure: v.boolean(),
   teacher: v.nullable(v.object({ username: v.string(), operator: v.boolean() })),
   substitute: v.nullable(v.object({ class: v.string(), name: v.string() })),
