@@ -34,6 +34,8 @@ const screens = [
   ...[
     'teacher-health',
     'teacher-backup-phrase',
+    'teacher-account',
+    'teacher-account-delete',
     'class-projector-wifi',
     'class-wifi',
     'class-look-inside',

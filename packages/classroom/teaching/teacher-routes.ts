@@ -74,7 +74,8 @@ async function deleteOther(call: Call<v.InferOutput<typeof named>>): Promise<Ans
   const found = (await allTeachers(ports.database.db)).find((teacher) => teacher.id === id)
   if (!found) throw new Refusal(404, 'noSuchTeacher')
   if (id === who.teacher!.id) throw new Refusal(409, 'ownAccount')
-  if (body.username.trim().toLowerCase() !== found.username.toLowerCase()) throw new Refusal(400, 'otherName')
+  if (body.username.trim().toLowerCase() !== found.username.toLowerCase())
+    throw new Refusal(400, 'otherUsername')
   await endSessionsOfTeacher(ports.database.db, id)
   for (const one of await classesOf(ports.database.db, id)) {
     await deleteForGood(ports, { kind: 'class', id: one.id })

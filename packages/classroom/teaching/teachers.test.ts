@@ -191,7 +191,7 @@ onBothDatabases((fresh) => {
     const child = await server.pupil(made.code, 'Fuchs')
     const other = await server.openClass(operator)
     const remove = (typed: string) => operator.delete(`/teachers/${id}`, { username: typed })
-    expect(await remove('teacher')).toMatchObject({ status: 400, body: { error: 'otherName' } })
+    expect(await remove('teacher')).toMatchObject({ status: 400, body: { error: 'otherUsername' } })
     expect((await browser.get(`/classes/${made.id}`)).status).toBe(200)
     expect((await remove(username.toUpperCase())).status).toBe(204)
     expect((await browser.get('/classes')).status).toBe(401)

@@ -13,6 +13,17 @@ export const serverState = v.object({
   address: v.nullable(v.string()),
 })
 
+const teacherRow = v.object({
+  id: v.string(),
+  username: v.string(),
+  operator: v.boolean(),
+  /** Numbers of classes and of pupils in them. */
+  classes: v.number(),
+  pupils: v.number(),
+})
+export type TeacherRow = v.InferOutput<typeof teacherRow>
+export const teachersAnswer = v.object({ teachers: list(teacherRow) })
+
 const schoolClass = v.object({
   id: v.string(),
   name: v.string(),
