@@ -35,6 +35,7 @@ export {
   type Nightly,
   type Stored,
 } from './hosting/backups.ts'
+export { daysOfCopies, otherCopiesIn, pruneCopies, renewCopies } from './hosting/copies.ts'
 export { markPhraseShown, phraseFrom, phraseOf, phraseShown } from './hosting/phrase-store.ts'
 export { isKeyOf } from './hosting/key-store.ts'
 export { openLock } from './hosting/lock.ts'

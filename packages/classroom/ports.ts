@@ -93,8 +93,14 @@ export interface Host {
   readonly version: string
   /** How it is, as `botgarten doctor` sees it, and what only the running server knows. @param streams open ones */
   readonly findings: (streams: number) => readonly Finding[]
-  /** Nightly copies: how many, and the day of the newest; null where the database has tools of its own. */
-  readonly backups: () => { readonly count: number; readonly last: string | null } | null
+  /** Nightly copies; null where the database has tools of its own. */
+  readonly backups: () => {
+    readonly count: number
+    /** Day of the newest. */
+    readonly last: string | null
+    /** Damaged databases that were set aside, and no backup was restored since. */
+    readonly broken: number
+  } | null
   /** Makes the copy of today. */
   readonly backUp: () => Promise<void>
   /** The newest copy, encrypted; null before the first one. */

@@ -1,16 +1,35 @@
-import { everyNight, hasTeacher, lastBackup, nightlyBackup, type Ports } from '@botgarten/classroom'
+import {
+  daysOfCopies,
+  everyNight,
+  hasTeacher,
+  pruneCopies,
+  renewCopies,
+  type Ports,
+} from '@botgarten/classroom'
 import { causeIn } from './problem.ts'
 
 const every = 10 * 60_000
 const quietFrom = 2
 
+/** A backup of today where there is none yet, and the end of old copies. */
+async function tendCopies(ports: Ports, folder: string): Promise<void> {
+  const { database, secret } = ports
+  if (database.backup === null) return
+  const days = { day: ports.day(0), oldest: ports.day(-daysOfCopies), clockDoubted: false }
+  const stored = { database, secret, folder, ...days }
+  if (await hasTeacher(ports)) await renewCopies(stored)
+  else pruneCopies(folder, stored)
+}
+
 /** Does what is due: once a day, from two in the night on, or as soon as the server runs on that day. */
 async function doNightly(ports: Ports, folder: string): Promise<void> {
-  await everyNight(ports)
-  const { database, secret } = ports
-  const day = ports.day(0)
-  if (database.backup === null || lastBackup(folder)?.day === day) return
-  if (await hasTeacher(ports)) await nightlyBackup({ database, secret, folder, day })
+  try {
+    await everyNight(ports)
+  } finally {
+    // Old copies go also where nothing can be written.
+    await tendCopies(ports, folder)
+    ports.database.emptyJournal()
+  }
 }
 
 /** Looks every ten minutes whether a day began. @returns stops it, and waits for what runs */

@@ -10,6 +10,7 @@ import {
   lastBackup,
   nightlyBackup,
   nightliesIn,
+  otherCopiesIn,
   type Bus,
   bury,
   checkInWorker,
@@ -63,7 +64,8 @@ function hostOf(database: Database, secret: Uint8Array, { folder, address, reach
     backups: () => {
       if (database.backup === null) return null
       const nights = nightliesIn(folder)
-      return { count: nights.length, last: nights.at(-1)?.day ?? null }
+      const broken = otherCopiesIn(folder).broken.length
+      return { count: nights.length, last: nights.at(-1)?.day ?? null, broken }
     },
     backUp: () => nightlyBackup({ database, secret, folder, day: dayHere(0) }),
     newestBackup: () => newestBackup(folder),

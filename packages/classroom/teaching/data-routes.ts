@@ -1,6 +1,7 @@
 import * as v from 'valibot'
 import { sharedOf } from '../gallery/about-pupil-store.ts'
 import { countAllShared } from '../gallery/shared-store.ts'
+import { daysOfCopies } from '../hosting/copies.ts'
 import { markPhraseShown, phraseOf, phraseShown } from '../hosting/phrase-store.ts'
 import { pupilsOf } from '../joining/pupils-store.ts'
 import type { Ports } from '../ports.ts'
@@ -15,9 +16,6 @@ import { provePassword } from './prove-password.ts'
 import { resultsOf } from './results-store.ts'
 import { arrayOf, streamed } from './streamed.ts'
 
-/** How many nights a deleted class is still in the backups. */
-const nights = 7
-
 /** What is kept of a class, how much, until when. */
 async function data({ ports, who }: Call<undefined>): Promise<Answer> {
   const { id, space, endsOn, announcedDay } = who.class!
@@ -30,8 +28,8 @@ async function data({ ports, who }: Call<undefined>): Promise<Answer> {
       results: (await resultsOf(ports.database.db, id)).length,
       forms: (await askingsOf(ports.database.answers.db, id)).length,
       backups: ports.host.backups(),
-      /** Deleted today, it is in no backup from this day on. */
-      goneFromBackupsOn: ports.day(nights),
+      /** Deleted today, it is in no copy from the server's first start or night on that this day has. */
+      goneFromBackupsOn: ports.day(daysOfCopies),
     },
   }
 }

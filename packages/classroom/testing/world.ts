@@ -63,7 +63,7 @@ export class Server {
           { verdict: 'version.is', fine: true, facts: {} },
           { verdict: 'folder.inUse', fine: true, facts: {} },
         ],
-        ...{ backups: () => ({ count: 0, last: null }), backUp: () => Promise.resolve() },
+        ...{ backups: () => ({ count: 0, last: null, broken: 0 }), backUp: () => Promise.resolve() },
         newestBackup: () => null,
         rehearse: ({ pupils, seconds }, hear) => {
           hear({ pupils, joined: pupils, saves: 1, slowest: 7, seconds: 1, of: seconds })

@@ -131,7 +131,14 @@ export const results = v.object({
 })
 export type Results = v.InferOutput<typeof results>
 
-const backups = v.nullable(v.object({ count: v.number(), last: v.nullable(v.string()) }))
+const backups = v.nullable(
+  v.object({
+    count: v.number(),
+    last: v.nullable(v.string()),
+    /** Damaged databases that were set aside; an older server does not count them. */
+    broken: v.optional(v.number()),
+  }),
+)
 
 export const data = v.object({
   pupils: v.number(),
@@ -147,7 +154,7 @@ export const data = v.object({
   mostSpace: v.number(),
   endsOn: v.string(),
   backups,
-  /** Deleted today, the class is in no backup from this day on. */
+  /** Deleted today, the class is in no backup from the server's first start or night on that this day has. */
   goneFromBackupsOn: v.string(),
 })
 export type Data = v.InferOutput<typeof data>
