@@ -40,6 +40,7 @@ export { markPhraseShown, phraseFrom, phraseOf, phraseShown } from './hosting/ph
 export { isKeyOf } from './hosting/key-store.ts'
 export { openLock } from './hosting/lock.ts'
 export { openDataFolder, secretIn } from './hosting/data-folder.ts'
+export { fillReserve, useReserve } from './hosting/reserve.ts'
 export { restore } from './hosting/restore.ts'
 export { isSealed } from './hosting/sealed-file.ts'
 export { bury, buriedIn } from './hosting/tombstones.ts'

@@ -83,6 +83,8 @@ export interface Host {
   readonly memory: () => number
   /** Bytes that are free where the data lie. */
   readonly freeSpace: () => number
+  /** Gives room back to a full disk, so that something can be deleted. @param bytes of the reserve; all of it if left out */
+  readonly useReserve: (bytes?: number) => void
   /** Addresses under which it is reached. */
   readonly addresses: () => readonly string[]
   /** When another device last reached it, ms since 1970; null: none has. */

@@ -2,6 +2,7 @@ import {
   daysOfCopies,
   everyNight,
   hasTeacher,
+  fillReserve,
   pruneCopies,
   renewCopies,
   type Ports,
@@ -17,8 +18,9 @@ async function tendCopies(ports: Ports, folder: string): Promise<void> {
   if (database.backup === null) return
   const days = { day: ports.day(0), oldest: ports.day(-daysOfCopies), clockDoubted: false }
   const stored = { database, secret, folder, ...days }
-  if (await hasTeacher(ports)) await renewCopies(stored)
-  else pruneCopies(folder, stored)
+  if (!(await hasTeacher(ports))) return pruneCopies(folder, stored)
+  await renewCopies(stored)
+  await fillReserve(folder)
 }
 
 /** Does what is due: once a day, from two in the night on, or as soon as the server runs on that day. */

@@ -15,6 +15,7 @@ import {
   bury,
   checkInWorker,
   saveQueueOn,
+  useReserve,
   type Database,
   type Host,
   type LogLine,
@@ -59,6 +60,7 @@ function hostOf(database: Database, secret: Uint8Array, { folder, address, reach
       const { bavail, bsize } = statfsSync(folder)
       return bavail * bsize
     },
+    useReserve: (bytes) => useReserve(folder, bytes),
     ...{ addresses, otherDevice, findings, wifi },
     version: root.version,
     backups: () => {

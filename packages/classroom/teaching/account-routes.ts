@@ -108,7 +108,7 @@ function beginSignIn({ ports, headers, triers }: Call<unknown>, username: string
 async function signInByName(call: Call<v.InferOutput<typeof signIn>>): Promise<Response> {
   const { ports, headers, body } = call
   const guess = beginSignIn(call, body.username)
-  const answer = await ports.accounts.forward('/sign-in/username', headers, JSON.stringify(body))
+  const answer = await signInWithRoom(ports, headers, JSON.stringify(body))
   if (answer.status >= 400 && answer.status < 500) {
     await answer.body?.cancel()
     const seconds = guess.wrong()
@@ -116,6 +116,19 @@ async function signInByName(call: Call<v.InferOutput<typeof signIn>>): Promise<R
   }
   guess.right()
   return signedIn(answer, rememberDevice(call, body.username))
+}
+
+/** Bytes that a new session takes at most, with the pages of its journal. */
+const roomOfSession = 1_000_000
+
+/** Signs in also on a full disk: otherwise no teacher could delete anything. better-auth hides the error of the database. */
+async function signInWithRoom({ accounts, host }: Ports, headers: Headers, body: string): Promise<Response> {
+  const signIn = () => accounts.forward('/sign-in/username', headers, body)
+  const answer = await signIn()
+  if (answer.status < 500 || host.freeSpace() >= roomOfSession) return answer
+  await answer.body?.cancel()
+  host.useReserve(roomOfSession)
+  return signIn()
 }
 
 /** A cookie by which this device is known to the account from now on. */

@@ -21,9 +21,29 @@ export async function carryOut(db: Db, { kind, id }: Tombstone): Promise<void> {
     await deleteUnheld(db)
     await recount(db, pupil.class)
   }
+  await addTombstone(db, { kind, id })
+}
+
+/** Notes an id, so that devices learn of the deletion at their next visit. */
+export async function addTombstone(db: Db, { kind, id }: Tombstone): Promise<void> {
   await db
     .insertInto('tombstone')
     .values({ kind, id })
     .onConflict((conflict) => conflict.column('id').doNothing())
     .execute()
+}
+
+/** Deletions that were interrupted: the class or the pupil still exists. */
+export async function begunDeletions(db: Db): Promise<readonly Tombstone[]> {
+  const rows = await db
+    .selectFrom('tombstone')
+    .select(['kind', 'id'])
+    .where((row) =>
+      row.or([
+        row('id', 'in', row.selectFrom('class').select('class.id')),
+        row('id', 'in', row.selectFrom('pupil').select('pupil.id')),
+      ]),
+    )
+    .execute()
+  return rows.map(({ kind, id }) => ({ kind: kind === 'class' ? 'class' : 'pupil', id }))
 }

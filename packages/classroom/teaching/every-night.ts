@@ -2,8 +2,8 @@ import type { Ports } from '../ports.ts'
 import { deleteUnheld } from '../live/handouts-store.ts'
 import { settleAll } from '../questionnaires/nightly.ts'
 import { recount } from '../projects/assets-store.ts'
-import { deleteForGood } from './class-routes.ts'
 import { allClasses, clearAway } from './clearing-store.ts'
+import { deleteForGood, finishDeletions, withRoom } from './deleting.ts'
 import { countDay, endingNow } from './ending-store.ts'
 
 async function endClass(ports: Ports, id: string) {
@@ -15,7 +15,8 @@ async function endClass(ports: Ports, id: string) {
 export async function everyNight(ports: Ports): Promise<void> {
   const { db } = ports.database
   const now = ports.now()
-  await countDay(ports)
+  await finishDeletions(ports)
+  await withRoom(ports, () => countDay(ports))
   for (const id of await endingNow(ports)) await endClass(ports, id)
   await settleAll(ports)
   await clearAway(db, now, ports.day(0))

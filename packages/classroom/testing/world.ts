@@ -57,7 +57,12 @@ export class Server {
         Promise.resolve([{ id: 'friendship', starts: 3, title: { en: 'Friendship', de: 'Freundschaft' } }]),
       questionnaires: () => Promise.resolve({ forms: content.forms, questions: content.questions }),
       host: {
-        ...{ memory: () => 1, freeSpace: () => 1, addresses: () => ['http://lab.test'] },
+        ...{
+          memory: () => 1,
+          freeSpace: () => 1,
+          useReserve: () => {},
+          addresses: () => ['http://lab.test'],
+        },
         ...{ otherDevice: () => null, wifi: null, version: '0.1.0' },
         findings: () => [
           { verdict: 'version.is', fine: true, facts: {} },
