@@ -109,15 +109,23 @@ testOnDisk('on a full disk a class is deleted at night after its last day', 60, 
   await database.close()
 })
 
-testOnDisk('without its reserve a full disk refuses the deletion with a sentence', 30, async (disk) => {
-  const { database, teacher, id } = await classOn(disk, 4)
-  database.emptyJournal()
-  fill(disk)
-  const answer = await teacher.delete(`/classes/${id}`, { name: '5b' })
-  expect(answer).toMatchObject({ status: 507, body: { error: 'diskFull' } })
-  expect((await teacher.get(`/classes/${id}`)).status).toBe(200)
-  await database.close()
-})
+testOnDisk(
+  'without its reserve a full disk refuses deletion and sign-in with a sentence',
+  30,
+  async (disk) => {
+    const { database, server, teacher, id } = await classOn(disk, 4)
+    database.emptyJournal()
+    fill(disk)
+    const answer = await teacher.delete(`/classes/${id}`, { name: '5b' })
+    expect(answer).toMatchObject({ status: 507, body: { error: 'diskFull' } })
+    expect((await teacher.get(`/classes/${id}`)).status).toBe(200)
+    vi.spyOn(console, 'error').mockReturnValue()
+    const password = { username: 'm.weber', password: 'kastanie im regen' }
+    const signIn = await server.browser().post('/auth/sign-in/username', password)
+    expect(signIn).toMatchObject({ status: 507, body: { error: 'diskFull' } })
+    await database.close()
+  },
+)
 
 testOnDisk(
   'the reserve is made where as much again stays free, and filled up after use',

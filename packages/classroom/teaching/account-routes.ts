@@ -115,13 +115,20 @@ async function signInByName(call: Call<v.InferOutput<typeof signIn>>): Promise<R
     throw seconds === 0 ? new Refusal(401, 'wrongPassword') : new Refusal(429, 'tooManyTries', { seconds })
   }
   guess.right()
+  if (!answer.ok) throw databaseFailed(ports)
   return signedIn(answer, rememberDevice(call, body.username))
 }
 
 /** Bytes that a new session takes at most, with the pages of its journal. */
 const roomOfSession = 1_000_000
 
-/** Signs in also on a full disk: otherwise no teacher could delete anything. better-auth hides the error of the database. */
+/** better-auth hides the error of the database. */
+const databaseFailed = ({ database, host }: Ports) =>
+  database.kind === 'sqlite' && host.freeSpace() < roomOfSession
+    ? new Refusal(507, 'diskFull')
+    : new Refusal(503, 'busy')
+
+/** Signs in also on a full disk: otherwise no teacher could delete anything. */
 async function signInWithRoom({ accounts, host }: Ports, headers: Headers, body: string): Promise<Response> {
   const signIn = () => accounts.forward('/sign-in/username', headers, body)
   const answer = await signIn()
