@@ -1,5 +1,14 @@
 // When deleted classes and pupils are gone from every copy on the server.
-import { cpSync, existsSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
+import {
+  cpSync,
+  existsSync,
+  mkdirSync,
+  mkdtempSync,
+  readdirSync,
+  readFileSync,
+  rmSync,
+  writeFileSync,
+} from 'node:fs'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import { afterAll, beforeAll, expect, test } from 'vitest'
@@ -176,6 +185,34 @@ test('a pupil who is deleted is in no copy from the seventh day on, and the othe
   await run({ folder, days: 9 })
   expect(await filesWith([words[0]!], folder, phrase)).toEqual([])
   expect(await filesWith([words[1]!], folder, phrase)).toHaveLength(2)
+})
+
+test('copies are known by the names that the product gives, with their journals and keys; other files stay', () => {
+  const folder = fresh()
+  const ours = [
+    ...[
+      'botgarten.db.before-restore-2',
+      'botgarten.db.before-restore-2-wal',
+      'botgarten.db.before-restore-2-shm',
+    ],
+    ...[
+      'answers.db.before-restore-12',
+      'secret.key.before-restore-1',
+      'botgarten.db.broken-1.before-restore-1-wal',
+    ],
+    ...['2026-11-20.answers.db', 'before-migration.db', 'before-migration.answers.db'].map(
+      (name) => `backups/${name}`,
+    ),
+  ]
+  const others = [
+    ...['deleted.jsonl', 'notes.before-restore.txt', 'botgarten.db', 'answers.db.broken-1'],
+    ...['backups/stick.age', 'backups/2026-11-20.txt'],
+  ]
+  mkdirSync(join(folder, 'backups'))
+  for (const name of [...ours, ...others]) writeFileSync(join(folder, name), 'x')
+  for (const days of [0, 7]) pruneCopies(folder, { ...on(days), clockDoubted: false })
+  expect(ours.filter((name) => existsSync(join(folder, name)))).toEqual([])
+  expect(others.filter((name) => !existsSync(join(folder, name)))).toEqual([])
 })
 
 test('while the clock is doubted no copy is deleted; after that they go by the days on which they were seen', async () => {
