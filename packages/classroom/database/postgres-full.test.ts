@@ -3,6 +3,7 @@ import { rmSync, statfsSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'
 import { sql } from 'kysely'
 import { afterAll, afterEach, beforeAll, describe, expect, vi } from 'vitest'
+import { everyNight } from '../teaching/every-night.ts'
 import { noPostgres, startPostgres, type Postgres } from '../testing/postgres.ts'
 import { projectText } from '../testing/projects.ts'
 import { testOnDisk } from '../testing/small-disk.ts'
@@ -29,10 +30,20 @@ async function classAt(address: string) {
   const server = new Server(database, quickAccounts(database))
   const teacher = await server.firstTeacher()
   const { id, code } = await server.openClass(teacher)
-  const { browser } = await server.pupil(code, 'Fuchs')
-  const save = (base: number) =>
-    browser.put(`/projects/project-1?base=${base}&save=save-on-${base}`, projectText(lettersFor(base)))
-  return { database, server, teacher, id, browser, save }
+  const { browser, id: pupil } = await server.pupil(code, 'Fuchs')
+  const saving = (child: typeof browser) => (base: number) =>
+    child.put(`/projects/project-1?base=${base}&save=save-on-${base}`, projectText(lettersFor(base)))
+  return { database, server, teacher, id, code, browser, pupil, saving, save: saving(browser) }
+}
+
+type Class = Awaited<ReturnType<typeof classAt>>
+
+/** @returns the last revision that was acknowledged, and the answer after it */
+async function saveUntilRefused(save: Class['save']) {
+  for (let revision = 0; ; revision++) {
+    const answer = await save(revision)
+    if (answer.status !== 200) return { revision, refused: answer }
+  }
 }
 
 describe.skipIf(noPostgres() !== null)('PostgreSQL without room', () => {
@@ -44,28 +55,40 @@ describe.skipIf(noPostgres() !== null)('PostgreSQL without room', () => {
   afterEach(() => vi.restoreAllMocks())
 
   testOnDisk(
-    'a full disk of PostgreSQL refuses saves and deletions in words, work is read, and with room again both succeed',
+    'a full disk of PostgreSQL refuses saves in words, and with room again they go on',
     60,
     async (disk) => {
-      const { database, teacher, id, browser, save } = await classAt(await postgres.newDatabase(disk))
+      const { database, browser, save } = await classAt(await postgres.newDatabase(disk))
       const makeRoom = fill(disk, 200_000)
-      let revision = 0
-      let refused: Awaited<ReturnType<typeof save>> | null = null
-      while (!refused) {
-        const answer = await save(revision)
-        if (answer.status === 200) revision++
-        else refused = answer
-      }
+      const { revision, refused } = await saveUntilRefused(save)
       expect(refused).toMatchObject({ status: 507, body: { error: 'diskFull' } })
       expect((await browser.get('/projects/project-1')).body).toMatchObject({ revision })
-      const remove = () => teacher.delete(`/classes/${id}`, { name: '5b' })
-      expect(await remove()).toMatchObject({ status: 507, body: { error: 'diskFull' } })
       makeRoom()
       expect((await save(revision)).body).toMatchObject({ revision: revision + 1 })
-      expect((await remove()).status).toBe(204)
       await database.close()
     },
   )
+
+  for (const kind of ['class', 'pupil'] as const)
+    testOnDisk(`on a full disk of PostgreSQL a teacher deletes a ${kind}`, 60, async (disk) => {
+      const { database, server, teacher, id, code, browser, pupil, saving } = await classAt(
+        await postgres.newDatabase(disk),
+      )
+      const other = await server.pupil(code, 'Otter')
+      expect((await saving(browser)(0)).status).toBe(200)
+      await everyNight(server.ports)
+      fill(disk, 200_000)
+      // The other pupil's rows come last, so that the tables stay as long as they are.
+      await saveUntilRefused(saving(other.browser))
+      const path = kind === 'class' ? `/classes/${id}` : `/classes/${id}/pupils/${pupil}`
+      expect((await teacher.delete(path, kind === 'class' ? { name: '5b' } : undefined)).status).toBe(204)
+      const left = await database.db.selectFrom('version').select('pupil').distinct().execute()
+      expect(left).toEqual(kind === 'class' ? [] : [{ pupil: other.id }])
+      expect((await browser.get('/projects')).status).toBe(kind === 'class' ? 410 : 401)
+      const tombstones = await database.db.selectFrom('tombstone').select('id').execute()
+      expect(tombstones).toEqual([{ id: kind === 'class' ? id : pupil }])
+      await database.close()
+    })
 
   testOnDisk(
     'a PostgreSQL that ended since its journal had no room is answered with 503, and the node works when it runs again',

@@ -3,6 +3,7 @@ import { deleteUnheld } from '../live/handouts-store.ts'
 import { settleAll } from '../questionnaires/nightly.ts'
 import { recount } from '../projects/assets-store.ts'
 import { allClasses, clearAway } from './clearing-store.ts'
+import { reserveTombstone } from './deleting-store.ts'
 import { deleteForGood, finishDeletions, withRoom } from './deleting.ts'
 import { countDay, endingNow } from './ending-store.ts'
 
@@ -21,5 +22,6 @@ export async function everyNight(ports: Ports): Promise<void> {
   await settleAll(ports)
   await clearAway(db, now, ports.day(0))
   await deleteUnheld(db)
+  if (ports.database.kind === 'postgres') await reserveTombstone(db)
   for (const id of await allClasses(db)) await db.transaction().execute((inside) => recount(inside, id))
 }
