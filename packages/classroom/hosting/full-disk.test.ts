@@ -74,6 +74,9 @@ for (const kind of ['class', 'pupil'] as const)
     60,
     async (disk) => {
       const { database, server, child, id } = await classOn(disk, 16)
+      // Its teacher is shown that the end is near, which is noted.
+      const endsOn = server.ports.day(5)
+      await database.db.updateTable('class').set({ endsOn }).where('id', '=', id).execute()
       await fillReserve(disk, reserve)
       database.emptyJournal()
       fill(disk)
@@ -85,6 +88,10 @@ for (const kind of ['class', 'pupil'] as const)
       const teacher = server.browser()
       const password = { username: 'm.weber', password: 'kastanie im regen' }
       expect((await teacher.post('/auth/sign-in/username', password)).status).toBe(204)
+      for (const page of ['/classes', `/classes/${id}`, `/classes/${id}/data`]) {
+        fill(disk)
+        expect((await teacher.get(page)).status).toBe(200)
+      }
       fill(disk)
       const path = kind === 'class' ? `/classes/${id}` : `/classes/${id}/pupils/${child.id}`
       expect((await teacher.delete(path, kind === 'class' ? { name: '5b' } : undefined)).status).toBe(204)

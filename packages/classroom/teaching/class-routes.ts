@@ -7,7 +7,7 @@ import { mostSpace } from '../projects/saves-store.ts'
 import { Refusal } from '../refusal.ts'
 import { route, type Answer, type Call, type Route } from '../route.ts'
 import { addClass, changeClass, classesOf, closeClass, giveCode, sizesOf } from './classes-store.ts'
-import { deleteForGood } from './deleting.ts'
+import { deleteForGood, withRoom } from './deleting.ts'
 import { announce } from './ending-store.ts'
 import { languageOf, shownClass } from './shown.ts'
 
@@ -22,7 +22,7 @@ const changes = v.partial(v.strictObject({ name, grade, endsOn: day }))
 
 async function list({ ports, who }: Call<undefined>): Promise<Answer> {
   const rows = await classesOf(ports.database.db, who.teacher!.id)
-  const announced = await Promise.all(rows.map((row) => announce(ports, row)))
+  const announced = await Promise.all(rows.map((row) => withRoom(ports, () => announce(ports, row))))
   return { body: { classes: announced.map((row) => shownClass(row, ports)) } }
 }
 
@@ -56,7 +56,7 @@ function refusePast(ports: Ports, endsOn: string) {
 }
 
 async function one({ ports, who }: Call<undefined>): Promise<Answer> {
-  const row = await announce(ports, who.class!)
+  const row = await withRoom(ports, () => announce(ports, who.class!))
   const sizes = await sizesOf(ports.database.db, row.id)
   return { body: { ...shownClass(row, ports), ...sizes, space: row.space, mostSpace } }
 }

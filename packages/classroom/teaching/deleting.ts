@@ -6,25 +6,29 @@ import { deleteInSteps } from './steps-store.ts'
 
 const isFull = (error: unknown) => refusalOfDatabase(error)?.code === 'diskFull'
 
-type Work = () => Promise<unknown>
+interface Working<Result> {
+  readonly work: () => Promise<Result>
+  readonly again?: () => Promise<Result>
+  readonly bytes?: number
+}
 
 /** Works, and works again with room of the reserve if the disk is full. @param bytes of the reserve; all of it if left out */
-async function withReserve(
+async function withReserve<Result>(
   ports: Ports,
-  { work, again = work, bytes }: { readonly work: Work; readonly again?: Work; readonly bytes?: number },
-): Promise<void> {
+  { work, again = work, bytes }: Working<Result>,
+): Promise<Result> {
   try {
-    await work()
+    return await work()
   } catch (error) {
     if (!isFull(error)) throw error
     ports.host.useReserve(bytes)
     ports.database.emptyJournal()
-    await again()
+    return await again()
   }
 }
 
 /** For a few rows that have to be written before something can be deleted. */
-export const withRoom = (ports: Ports, work: Work): Promise<void> =>
+export const withRoom = <Result>(ports: Ports, work: () => Promise<Result>): Promise<Result> =>
   withReserve(ports, { work, bytes: 1_000_000 })
 
 /** A deletion in one transaction, and where the disk has no room for that, in many. */
