@@ -5,7 +5,7 @@ import type { Ports } from '../ports.ts'
 import { Refusal } from '../refusal.ts'
 import { route, type Answer, type Call, type Route } from '../route.ts'
 import { endSessionsOfTeacher } from './accounts-store.ts'
-import { deleteForGood } from './class-routes.ts'
+import { deleteForGood, withRoom } from './deleting.ts'
 import { classesOf } from './classes-store.ts'
 import { carryOut } from './deleting-store.ts'
 import { knownCookie, knownWithout } from './known-device.ts'
@@ -41,12 +41,13 @@ async function refuseOwner(db: Db, id: string): Promise<void> {
 async function deleteTeacher(ports: Ports, id: string): Promise<void> {
   const { database, live } = ports
   const tombstone = { kind: 'teacher', id } as const
-  await database.db.transaction().execute(async (inside) => {
+  const erase = async (inside: Db) => {
     // Only a deletion that succeeds leaves a tombstone, which is on the disk before the commit.
     await refuseOwner(inside, id)
     await carryOut(inside, tombstone)
     await ports.bury(tombstone)
-  })
+  }
+  await withRoom(ports, () => database.db.transaction().execute(erase))
   database.emptyJournal()
   live.end(null, { teacher: id }, 'signedOut')
 }
