@@ -2,6 +2,7 @@ import { readFileSync } from 'node:fs'
 import { readFile } from 'node:fs/promises'
 import { expect, type Locator } from '@playwright/test'
 import { cardProject, readCard, type CardProgram, type WorldFile } from '@botgarten/content'
+import { mapField } from '@botgarten/blocks'
 import type { Child } from './child.ts'
 import { fixesDice, goesHome } from './navigation.ts'
 
@@ -111,6 +112,15 @@ export class Learner {
     await maps.selectOption({ label: name })
     await child.types('Escape')
     await this.sees()
+  }
+
+  /** Another map, in the field of the block; both by their ids. The program stays open. */
+  async choosesMapInBlock(from: string, to: string) {
+    const { child } = this
+    const name = (map: string) => child.word(`choice.${mapField(map)}`)
+    await this.unfolds()
+    await child.page.locator('.blocklyDropdownField', { hasText: name(from) }).click()
+    await child.page.locator('.blocklyDropDownDiv .blocklyMenuItem', { hasText: name(to) }).click()
   }
 
   /** More tries, and more time for them, typed over the numbers of now in the block that says so. */

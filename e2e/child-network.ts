@@ -19,9 +19,11 @@ export class NetHands {
     return this.child.page.getByRole('radio', { name: this.child.word(`net.levels.${level}`) })
   }
 
+  /** Presses the word, not the small circle in front of it. */
   async chooses(level: Level) {
     await this.opensSettings()
-    await this.level(level).check()
+    await this.child.words(`net.levels.${level}`).click()
+    await expect(this.level(level)).toBeChecked()
     await this.child.presses('network.settings')
   }
 

@@ -1,7 +1,7 @@
 import { expect, type Page } from '@playwright/test'
 import { isAnswered, opensForm, sends } from './asked-class.ts'
 import type { Child } from './child.ts'
-import { setClock } from './class-server.ts'
+import { Asker, setClock } from './class-server.ts'
 import { fills, teaches, type MadeClass } from './made-class.ts'
 import type { ClassScreen } from './screens-class.ts'
 import { projector } from './screens-projector.ts'
@@ -193,6 +193,16 @@ const lists: readonly ClassScreen[] = [
   },
 ]
 
+/** One more teacher, with a class. */
+async function invites({ teacher, url, classServer }: MadeClass) {
+  const { token } = (await teacher.ask('POST', '/invitations')).body as { token: string }
+  const other = new Asker(url)
+  const made = { token, username: 'k.otto', password: 'kastanie im regen' }
+  await other.ask('POST', '/teachers', made)
+  const about = { name: '7c', language: 'de', grade: 7, endsOn: classServer.ports.day(120) }
+  await other.ask('POST', '/classes', about)
+}
+
 const account: readonly ClassScreen[] = [
   {
     name: 'teacher-sign-in',
@@ -233,6 +243,25 @@ const account: readonly ClassScreen[] = [
       await teaches(child.page, made)
       await child.page.goto('/teacher/health')
       await expect(child.words('teacher.clockDoubt.title')).toBeVisible()
+    },
+  },
+  {
+    name: 'teacher-account',
+    async show(child, made) {
+      await invites(made)
+      await teaches(child.page, made)
+      await child.page.goto('/teacher/account')
+      await expect(child.words('teacher.refused.onlyOperator')).toBeVisible()
+    },
+  },
+  {
+    name: 'teacher-account-delete',
+    async show(child, made) {
+      await invites(made)
+      await teaches(child.page, made)
+      await child.page.goto('/teacher/account')
+      await child.presses('teacher.account.deleteOne', { name: 'k.otto' })
+      await inDialog(child)
     },
   },
   {

@@ -102,9 +102,9 @@ test(
 )
 
 test(
-  'the first teacher makes an account and a class, and sees that the server is well',
+  'the first teacher makes an account and a class, and sees that the server is well and who has an account',
   {
-    tag: ['@teacher', '@/teacher/start', '@/teacher/health'],
+    tag: ['@teacher', '@/teacher/start', '@/teacher/health', '@/teacher/account'],
   },
   async ({ child, page }) => {
     const server = await serverWithData()
@@ -125,6 +125,10 @@ test(
     const day = server.classServer.ports.day(0)
     await expect(page.getByText(child.word('doctor.backup.made', { day, count: 1 }))).toBeVisible()
     await expect(page.getByText(child.word('teacher.about.folder'), { exact: true })).toBeVisible()
+    await child.presses('teacher.person', { name: 'k.otto' })
+    await page.getByRole('link', { name: child.word('teacher.yourAccount') }).click()
+    await expect(page.getByText(child.word('teacher.account.has', { classes: 1, pupils: 0 }))).toBeVisible()
+    await expect(child.words('teacher.refused.onlyOperator')).toBeVisible()
     await server.close()
   },
 )

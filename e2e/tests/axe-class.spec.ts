@@ -35,6 +35,8 @@ const screens = [
     'teacher-health',
     'teacher-clock',
     'teacher-backup-phrase',
+    'teacher-account',
+    'teacher-account-delete',
     'class-projector-wifi',
     'class-wifi',
     'class-look-inside',

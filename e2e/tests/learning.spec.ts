@@ -27,6 +27,22 @@ for (const language of languagesOf(import.meta.filename)) {
       await time.chooses('Infinity')
       await child.seesCheck('railway', 'way')
       await child.seesCheck('railway', 'arrives')
+      await expect(child.button('lab.stop')).toHaveCount(0)
+    })
+
+    test('another map is chosen in the block while Bo drives: Bo stops, and the new map is to be learned', async ({
+      child,
+    }) => {
+      const learner = new Learner(child)
+      await learner.opens('railway')
+      await learner.hurries()
+      await child.presses('lab.start')
+      await child.seesDriving()
+      await learner.choosesMapInBlock('railway', 'mars')
+      await expect(child.button('lab.stop')).toHaveCount(0)
+      await learner.sees()
+      await child.presses('lab.fold')
+      await expect(child.words('q.nothingYet')).toBeVisible()
     })
 
     test('by keys alone', async ({ child }) => {

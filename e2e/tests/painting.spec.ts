@@ -18,10 +18,7 @@ async function labOn(browser: Browser, options: BrowserContextOptions, isWorker:
       Reflect.deleteProperty(HTMLCanvasElement.prototype, 'transferControlToOffscreen'),
     )
   const child = new Child(await context.newPage(), 'en')
-  // Entered from home, page and worker differ in 0.3 % of all pixels: for the issue "The lab answers in a quarter of a
-  // second, and stays smooth in everything".
-  // By address: until that is fixed.
-  await child.opensLabByAddress('friendship')
+  await child.opensLab('friendship')
   await child.typesWeight(leftEye, leftWheel, 0.6)
   await child.steps('stepNetwork')
   return child

@@ -198,6 +198,9 @@ test('a teacher starts a server, leads a lesson and deletes the class', async ({
     await page.getByRole('button', { name: german('data'), exact: true }).click()
     const remove = page.getByRole('button', { name: german('deleteAll', { name: '5b' }) })
     await expect(remove).toHaveAttribute('aria-disabled', 'true')
+    const untilDay = german('backupsHold', { day: '…' }).split('…')[0]!
+    for (const copies of [untilDay, german('copiesElsewhere')])
+      await expect(page.getByText(copies)).toBeVisible()
     await page.getByLabel(german('typeName')).fill('5b')
     await remove.click()
     await expect(page.getByRole('heading', { name: german('newClass') })).toBeVisible()

@@ -1,7 +1,9 @@
 // Durations do not depend on the clock of the machine, which may be set at any time.
-import { expect, test } from 'vitest'
+import { beforeAll, expect, test } from 'vitest'
+import type { Database } from './database/database.ts'
 import { firstTeacherToken } from './teaching/first-teacher.ts'
 import { onBothDatabases } from './testing/databases.ts'
+import { teacherOn } from './testing/teacher.ts'
 import { quickAccounts, Server } from './testing/world.ts'
 
 const [hour, day, year] = [3_600_000, 86_400_000, 365 * 86_400_000]
@@ -17,20 +19,22 @@ const jumps = [
 ] as const
 
 onBothDatabases((fresh) => {
-  const newServer = async () => {
-    const database = await fresh()
-    return new Server(database, quickAccounts(database))
-  }
+  let database: Database
+  beforeAll(async () => {
+    database = await fresh()
+  })
+  let teachers = 0
+  const newServer = () => new Server(database, quickAccounts(database))
   /** The class ends later than any clock here shows: a class that has ended is hidden. */
   const openClass = async (server: Server) => {
-    const teacher = await server.firstTeacher()
+    const teacher = await teacherOn(server)
     const made = await server.openClass(teacher)
     await teacher.patch(`/classes/${made.id}`, { endsOn: '2029-12-31' })
     return { ...made, teacher }
   }
 
   test.each(jumps)('a clock that is set %s leaves joining open for its 20 minutes', async (_, jump) => {
-    const server = await newServer()
+    const server = newServer()
     const { id, code, teacher } = await openClass(server)
     server.now += jump
     server.later(19)
@@ -43,23 +47,25 @@ onBothDatabases((fresh) => {
   })
 
   test.each(jumps)('a clock that is set %s leaves the first teacher half an hour', async (_, jump) => {
-    const made = { username: 'm.weber', password: 'kastanie im regen' }
-    for (const [minutes, status] of [
+    const waits = [
       [29, 204],
       [30, 403],
-    ] as const) {
-      const server = await newServer()
+    ] as const
+    for (const [minutes, status] of waits) {
+      await database.db.deleteFrom('operator').execute()
+      const server = newServer()
       const token = await firstTeacherToken(server.ports)
       server.now += jump
       server.later(minutes)
-      expect((await server.browser().post('/teachers', { token, ...made })).status).toBe(status)
+      const made = { token, username: `teacher${++teachers}`, password: 'kastanie im regen' }
+      expect((await server.browser().post('/teachers', made)).status).toBe(status)
     }
   })
 
   test.each(jumps)(
     'a clock that is set %s lets a device make new pupils again after ten minutes',
     async (_, jump) => {
-      const server = await newServer()
+      const server = newServer()
       const { id, code, teacher } = await openClass(server)
       const device = server.browser()
       const join = async (n: number) => (await device.post('/join', { code, nickname: `Kind ${n}` })).status
@@ -77,7 +83,7 @@ onBothDatabases((fresh) => {
   test.each(jumps)(
     'a clock that is set %s ends neither attention nor the visit of a teacher',
     async (_, jump) => {
-      const server = await newServer()
+      const server = newServer()
       const { id, code, teacher } = await openClass(server)
       const child = await server.pupil(code, 'Fuchs')
       const { live } = server.ports
@@ -101,7 +107,7 @@ onBothDatabases((fresh) => {
   test.each(jumps)(
     'a clock that is set %s lets no pupil in without pictures after 90 minutes',
     async (_, jump) => {
-      const server = await newServer()
+      const server = newServer()
       const { code } = await openClass(server)
       const child = await server.pupil(code, 'Fuchs')
       const read = async () => (await child.browser.get('/projects')).status
@@ -118,7 +124,7 @@ onBothDatabases((fresh) => {
   )
 
   test.each(jumps)('a clock that is set %s leaves a form its minute to close', async (_, jump) => {
-    const server = await newServer()
+    const server = newServer()
     const { id, teacher } = await openClass(server)
     await teacher.post(`/classes/${id}/questionnaires`, { form: 'after' })
     await teacher.post(`/classes/${id}/questionnaires/after/close`)

@@ -36,10 +36,12 @@ export {
   type Nightly,
   type Stored,
 } from './hosting/backups.ts'
+export { daysOfCopies, otherCopiesIn, pruneCopies, renewCopies } from './hosting/copies.ts'
 export { markPhraseShown, phraseFrom, phraseOf, phraseShown } from './hosting/phrase-store.ts'
 export { isKeyOf } from './hosting/key-store.ts'
 export { openLock } from './hosting/lock.ts'
 export { openDataFolder, secretIn } from './hosting/data-folder.ts'
+export { fillReserve, useReserve } from './hosting/reserve.ts'
 export { restore } from './hosting/restore.ts'
 export { steadyClockOn, type SteadyClock } from './hosting/steady-clock-store.ts'
 export { isSealed } from './hosting/sealed-file.ts'

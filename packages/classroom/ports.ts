@@ -18,9 +18,9 @@ export interface LogLine {
   readonly error?: string
 }
 
-/** A class or a pupil that was deleted: the deletion is repeated after a backup was restored. */
+/** A class, a pupil or a teacher that was deleted: the deletion is repeated after a backup was restored. */
 export interface Tombstone {
-  readonly kind: 'class' | 'pupil'
+  readonly kind: 'class' | 'pupil' | 'teacher'
   readonly id: string
 }
 
@@ -83,6 +83,8 @@ export interface Host {
   readonly memory: () => number
   /** Bytes that are free where the data lie. */
   readonly freeSpace: () => number
+  /** Gives room back to a full disk, so that something can be deleted. @param bytes of the reserve; all of it if left out */
+  readonly useReserve: (bytes?: number) => void
   /** Addresses under which it is reached. */
   readonly addresses: () => readonly string[]
   /** When another device last reached it, ms since 1970; null: none has. */
@@ -93,8 +95,14 @@ export interface Host {
   readonly version: string
   /** How it is, as `botgarten doctor` sees it, and what only the running server knows. @param streams open ones */
   readonly findings: (streams: number) => readonly Finding[]
-  /** Nightly copies: how many, and the day of the newest; null where the database has tools of its own. */
-  readonly backups: () => { readonly count: number; readonly last: string | null } | null
+  /** Nightly copies; null where the database has tools of its own. */
+  readonly backups: () => {
+    readonly count: number
+    /** Day of the newest. */
+    readonly last: string | null
+    /** Damaged databases that were set aside, and no backup was restored since. */
+    readonly broken: number
+  } | null
   /** Makes the copy of today. */
   readonly backUp: () => Promise<void>
   /** The newest copy, encrypted; null before the first one. */

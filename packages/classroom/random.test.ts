@@ -40,6 +40,7 @@ const names = [
   'token',
   'username',
   'password',
+  'newPassword',
   'name',
   'language',
   'grade',

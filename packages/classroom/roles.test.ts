@@ -11,6 +11,9 @@ import type { Role } from './who.ts'
 const bodies: { readonly [route: string]: unknown } = {
   'POST /teachers': { token: 'none', username: 'somebody', password: 'ein langer satz' },
   'POST /auth/sign-in/username': { username: 'nobody', password: 'wrong' },
+  'POST /teachers/me/password': { password: 'wrong', newPassword: 'ein langer satz' },
+  'DELETE /teachers/me': { password: 'wrong' },
+  'DELETE /teachers/:teacher': { username: 'nobody' },
   'POST /look': { code: 'a' },
   'POST /join': { code: 'a', nickname: 'Otter' },
   'POST /return': { code: 'a', nickname: 'Otter', pictures: ['boat', 'key', 'leaf'] },
@@ -140,6 +143,7 @@ onBothDatabases((fresh) => {
   const pathOf = ({ path }: Route, asked: Scene) =>
     path
       .replace(':class', asked.class)
+      .replace(':teacher', 'no-such-teacher')
       .replace(':pupil', asked.pupil)
       .replace(':project', 'project-1')
       .replace(':revision', '1')

@@ -18,11 +18,13 @@ import { resultRoutes } from './teaching/results-routes.ts'
 import { substituteRoutes } from './teaching/substitute-routes.ts'
 import { pupilRoutes } from './teaching/pupil-routes.ts'
 import { togetherRoutes } from './together/routes.ts'
+import { teacherRoutes } from './teaching/teacher-routes.ts'
 import { wifiRoutes } from './teaching/wifi-routes.ts'
 
 /** Who may ask what: the one table, which the router follows and the tests walk. */
 export const routes: readonly Route[] = [
   ...accountRoutes,
+  ...teacherRoutes,
   ...joiningRoutes,
   ...projectRoutes,
   ...classRoutes,

@@ -1,9 +1,12 @@
 import {
+  clockDoubted,
+  daysOfCopies,
   endClasses,
   everyNight,
+  fillReserve,
   hasTeacher,
-  lastBackup,
-  nightlyBackup,
+  pruneCopies,
+  renewCopies,
   type Ports,
 } from '@botgarten/classroom'
 import { causeIn } from './problem.ts'
@@ -13,13 +16,28 @@ const every = 60_000
 const pause = 10 * 60_000
 const quietFrom = 2
 
+/** A backup of today where there is none yet, and the end of old copies. */
+async function tendCopies(ports: Ports, folder: string): Promise<void> {
+  const { database, secret } = ports
+  if (database.backup === null) return
+  // If the database cannot be read, no one knows whether the clock is right.
+  const isDoubted = await clockDoubted(database.db, ports.day).catch(() => true)
+  const days = { day: ports.day(0), oldest: ports.day(-daysOfCopies), clockDoubted: isDoubted }
+  const stored = { database, secret, folder, ...days }
+  if (!(await hasTeacher(ports))) return pruneCopies(folder, stored)
+  await renewCopies(stored)
+  await fillReserve(folder)
+}
+
 /** Daily work, from two in the night on, or as soon as the server runs on that day. */
 async function doNightly(ports: Ports, folder: string): Promise<void> {
-  await everyNight(ports)
-  const { database, secret } = ports
-  const day = ports.day(0)
-  if (database.backup === null || lastBackup(folder)?.day === day) return
-  if (await hasTeacher(ports)) await nightlyBackup({ database, secret, folder, day })
+  try {
+    await everyNight(ports)
+  } finally {
+    // Old copies go also where nothing can be written.
+    await tendCopies(ports, folder)
+    ports.database.emptyJournal()
+  }
 }
 
 /** Does its work once a day, also where the clock is set to another one. */

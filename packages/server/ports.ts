@@ -10,10 +10,12 @@ import {
   lastBackup,
   nightlyBackup,
   nightliesIn,
+  otherCopiesIn,
   type Bus,
   bury,
   checkInWorker,
   saveQueueOn,
+  useReserve,
   type Database,
   type Host,
   type LogLine,
@@ -58,12 +60,14 @@ function hostOf(database: Database, secret: Uint8Array, { folder, address, reach
       const { bavail, bsize } = statfsSync(folder)
       return bavail * bsize
     },
+    useReserve: (bytes) => useReserve(folder, bytes),
     ...{ addresses, otherDevice, findings, wifi },
     version: root.version,
     backups: () => {
       if (database.backup === null) return null
       const nights = nightliesIn(folder)
-      return { count: nights.length, last: nights.at(-1)?.day ?? null }
+      const broken = otherCopiesIn(folder).broken.length
+      return { count: nights.length, last: nights.at(-1)?.day ?? null, broken }
     },
     backUp: () => nightlyBackup({ database, secret, folder, day: dayHere(0) }),
     newestBackup: () => newestBackup(folder),

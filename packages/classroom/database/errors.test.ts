@@ -14,17 +14,32 @@ test.each(['SQLITE_FULL', '53100', 'ENOSPC'])('%s: the disk is full', (code) =>
 
 test.each([
   ...['SQLITE_READONLY', 'SQLITE_READONLY_DBMOVED', 'SQLITE_CANTOPEN', 'SQLITE_IOERR', 'SQLITE_IOERR_WRITE'],
-  '25006',
+  ...['25006', '58030'],
 ])('%s: nothing can be written', (code) => expect(answerTo(code)).toBe('503 notWritable'))
 
-test.each(['SQLITE_CORRUPT', 'SQLITE_CORRUPT_VTAB', 'SQLITE_NOTADB'])('%s: the database is broken', (code) =>
-  expect(answerTo(code)).toBe('503 broken'),
+test.each(['SQLITE_CORRUPT', 'SQLITE_CORRUPT_VTAB', 'SQLITE_NOTADB', 'XX001', 'XX002'])(
+  '%s: the database is broken',
+  (code) => expect(answerTo(code)).toBe('503 broken'),
 )
 
 test.each([
   ...['SQLITE_BUSY', 'SQLITE_BUSY_SNAPSHOT', 'SQLITE_LOCKED'],
   ...['SQLITE_CONSTRAINT_FOREIGNKEY', 'SQLITE_CONSTRAINT_PRIMARYKEY', 'SQLITE_CONSTRAINT_UNIQUE'],
-  ...['23503', '23505', '53300', '40001', '40P01', '55P03', '57014', '57P01', '57P02', '57P03'],
+  ...[
+    '23503',
+    '23505',
+    '53000',
+    '53200',
+    '53300',
+    '53400',
+    '40001',
+    '40P01',
+    '55P03',
+    '57014',
+    '57P01',
+    '57P02',
+    '57P03',
+  ],
   ...['ECONNREFUSED', 'ECONNRESET', 'EPIPE', 'ETIMEDOUT', 'ENOENT'],
 ])('%s: a page tries again', (code) => expect(answerTo(code)).toBe('503 busy'))
 

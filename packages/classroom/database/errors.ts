@@ -15,9 +15,15 @@ const byCode: { readonly [code: string]: readonly [status: number, code: string]
   SQLITE_CONSTRAINT_UNIQUE: [503, 'busy'],
   '23503': [503, 'busy'],
   '23505': [503, 'busy'],
-  // PostgreSQL: disk full, read only, too many connections, locks, shutting down, starting up.
+  // PostgreSQL: disk full, read only, disk failing, damaged, memory full, too many connections, locks, shutting down, starting up.
   '53100': [507, 'diskFull'],
   '25006': [503, 'notWritable'],
+  '58030': [503, 'notWritable'],
+  XX001: [503, 'broken'],
+  XX002: [503, 'broken'],
+  '53000': [503, 'busy'],
+  '53200': [503, 'busy'],
+  '53400': [503, 'busy'],
   '53300': [503, 'busy'],
   '40001': [503, 'busy'],
   '40P01': [503, 'busy'],

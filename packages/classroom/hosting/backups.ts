@@ -16,6 +16,7 @@ import { answersBeside, openAnswersFile } from '../database/answers/sqlite.ts'
 import type { Database } from '../database/database.ts'
 import { keepPublished } from '../questionnaires/answers-store.ts'
 import { phraseOf } from './phrase-store.ts'
+import { isReadable } from './read-back.ts'
 import { writeSealed } from './sealed-file.ts'
 import { tombstonesIn } from './tombstones.ts'
 
@@ -27,7 +28,6 @@ export const parts = {
   tombstones: 'deleted.jsonl',
 } as const
 
-const kept = 7
 /** `000012-2026-11-28.age`: the number orders the copies, since clocks are wrong at times. Earlier versions wrote `2026-11-28.db`. */
 const nightly = /^(?:(\d{6})-)?(\d{4}-\d{2}-\d{2})\.(?:age|db)$/
 
@@ -92,10 +92,10 @@ export function removeUnfinished(folder: string): void {
 
 /**
  * Copies a database that is in use into one encrypted file: the database, what is published of the answers, the key of codes
- * and pictures, and the list of deletions. A file has its name once it is complete and on the disk.
- * @throws Error on PostgreSQL, which has pg_dump
+ * and pictures, and the list of deletions. A file has its name once it is on the disk and was read back from it.
+ * @throws Error on PostgreSQL, which has pg_dump, and where the file cannot be read back
  */
-export async function backup(stored: Stored, file: string): Promise<void> {
+export async function backup(stored: Stored, file: string, readBack = isReadable): Promise<void> {
   const { database, secret, folder, day } = stored
   if (!database.backup) throw new Error('PostgreSQL is copied by its own pg_dump.')
   const making = makeUnfinished(folder)
@@ -109,6 +109,8 @@ export async function backup(stored: Stored, file: string): Promise<void> {
     writeFileSync(deleted, tombstonesIn(folder), { mode: 0o600 })
     const sealed = join(making, basename(file))
     await writeSealed(sealed, [copy, answersBeside(copy), key, deleted], { day, phrase })
+    synced(sealed)
+    if (!(await readBack(sealed, phrase))) throw new Error('The backup cannot be read back.')
     moveTo(file, sealed)
   } finally {
     rmSync(making, { recursive: true, force: true })
@@ -117,7 +119,6 @@ export async function backup(stored: Stored, file: string): Promise<void> {
 
 function moveTo(file: string, sealed: string): void {
   try {
-    synced(sealed)
     renameSync(sealed, file)
   } catch (error) {
     if ((error as { code?: string }).code !== 'EXDEV') throw error
@@ -142,16 +143,12 @@ export async function backupInto(stored: Stored, name: string): Promise<string> 
   return file
 }
 
-/** The copy of today, in place of an earlier one of the same day; of all of them the seven newest stay. */
+/** The copy of today; an earlier one of the same day goes once this one is complete. */
 export async function nightlyBackup(stored: Stored): Promise<void> {
   const last = lastBackup(stored.folder)
   const number = (last?.number ?? 0) + 1
   await backupInto(stored, `${String(number).padStart(6, '0')}-${stored.day}`)
-  if (last?.day === stored.day) remove(last)
-  for (const old of nightliesIn(stored.folder).slice(0, -kept)) remove(old)
-}
-
-function remove({ file }: Nightly): void {
-  rmSync(answersBeside(file), { force: true })
-  rmSync(file)
+  if (last?.day !== stored.day) return
+  rmSync(answersBeside(last.file), { force: true })
+  rmSync(last.file)
 }

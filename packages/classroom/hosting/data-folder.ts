@@ -1,7 +1,7 @@
 // The folder that holds everything of a server on SQLite: the database, its key, its backups and the list of deletions.
 import { randomBytes } from 'node:crypto'
 import { chmodSync, existsSync, mkdirSync, readFileSync, renameSync, rmSync, writeFileSync } from 'node:fs'
-import { join } from 'node:path'
+import { basename, dirname, join } from 'node:path'
 import { migrateAnswers } from '../database/answers/migrate.ts'
 import { answersBeside } from '../database/answers/sqlite.ts'
 import type { Database } from '../database/database.ts'
@@ -10,6 +10,7 @@ import { isSound } from '../database/sound.ts'
 import { migrate, needsMigration, refuseNewer } from '../database/migrate.ts'
 import { openSqlite } from '../database/sqlite.ts'
 import { backupInto, lastBackup, removeUnfinished, type Stored } from './backups.ts'
+import { forgetCopy } from './copies.ts'
 
 export const databaseIn = (folder: string): string => join(folder, 'botgarten.db')
 
@@ -64,6 +65,7 @@ const beforeMigration = 'before-migration'
 
 async function copyBeforeMigration(stored: Stored): Promise<void> {
   await backupInto(stored, beforeMigration)
+  forgetCopy(stored.folder, `backups/${beforeMigration}.age`)
   // Earlier versions wrote it without encryption.
   for (const end of ['db', 'answers.db'])
     rmSync(join(stored.folder, 'backups', `${beforeMigration}.${end}`), { force: true })
@@ -89,6 +91,7 @@ export function setAside(file: string, why: string): string {
     } catch (error) {
       if (codeOf(error) !== 'ENOENT') throw error
     }
+    forgetCopy(dirname(file), basename(aside + end))
   }
   return aside
 }

@@ -16,6 +16,7 @@ import { projectText } from '../testing/projects.ts'
 import { Server } from '../testing/world.ts'
 import { storedIn, today } from '../testing/backups.ts'
 import { backup, lastBackup, nightlyBackup } from './backups.ts'
+import { pruneCopies } from './copies.ts'
 import { databaseIn, openDataFolder, secretIn } from './data-folder.ts'
 import { phraseOf } from './phrase-store.ts'
 import { restore } from './restore.ts'
@@ -69,7 +70,11 @@ test('a backup made while children save is sound and holds what was acknowledged
 test('one copy a night is made, and seven are kept', async () => {
   const database = await open()
   const stored = storedIn(folder, database)
-  for (let day = 10; day < 20; day++) await nightlyBackup({ ...stored, day: `2026-11-${day}` })
+  for (let date = 10; date < 20; date++) {
+    const day = `2026-11-${date}`
+    await nightlyBackup({ ...stored, day })
+    pruneCopies(folder, { day, oldest: `2026-11-${date - 7}`.replace(/-(\d)$/, '-0$1'), clockDoubted: false })
+  }
   expect(readdirSync(join(folder, 'backups')).toSorted()).toEqual(
     Array.from({ length: 7 }, (_, at) => `00000${4 + at}-2026-11-${13 + at}.age`.slice(-21)),
   )
@@ -89,6 +94,21 @@ test('what was deleted after a backup does not come back with it', async () => {
   const again = await open()
   const rows = await again.db.selectFrom('pupil').select('nickname').execute()
   expect(rows).toEqual([{ nickname: 'Geblieben' }])
+  await again.close()
+})
+
+test('a teacher who was deleted after a backup stays deleted when it is restored', async () => {
+  const { database, server, teacher } = await serverOn()
+  const gone = await server.furtherTeacher(teacher, 'k.gone')
+  const { id } = await server.openClass(gone)
+  const copy = await backedUp(database)
+  await gone.delete(`/classes/${id}`, { name: '5b' })
+  await gone.delete('/teachers/me', { password: 'ein anderer satz' })
+  await database.close()
+  await copy.restore()
+  const again = await open()
+  const rows = await again.db.selectFrom('teacher').select('username').execute()
+  expect(rows).toEqual([{ username: 'm.weber' }])
   await again.close()
 })
 

@@ -7,6 +7,7 @@ import { openSqlite } from '../database/sqlite.ts'
 import { forgetClass } from '../questionnaires/askings-store.ts'
 import { carryOut } from '../teaching/deleting-store.ts'
 import { makeUnfinished, parts } from './backups.ts'
+import { otherCopiesIn } from './copies.ts'
 import { databaseIn, openDataFolder, setAside, type Opening } from './data-folder.ts'
 import { isKeyOf } from './key-store.ts'
 import { isSealed, openSealed } from './sealed-file.ts'
@@ -157,6 +158,8 @@ async function putInPlace({ folder, into, unpacked, restoring }: Placing): Promi
   const lists = [unpacked.tombstones, deleted === null ? '' : readFileSync(deleted, 'utf8')]
   addTombstones(folder, lists.flatMap(readTombstones))
   await deleteAgain(folder, { secret: unpacked.secret, day })
+  // Damaged databases have stayed until now. From here on they are deleted by age, as replaced databases are.
+  for (const name of otherCopiesIn(folder).broken) setAside(join(folder, name), 'before-restore')
   return { kind: 'restored', before, deletionsUnknown, day: unpacked.day }
 }
 

@@ -49,7 +49,7 @@ async function serverOn({ madeAt }: Known) {
 }
 
 test.each(names)(
-  'the data folder of %s opens: pupils and teacher are signed in, and work goes on',
+  'the data folder of %s opens: pupils and teacher are signed in, and work continues',
   async (name) => {
     const known = knownOf(name)
     cpSync(join(samples, name), folder, { recursive: true })

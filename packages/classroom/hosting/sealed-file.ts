@@ -1,7 +1,7 @@
 // A backup in one file: a tar archive with a manifest, encrypted with a passphrase in the format of age
 // (https://age-encryption.org/v1). `age -d FILE | tar -x` opens it without this program.
 import { createHash } from 'node:crypto'
-import { createReadStream, createWriteStream, readFileSync, statSync } from 'node:fs'
+import { createReadStream, createWriteStream, existsSync, readFileSync, statSync } from 'node:fs'
 import { open } from 'node:fs/promises'
 import { basename, join } from 'node:path'
 import { Readable } from 'node:stream'
@@ -14,7 +14,7 @@ import { codeOf } from '../database/errors.ts'
 
 /** The version that this program writes, and the latest that it reads. */
 const current = 1
-const manifestName = 'manifest.json'
+export const manifestName = 'manifest.json'
 const mark = 'age-encryption.org/v1\n'
 
 /**
@@ -89,7 +89,7 @@ export async function isSealed(file: string): Promise<boolean> {
 }
 
 /** Null: the phrase is another one. @throws where the file is cut or was not encrypted with a passphrase */
-async function decrypted(file: string, phrase: string): Promise<ReadableStream | null> {
+export async function decrypted(file: string, phrase: string): Promise<ReadableStream | null> {
   const decrypter = new Decrypter()
   decrypter.addPassphrase(phrase)
   const source = Readable.toWeb(createReadStream(file)) as globalThis.ReadableStream<Uint8Array>
@@ -124,7 +124,7 @@ export async function openSealed(file: string, phrase: string, into: string): Pr
 }
 
 async function compare(folder: string): Promise<Opened> {
-  const manifest = readManifest(join(folder, manifestName))
+  const manifest = parseManifest(read(join(folder, manifestName)))
   if (manifest === null) return { kind: 'notABackup' }
   if (manifest.version > current) return { kind: 'newer' }
   for (const { name: called, bytes, sha256 } of manifest.parts) {
@@ -134,9 +134,12 @@ async function compare(folder: string): Promise<Opened> {
   return { kind: 'opened', day: manifest.day, names: manifest.parts.map((one) => one.name) }
 }
 
-function readManifest(path: string) {
+const read = (path: string) => (existsSync(path) ? readFileSync(path, 'utf8') : '')
+
+/** Version, day and parts of a backup; null for a text that is no manifest. */
+export function parseManifest(text: string) {
   try {
-    return v.parse(manifestOf, JSON.parse(readFileSync(path, 'utf8')))
+    return v.parse(manifestOf, JSON.parse(text))
   } catch {
     return null
   }

@@ -1,6 +1,8 @@
-import { expect, test } from 'vitest'
+import { beforeAll, beforeEach, expect, test } from 'vitest'
+import type { Database } from '../database/database.ts'
 import { onBothDatabases } from '../testing/databases.ts'
-import { Server } from '../testing/world.ts'
+import { teacherOn } from '../testing/teacher.ts'
+import { quickAccounts, Server } from '../testing/world.ts'
 import { steadyClockOn } from './steady-clock-store.ts'
 
 const [minute, hour, day, year] = [60_000, 3_600_000, 86_400_000, 365 * 86_400_000]
@@ -26,8 +28,17 @@ class Machine {
 const jumps = [hour, day, year].flatMap((jump) => [jump, -jump])
 
 onBothDatabases((fresh) => {
+  let database: Database
+  let db: Database['db']
+  beforeAll(async () => {
+    database = await fresh()
+    db = database.db
+  })
+  beforeEach(async () => {
+    await db.deleteFrom('meta').where('key', '=', 'steady clock').execute()
+  })
+
   test.each(jumps)('a clock that is set by %i ms changes no duration', async (jump) => {
-    const { db } = await fresh()
     const machine = new Machine()
     const clock = await steadyClockOn(db, machine)
     const began = clock.now()
@@ -39,7 +50,6 @@ onBothDatabases((fresh) => {
   test.each(jumps)(
     'after a restart with a clock that was set by %i ms it continues from its last time',
     async (jump) => {
-      const { db } = await fresh()
       const machine = new Machine()
       const clock = await steadyClockOn(db, machine)
       machine.passes(10 * minute)
@@ -55,11 +65,10 @@ onBothDatabases((fresh) => {
   )
 
   test('durations of earlier versions end by the clock of the machine: it starts there', async () => {
-    expect((await steadyClockOn((await fresh()).db, new Machine())).now()).toBe(start)
+    expect((await steadyClockOn(db, new Machine())).now()).toBe(start)
   })
 
   test('nodes of one database follow the one that is ahead, and none goes back', async () => {
-    const { db } = await fresh()
     const [one, other] = [new Machine(), new Machine()]
     const first = await steadyClockOn(db, one)
     one.passes(10 * minute)
@@ -77,15 +86,14 @@ onBothDatabases((fresh) => {
   test.each(jumps)(
     'after a restart with a clock that was set by %i ms a code works for the rest of its 20 minutes',
     async (jump) => {
-      const database = await fresh()
       const machine = new Machine()
       const open = async () => {
         const clock = await steadyClockOn(database.db, machine)
-        const server = new Server(database, { steady: clock.now })
+        const server = new Server(database, { steady: clock.now, ...quickAccounts(database) })
         return { clock, server }
       }
       const before = await open()
-      const teacher = await before.server.firstTeacher()
+      const teacher = await teacherOn(before.server)
       const { id, code } = await before.server.openClass(teacher)
       await teacher.patch(`/classes/${id}`, { endsOn: '2029-12-31' })
       machine.passes(15 * minute)

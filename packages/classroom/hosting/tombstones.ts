@@ -6,7 +6,7 @@ import type { Tombstone } from '../ports.ts'
 // Beside the backups and in none of them: what was deleted after a backup was made stays deleted when that is restored.
 const fileIn = (folder: string) => join(folder, 'deleted.jsonl')
 
-const tombstone = v.object({ kind: v.picklist(['class', 'pupil']), id: v.string() })
+const tombstone = v.object({ kind: v.picklist(['class', 'pupil', 'teacher']), id: v.string() })
 
 /** Adds a deletion to the list; it is on the disk when this returns. */
 export function bury(folder: string, { kind, id }: Tombstone): void {

@@ -1,4 +1,4 @@
-import { sql } from 'kysely'
+import { sql, type SqlBool } from 'kysely'
 import type { Db } from '../database/database.ts'
 import type { Asset } from './checked.ts'
 
@@ -17,34 +17,18 @@ export async function addAssets(db: Db, classId: string, assets: readonly Asset[
   return bytes
 }
 
+/** Pictures of a class that no version and nothing shared shows. */
+export const unusedAssets = (classId: string) => sql<SqlBool>`${sql.ref('asset.class')} = ${classId}
+  and not exists (select 1 from ${sql.table('versionAsset')}
+    where ${sql.ref('versionAsset.class')} = ${sql.ref('asset.class')}
+      and ${sql.ref('versionAsset.hash')} = ${sql.ref('asset.hash')})
+  and not exists (select 1 from ${sql.table('sharedAsset')}
+    where ${sql.ref('sharedAsset.class')} = ${sql.ref('asset.class')}
+      and ${sql.ref('sharedAsset.hash')} = ${sql.ref('asset.hash')})`
+
 /** Deletes pictures of a class that no version and nothing shared shows, and counts its bytes again. @returns them */
 export async function recount(db: Db, classId: string): Promise<number> {
-  await db
-    .deleteFrom('asset')
-    .where('class', '=', classId)
-    .where((row) =>
-      row.not(
-        row.exists(
-          row
-            .selectFrom('versionAsset')
-            .select('versionAsset.hash')
-            .whereRef('versionAsset.class', '=', 'asset.class')
-            .whereRef('versionAsset.hash', '=', 'asset.hash'),
-        ),
-      ),
-    )
-    .where((row) =>
-      row.not(
-        row.exists(
-          row
-            .selectFrom('sharedAsset')
-            .select('sharedAsset.hash')
-            .whereRef('sharedAsset.class', '=', 'asset.class')
-            .whereRef('sharedAsset.hash', '=', 'asset.hash'),
-        ),
-      ),
-    )
-    .execute()
+  await db.deleteFrom('asset').where(unusedAssets(classId)).execute()
   const bytesOf = async (table: 'version' | 'shared') =>
     (
       await db

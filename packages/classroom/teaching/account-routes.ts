@@ -12,6 +12,7 @@ import { mounted, type Mounted } from './accounts.ts'
 import { endSessionsOfTeacher } from './accounts-store.ts'
 import { deviceKnownTo, knownAfter, knownCookie } from './known-device.ts'
 import { isHidden } from './ending-store.ts'
+import { newPassword, weaknessOf } from './passwords.ts'
 import { daysNow } from './running-days-store.ts'
 import { classLent } from './substitutes-store.ts'
 import { sizesOfAll } from './classes-store.ts'
@@ -21,9 +22,8 @@ const days = 86_400_000
 const invitationLength = 7 * days
 
 const username = v.pipe(v.string(), v.regex(/^[a-zA-Z0-9_.]{3,30}$/))
-const password = v.pipe(v.string(), v.minLength(10), v.maxLength(128))
 const token = v.pipe(v.string(), v.maxLength(100))
-const newTeacher = v.strictObject({ token, username, password })
+const newTeacher = v.strictObject({ token, username, password: newPassword })
 
 /** Refusals of a pupil whose class was deleted, or has ended. */
 const noLonger = new Set(['classEnded', 'classHidden'])
@@ -53,15 +53,17 @@ async function doubtedClock({ database: { db }, day }: Ports) {
   return doubt && { today: day(0), last, denied: doubt.denied }
 }
 
-/** What every page asks first: is there a class server, who made it theirs, and who sits here? */
+/** What every page asks first: is there a class server with a teacher, and who sits here? */
 async function state({ ports, headers, caller }: Call<undefined>): Promise<Answer> {
   const { db } = ports.database
   const first = await firstTeacher(db)
   const found = await ports.accounts.teacherOf(headers)
+  // Anyone may ask: no name of an account. Pages of earlier versions expect the field.
+  const firstMade = first ? { name: null, madeAt: first.madeAt } : null
   const teacher = found && { username: found.username, operator: await isOperator(db, found.id) }
   return {
     body: {
-      ...{ firstTeacher: first ?? null, secure: caller.secure, teacher },
+      ...{ firstTeacher: firstMade, secure: caller.secure, teacher },
       ...(await pupilAsking(ports, headers)),
       substitute: await substituteAsking(ports, headers),
       address: ports.announced(caller),
@@ -73,6 +75,8 @@ async function state({ ports, headers, caller }: Call<undefined>): Promise<Answe
 async function makeTeacher(call: Call<v.InferOutput<typeof newTeacher>>): Promise<Response> {
   const { ports, body, headers } = call
   const { db } = ports.database
+  const weakness = await weaknessOf(body.password, [body.username])
+  if (weakness !== null) throw new Refusal(400, weakness)
   const invitation = await takeInvitation(db, body.token, ports)
   if (!invitation) throw new Refusal(403, 'linkUsedUp')
   const id = await ports.accounts.create(body)
@@ -117,14 +121,34 @@ function beginSignIn({ ports, headers, triers }: Call<unknown>, username: string
 async function signInByName(call: Call<v.InferOutput<typeof signIn>>): Promise<Response> {
   const { ports, headers, body } = call
   const guess = beginSignIn(call, body.username)
-  const answer = await ports.accounts.forward('/sign-in/username', headers, JSON.stringify(body))
+  const answer = await signInWithRoom(ports, headers, JSON.stringify(body))
   if (answer.status >= 400 && answer.status < 500) {
     await answer.body?.cancel()
     const seconds = guess.wrong()
     throw seconds === 0 ? new Refusal(401, 'wrongPassword') : new Refusal(429, 'tooManyTries', { seconds })
   }
   guess.right()
+  if (!answer.ok) throw databaseFailed(ports)
   return signedIn(answer, rememberDevice(call, body.username))
+}
+
+/** Bytes that a new session takes at most, with the pages of its journal. */
+const roomOfSession = 1_000_000
+
+/** better-auth hides the error of the database. */
+const databaseFailed = ({ database, host }: Ports) =>
+  database.kind === 'sqlite' && host.freeSpace() < roomOfSession
+    ? new Refusal(507, 'diskFull')
+    : new Refusal(503, 'busy')
+
+/** Signs in also on a full disk: otherwise no teacher could delete anything. */
+async function signInWithRoom({ accounts, host }: Ports, headers: Headers, body: string): Promise<Response> {
+  const signIn = () => accounts.forward('/sign-in/username', headers, body)
+  const answer = await signIn()
+  if (answer.status < 500 || host.freeSpace() >= roomOfSession) return answer
+  await answer.body?.cancel()
+  host.useReserve(roomOfSession)
+  return signIn()
 }
 
 /** A cookie by which this device is known to the account from now on. */

@@ -18,6 +18,24 @@ export async function endSessionsOfTeacher(db: Db, teacher: string): Promise<voi
   await db.deleteFrom('teacherSession').where('userId', '=', teacher).execute()
 }
 
+/** Ends all sessions of a teacher but one. */
+export async function endOtherSessions(db: Db, teacher: string, session: string): Promise<void> {
+  await db.deleteFrom('teacherSession').where('userId', '=', teacher).where('id', '!=', session).execute()
+}
+
+/** Deletes a teacher without classes, with sessions and password. @returns false if there is none, or one with classes */
+export async function deleteTeacherRow(db: Db, id: string): Promise<boolean> {
+  const deleted = await db
+    .deleteFrom('teacher')
+    .where('id', '=', id)
+    .where((row) =>
+      row.not(row.exists(row.selectFrom('class').select('class.id').where('class.teacher', '=', id))),
+    )
+    .returning('id')
+    .executeTakeFirst()
+  return deleted !== undefined
+}
+
 /** Hash of a teacher's password; null if there is none. */
 export async function passwordHashOf(db: Db, teacher: string): Promise<string | null> {
   const row = await db

@@ -3,7 +3,13 @@ import { username } from 'better-auth/plugins/username'
 import type { Database } from '../database/database.ts'
 import { keyedHash } from '../hashes.ts'
 import { Refusal } from '../refusal.ts'
-import { endSessionsOfTeacher, passwordHashOf, setPassword, teacherCalled } from './accounts-store.ts'
+import {
+  endOtherSessions,
+  endSessionsOfTeacher,
+  passwordHashOf,
+  setPassword,
+  teacherCalled,
+} from './accounts-store.ts'
 
 /** A teacher who is signed in. */
 export interface Teacher {
@@ -17,6 +23,7 @@ export const mounted = ['/sign-in/username', '/sign-out', '/get-session'] as con
 export type Mounted = (typeof mounted)[number]
 
 interface Session {
+  readonly session: { readonly id: string }
   readonly user: { readonly id: string; readonly displayUsername: string }
 }
 
@@ -34,6 +41,8 @@ export interface Accounts {
   create(teacher: NewTeacher): Promise<string | null>
   /** Is this the password of a teacher? @param id of the teacher */
   isPassword(id: string, password: string): Promise<boolean>
+  /** Gives the teacher who is signed in a new password and ends the other sessions. @param headers with the session that stays */
+  change(headers: Headers, password: string): Promise<void>
   /** Gives a teacher a new password and ends all sessions. @returns whether there is such a teacher */
   reset(teacher: NewTeacher): Promise<boolean>
 }
@@ -97,12 +106,16 @@ export function accountsOn(database: Database, secret: Uint8Array, hashing?: Has
     return auth.handler(new Request(url, { method, headers: given, body: method === 'GET' ? null : body }))
   }
 
-  async function teacherOf(headers: Headers): Promise<Teacher | null> {
+  async function sessionOf(headers: Headers): Promise<Session | null> {
     if (!headers.get('cookie')?.includes('botgarten-teacher')) return null
     const answer = await forward('/get-session', headers, null)
     // better-auth hides what the database said.
     if (!answer.ok) throw new Refusal(503, 'busy')
-    const found = (await answer.json()) as Session | null
+    return (await answer.json()) as Session | null
+  }
+
+  async function teacherOf(headers: Headers): Promise<Teacher | null> {
+    const found = await sessionOf(headers)
     return found && { id: found.user.id, username: found.user.displayUsername }
   }
 
@@ -116,6 +129,17 @@ export function accountsOn(database: Database, secret: Uint8Array, hashing?: Has
     const credential = { userId: teacher.id, accountId: teacher.id, providerId: 'credential' }
     await internalAdapter.linkAccount({ ...credential, password: await hashing.hash(password) })
     return teacher.id
+  }
+
+  async function change(headers: Headers, password: string): Promise<void> {
+    const found = await sessionOf(headers)
+    if (!found) throw new Refusal(401, 'signIn')
+    const { password: hashing } = await auth.$context
+    const hash = await hashing.hash(password)
+    await database.db.transaction().execute(async (inside) => {
+      await setPassword(inside, found.user.id, hash)
+      await endOtherSessions(inside, found.user.id, found.session.id)
+    })
   }
 
   async function reset({ username, password }: NewTeacher): Promise<boolean> {
@@ -134,5 +158,5 @@ export function accountsOn(database: Database, secret: Uint8Array, hashing?: Has
     return hash !== null && (await hashing.verify({ hash, password }))
   }
 
-  return { forward, teacherOf, create, isPassword, reset }
+  return { forward, teacherOf, create, isPassword, change, reset }
 }

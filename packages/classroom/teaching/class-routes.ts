@@ -5,11 +5,10 @@ import { newCode, codeKey } from '../joining/code.ts'
 import { endSessionsOfClass } from '../joining/sessions-store.ts'
 import type { Ports } from '../ports.ts'
 import { mostSpace } from '../projects/saves-store.ts'
-import { forgetClass } from '../questionnaires/askings-store.ts'
 import { Refusal } from '../refusal.ts'
 import { route, type Answer, type Call, type Route } from '../route.ts'
 import { addClass, changeClass, classesOf, closeClass, giveCode, sizesOf } from './classes-store.ts'
-import { carryOut } from './deleting-store.ts'
+import { deleteForGood } from './deleting.ts'
 import { isHidden } from './ending-store.ts'
 import { hiddenClass, languageOf, shownClass } from './shown.ts'
 
@@ -107,20 +106,13 @@ async function signOutAll({ ports, who }: Call<undefined>): Promise<Answer> {
   return {}
 }
 
-/** Deletes the class with all its data; the tombstone is there first. */
+/** Deletes the class with all its data. */
 async function remove({ ports, who, body }: Call<{ readonly name: string }>): Promise<Answer> {
   const { id, name } = who.class!
   if (body.name.trim() !== name) throw new Refusal(400, 'otherName')
   await deleteForGood(ports, { kind: 'class', id })
   ports.live.end(id, 'everybody', 'ended')
   return {}
-}
-
-export async function deleteForGood(ports: Ports, tombstone: { kind: 'class' | 'pupil'; id: string }) {
-  await ports.bury(tombstone)
-  if (tombstone.kind === 'class') await forgetClass(ports.database.answers.db, tombstone.id)
-  await ports.database.db.transaction().execute((inside) => carryOut(inside, tombstone))
-  ports.database.emptyJournal()
 }
 
 export const classRoutes: readonly Route[] = [

@@ -1,9 +1,9 @@
 import * as v from 'valibot'
 import { sharedOf } from '../gallery/about-pupil-store.ts'
 import { countAllShared } from '../gallery/shared-store.ts'
+import { daysOfCopies } from '../hosting/copies.ts'
 import { markPhraseShown, phraseOf, phraseShown } from '../hosting/phrase-store.ts'
 import { pupilsOf } from '../joining/pupils-store.ts'
-import { triersOfKnown } from '../joining/triers.ts'
 import type { Finding, Ports } from '../ports.ts'
 import { mostSpace } from '../projects/saves-store.ts'
 import { askingsOf } from '../questionnaires/askings-store.ts'
@@ -13,12 +13,10 @@ import { newestIn } from './about-pupil.ts'
 import { sizesOf } from './classes-store.ts'
 import { endsSoon } from './ending-store.ts'
 import { isOperator } from './operators-store.ts'
+import { provePassword } from './prove-password.ts'
 import { resultsOf } from './results-store.ts'
 import { daysNow } from './running-days-store.ts'
 import { arrayOf, streamed } from './streamed.ts'
-
-/** How many nights a deleted class is still in the backups. */
-const nights = 7
 
 /** What is kept of a class, how much, until when. */
 async function data({ ports, who }: Call<undefined>): Promise<Answer> {
@@ -32,8 +30,8 @@ async function data({ ports, who }: Call<undefined>): Promise<Answer> {
       results: (await resultsOf(ports.database.db, id)).length,
       forms: (await askingsOf(ports.database.answers.db, id)).length,
       backups: ports.host.backups(),
-      /** Deleted today, it is in no backup from this day on. */
-      goneFromBackupsOn: ports.day(nights),
+      /** Deleted today, it is in no copy from the server's first start or night on that this day has. */
+      goneFromBackupsOn: ports.day(daysOfCopies),
     },
   }
 }
@@ -113,13 +111,7 @@ async function showPhrase({ ports, who, body }: Call<Asked>): Promise<Answer> {
   if (!database.backup) throw new Refusal(409, 'byOwnTools')
   if (await phraseShown(database.db)) {
     if (body.password === null) throw new Refusal(403, 'passwordNeeded')
-    const { id } = who.teacher!
-    const guess = ports.limits.guesses.knownSignIns.begin(triersOfKnown('backup phrase', id, secret))
-    if (!(await ports.accounts.isPassword(id, body.password))) {
-      const seconds = guess.wrong()
-      throw seconds === 0 ? new Refusal(403, 'passwordWrong') : new Refusal(429, 'tooManyTries', { seconds })
-    }
-    guess.right()
+    await provePassword(ports, who.teacher!.id, body.password)
   }
   const phrase = await phraseOf(database, secret)
   await markPhraseShown(database.db)

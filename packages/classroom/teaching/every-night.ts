@@ -2,8 +2,9 @@ import { deleteUnheld } from '../live/handouts-store.ts'
 import type { Ports } from '../ports.ts'
 import { recount } from '../projects/assets-store.ts'
 import { settleAll } from '../questionnaires/nightly.ts'
-import { deleteForGood } from './class-routes.ts'
 import { allClasses, clearAway } from './clearing-store.ts'
+import { reserveTombstone } from './deleting-store.ts'
+import { deleteForGood, finishDeletions, withRoom } from './deleting.ts'
 import { endedClasses } from './ending-store.ts'
 import { daysNow, noteDay } from './running-days-store.ts'
 
@@ -19,11 +20,12 @@ async function endClass(ports: Ports, id: string) {
  */
 export async function endClasses(ports: Ports): Promise<boolean> {
   const { db } = ports.database
+  await finishDeletions(ports)
   // A clock that jumps in between must not decide with another day.
   const today = ports.day(0)
   const clocked = { db, clock: ports.day }
-  // A full disk takes no note of the day. Deleting makes room on it.
-  const { doubt } = await noteDay(clocked).catch(() => daysNow(clocked))
+  // A full disk may take no note of the day. Deleting makes room on it.
+  const { doubt } = await withRoom(ports, () => noteDay(clocked)).catch(() => daysNow(clocked))
   if (ports.day(0) !== today) return endClasses(ports)
   for (const id of await endedClasses(db, () => today))
     if (doubt === null) await endClass(ports, id)
@@ -38,5 +40,6 @@ export async function everyNight(ports: Ports): Promise<void> {
   await settleAll(ports)
   if (!isDoubted) await clearAway(db, ports.now(), ports.day(0))
   await deleteUnheld(db)
+  if (ports.database.kind === 'postgres') await reserveTombstone(db)
   for (const id of await allClasses(db)) await db.transaction().execute((inside) => recount(inside, id))
 }

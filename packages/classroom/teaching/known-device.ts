@@ -30,3 +30,10 @@ export function knownAfter(
   const mark = markOf(secret, device, account)
   return [device, ...[mark, ...marks.filter((one) => one !== mark)].slice(0, mostAccounts)].join('.')
 }
+
+/** The value of the cookie once the account is deleted; `''` where the device is known to no other. */
+export function knownWithout(secret: Uint8Array, headers: Headers, account: string): string {
+  const [device = '', ...marks] = partsIn(headers)
+  const others = marks.filter((mark) => mark !== markOf(secret, device, account))
+  return others.length === 0 ? '' : [device, ...others].join('.')
+}

@@ -10,6 +10,34 @@ export async function makeOperator(db: Db, teacher: string, madeAt: number): Pro
   await db.insertInto('operator').values({ teacher, madeAt }).execute()
 }
 
+/** Is no other teacher an operator? */
+export async function isOnlyOperator(db: Db, teacher: string): Promise<boolean> {
+  const all = await db.selectFrom('operator').select('teacher').execute()
+  return all.length === 1 && all[0]!.teacher === teacher
+}
+
+/** All teachers for the operator, sorted by name, with numbers of classes and pupils. */
+export async function allTeachers(db: Db) {
+  const rows = await db
+    .selectFrom('teacher')
+    .leftJoin('operator', 'operator.teacher', 'teacher.id')
+    .leftJoin('class', 'class.teacher', 'teacher.id')
+    .leftJoin('pupil', 'pupil.class', 'class.id')
+    .select(['teacher.id', 'teacher.username', 'teacher.displayUsername', 'operator.madeAt'])
+    .select((row) => [
+      row.fn.count<number>('class.id').distinct().as('classes'),
+      row.fn.count<number>('pupil.id').distinct().as('pupils'),
+    ])
+    .groupBy(['teacher.id', 'teacher.username', 'teacher.displayUsername', 'operator.madeAt'])
+    .orderBy('teacher.username')
+    .execute()
+  return rows.map(({ username, displayUsername, madeAt, ...rest }) => ({
+    ...rest,
+    username: displayUsername ?? username,
+    operator: madeAt !== null,
+  }))
+}
+
 /** The first teacher and since when; undefined before there is one. */
 export const firstTeacher = (db: Db) =>
   db

@@ -8,7 +8,7 @@ import { projectsOf, versionOf } from '../projects/projects-store.ts'
 import { Refusal } from '../refusal.ts'
 import { route, type Answer, type Call, type Route } from '../route.ts'
 import { allAbout } from './about-pupil.ts'
-import { deleteForGood } from './class-routes.ts'
+import { deleteForGood } from './deleting.ts'
 import { streamed } from './streamed.ts'
 
 /** The pupil that the path names, if it is one of the class. */

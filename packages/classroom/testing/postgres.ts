@@ -12,8 +12,8 @@ const nobody = { uid: 65_534, gid: 65_534 }
 const user = 'botgarten'
 
 export interface Postgres {
-  /** Makes an empty database. @returns its address */
-  newDatabase(): Promise<string>
+  /** Makes an empty database. @param disk a folder where its tables are stored, such as a small disk @returns its address */
+  newDatabase(disk?: string): Promise<string>
   /** Kills all its processes at once, as the OOM killer or a lost machine does. */
   crash(): Promise<void>
   /** Starts it again after a crash. */
@@ -69,6 +69,14 @@ export function noPostgres(): string | null {
 const flags = ['-U', user, '--auth=trust', '--no-sync', '--encoding=UTF8', '--locale=C', '--wal-segsize=1']
 type User = { readonly uid?: number; readonly gid?: number }
 
+/** A new folder that belongs to the server's user. */
+function folderFor(parent: string, prefix: string, { uid, gid }: User): string {
+  const folder = mkdtempSync(join(parent, prefix))
+  chmodSync(folder, 0o700)
+  if (uid !== undefined && gid !== undefined) chownSync(folder, uid, gid)
+  return folder
+}
+
 /** Data of a server that nobody has used, in a folder. */
 async function newData(folder: string, native: string, as: User): Promise<string> {
   const make = async (data: string) => {
@@ -79,7 +87,12 @@ async function newData(folder: string, native: string, as: User): Promise<string
   if (process.env['VITEST'] === undefined) return make(data)
   // Made once for all test files of a run, and copied: to make them takes ten times as long.
   const unused = unusedPostgres(process.ppid)
-  if (!existsSync(unused)) keep(await make(join(folder, 'made')), unused)
+  if (!existsSync(unused)) {
+    // On the disk of `unused`, so that it can be renamed.
+    const place = folderFor(tmpdir(), 'botgarten-made-pg-', as)
+    keep(await make(join(place, 'made')), unused)
+    rmSync(place, { recursive: true })
+  }
   await run('cp', ['-R', unused, data], { ...as, cwd: folder })
   return data
 }
@@ -94,19 +107,21 @@ function keep(made: string, unused: string): void {
   }
 }
 
+interface Options {
+  readonly fsync: boolean
+  /** A folder for all its files, such as a small disk. */
+  readonly disk?: string
+}
+
 /**
  * PostgreSQL from an npm package on a temporary folder, reached through a socket in it. Under root it runs as nobody:
  * it refuses to run as root.
  */
-export async function startPostgres(
-  options: { readonly fsync: boolean } = { fsync: false },
-): Promise<Postgres> {
+export async function startPostgres(options: Options = { fsync: false }): Promise<Postgres> {
   const installed = binaries()!
   makeLinks(installed)
-  const folder = mkdtempSync(join(tmpdir(), 'botgarten-pg-'))
   const asNobody = process.getuid?.() === 0 ? nobody : {}
-  chmodSync(folder, 0o700)
-  if ('uid' in asNobody) chownSync(folder, nobody.uid, nobody.gid)
+  const folder = folderFor(options.disk ?? tmpdir(), 'botgarten-pg-', asNobody)
   const native = within(folder, installed, asNobody)
   const data = await newData(folder, native, asNobody)
   const settings = [
@@ -125,8 +140,11 @@ export async function startPostgres(
   await start()
   const crash = async () => {
     const ended = new Promise((resolve) => server.once('exit', resolve))
-    signal(server, 'KILL')
-    await ended
+    // It may have ended by itself, on a full disk.
+    if (isRunning(server)) {
+      signal(server, 'KILL')
+      await ended
+    }
     // A process that was killed does not delete its lock file.
     rmSync(join(data, 'postmaster.pid'), { force: true })
   }
@@ -139,11 +157,14 @@ export async function startPostgres(
   const address = (name: string) => `postgres://${user}@localhost/${name}?host=${encodeURIComponent(folder)}`
   let count = 0
   return {
-    newDatabase: async () => {
+    newDatabase: async (disk) => {
       const name = `test${++count}`
       const client = new pg.Client({ connectionString: address('postgres') })
       await client.connect()
-      await client.query(`create database ${name}`)
+      const space = disk === undefined ? 'pg_default' : `on_${name}`
+      if (disk !== undefined)
+        await client.query(`create tablespace ${space} location '${folderFor(disk, 'tables-', asNobody)}'`)
+      await client.query(`create database ${name} tablespace ${space}`)
       await client.end()
       return address(name)
     },
@@ -158,12 +179,14 @@ export async function startPostgres(
     },
     stop: async () => {
       const ended = new Promise((resolve) => server.once('exit', resolve))
-      server.kill('SIGINT')
-      await ended
+      if (server.kill('SIGINT')) await ended
       rmSync(folder, { recursive: true, force: true })
     },
   }
 }
+
+const isRunning = ({ exitCode, signalCode }: ReturnType<typeof spawn>) =>
+  exitCode === null && signalCode === null
 
 /** Sends a signal to the server and all its processes. */
 function signal({ pid }: ReturnType<typeof spawn>, name: 'KILL' | 'STOP' | 'CONT'): void {

@@ -58,13 +58,18 @@ export class Server {
         Promise.resolve([{ id: 'friendship', starts: 3, title: { en: 'Friendship', de: 'Freundschaft' } }]),
       questionnaires: () => Promise.resolve({ forms: content.forms, questions: content.questions }),
       host: {
-        ...{ memory: () => 1, freeSpace: () => 1, addresses: () => ['http://lab.test'] },
+        ...{
+          memory: () => 1,
+          freeSpace: () => 1,
+          useReserve: () => {},
+          addresses: () => ['http://lab.test'],
+        },
         ...{ otherDevice: () => null, wifi: null, version: '0.1.0' },
         findings: () => [
           { verdict: 'version.is', fine: true, facts: {} },
           { verdict: 'folder.inUse', fine: true, facts: {} },
         ],
-        ...{ backups: () => ({ count: 0, last: null }), backUp: () => Promise.resolve() },
+        ...{ backups: () => ({ count: 0, last: null, broken: 0 }), backUp: () => Promise.resolve() },
         newestBackup: () => null,
         rehearse: ({ pupils, seconds }, hear) => {
           hear({ pupils, joined: pupils, saves: 1, slowest: 7, seconds: 1, of: seconds })

@@ -9,15 +9,23 @@ export interface Saved {
   readonly exists: boolean
   /** Days of the nightly copies by the clock of their time, in the order in which they were made: `2026-11-24`. */
   readonly nights: readonly string[]
+  /** Names of copies that are no nightly ones. */
+  readonly others?: { readonly byAge: readonly string[]; readonly broken: readonly string[] }
 }
 
+/** Names without those of journals. */
+const namesOf = (names: readonly string[]) => names.filter((name) => !/-(?:wal|shm)$/.test(name)).join(', ')
+
 /** Is there a backup, and is it of these days? @param now ms since 1970 */
-export function examineBackup({ exists, nights }: Saved, now: number) {
+export function examineBackup({ exists, nights, others }: Saved, now: number) {
   const day = nights.at(-1)
   if (day === undefined) return exists ? wrong('backup.none') : fine('backup.noData')
   const facts = { day, count: nights.length }
   const age = now - Date.parse(day)
   // The day begins up to 14 hours earlier east of Greenwich.
   if (age < -aDay) return wrong('backup.ahead', facts)
-  return age > oldAfter * aDay ? wrong('backup.old', facts) : fine('backup.made', facts)
+  if (age > oldAfter * aDay) return wrong('backup.old', facts)
+  const [broken, byAge] = [namesOf(others?.broken ?? []), namesOf(others?.byAge ?? [])]
+  if (broken !== '') return fine('backup.withBroken', { ...facts, names: broken })
+  return byAge === '' ? fine('backup.made', facts) : fine('backup.withCopies', { ...facts, names: byAge })
 }

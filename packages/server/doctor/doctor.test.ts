@@ -102,9 +102,25 @@ test.each([
   ['old', { exists: true, nights: ['2026-11-19'] }],
   ['made', { exists: true, nights: ['2027-11-19', '2026-11-26'] }],
   ['ahead', { exists: true, nights: ['2026-11-20', '2027-11-19'] }],
+  ['made', { exists: true, nights: ['2026-11-20'], others: { byAge: [], broken: [] } }],
+  ['withCopies', { exists: true, nights: ['2026-11-20'], others: { byAge: ['a'], broken: [] } }],
+  ['withBroken', { exists: true, nights: ['2026-11-20'], others: { byAge: ['a'], broken: ['b'] } }],
+  ['old', { exists: true, nights: ['2026-11-19'], others: { byAge: [], broken: ['b'] } }],
 ])('the backup is %s with %j on 25 November', (verdict, saved) =>
   expect(examineBackup(saved, Date.UTC(2026, 10, 25)).verdict).toBe(`backup.${verdict}`),
 )
+
+test('copies that are no nightly ones are named, a database with its journals once', () => {
+  const byAge = [
+    'botgarten.db.before-restore-1',
+    'botgarten.db.before-restore-1-wal',
+    'backups/before-migration.age',
+  ]
+  const saved = { exists: true, nights: ['2026-11-20'], others: { byAge, broken: [] } }
+  expect(examineBackup(saved, Date.UTC(2026, 10, 25)).facts['names']).toBe(
+    'botgarten.db.before-restore-1, backups/before-migration.age',
+  )
+})
 
 test('memory above what a class takes, and the ninth device in the hot spot of a Raspberry Pi, are named', () => {
   expect([190e6, 250e6].map((bytes) => examineMemory(bytes).verdict)).toEqual(['memory.fine', 'memory.high'])

@@ -2,7 +2,7 @@
 import { existsSync } from 'node:fs'
 import { networkInterfaces } from 'node:os'
 import { join } from 'node:path'
-import { nightliesIn } from '@botgarten/classroom'
+import { nightliesIn, otherCopiesIn } from '@botgarten/classroom'
 import { addresses } from '../addresses.ts'
 import { readReached } from '../reached.ts'
 import { examineBackup } from './backup.ts'
@@ -21,6 +21,7 @@ export interface Examined {
 const dataOf = (data: string) => ({
   exists: existsSync(join(data, 'botgarten.db')),
   nights: nightliesIn(data).map(({ day }) => day),
+  others: otherCopiesIn(data),
 })
 
 /** Looks at port, address, firewall, clock, disk, data folder and backups, in this order. */

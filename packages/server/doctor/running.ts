@@ -1,5 +1,5 @@
 // What a running server finds out about itself and its machine, for its teachers: as the doctor does, without the port.
-import { nightliesIn, type Finding } from '@botgarten/classroom'
+import { nightliesIn, otherCopiesIn, type Finding } from '@botgarten/classroom'
 import { examineBackup } from './backup.ts'
 import { fine, wrong } from './finding.ts'
 import { examineClock, examineDisk, examineFolder } from './machine.ts'
@@ -52,7 +52,8 @@ const isSecure = (address: string) => address.startsWith('https:')
 export function examineRunning(running: Running): readonly Finding[] {
   const { folder, addresses, devices, streams, hotSpot, now } = running
   const plain = (list: readonly string[]) => list.filter((address) => !isSecure(address))
-  const saved = { exists: true, nights: nightliesIn(folder).map(({ day }) => day) }
+  const nights = nightliesIn(folder).map(({ day }) => day)
+  const saved = { exists: true, nights, others: otherCopiesIn(folder) }
   return [
     examineAddress(plain(addresses), plain(running.before)),
     examineFirewall(firewallHere(portOf(plain(addresses)), running.otherDevice)),

@@ -13,6 +13,7 @@ import { training } from '#features/training/feature.ts'
 import { Guide, sightOf } from '#features/tour/feature.ts'
 import { BuildMode, world } from '#features/world/feature.ts'
 import { Highlight } from '#figures/highlight.svelte.ts'
+import { setsBothWheels } from '#figures/network/wheels.ts'
 import type { Opened } from '#lab/opening.ts'
 import type { PaneName } from '#lab/panes.ts'
 import { LabSession } from '#lab/session.svelte.ts'
@@ -220,6 +221,8 @@ export class LabScreenState {
       } as const
     // A place that is passed is over: what happens after it is no mistake.
     if (notice === 'bumped' && this.success) return null
+    if (notice === 'bumped' && !setsBothWheels(this.session.outlines, this.session.config))
+      return { kind: 'info', text: m['world.bumped']() } as const
     return notice && ({ kind: 'info', text: m[`session.${notice}`]() } as const)
   })
 

@@ -23,9 +23,15 @@ const canPaint = () =>
 
 const isFace = (rule: CSSRule): rule is CSSFontFaceRule => rule instanceof CSSFontFaceRule
 
+/**
+ * The address from which the browser loaded this document. Inline styles name their files relative to it, and
+ * `document.baseURI` changes with each page that a link inside the lab opens.
+ */
+const loadedFrom = () => performance.getEntriesByType('navigation')[0]?.name ?? document.baseURI
+
 /** Faces in the page's styles, with complete addresses. */
 function facesOf(sheet: CSSStyleSheet): readonly Face[] {
-  const base = sheet.href ?? document.baseURI
+  const base = sheet.href ?? loadedFrom()
   return [...sheet.cssRules].filter(isFace).map(({ style }) => ({
     family: unquoted(style.getPropertyValue('font-family')),
     source: style
@@ -87,6 +93,8 @@ class Painting {
     const sender = new Sender()
     const offscreen = canvas.transferControlToOffscreen()
     this.#post({ kind: 'open', id, canvas: offscreen }, [offscreen])
+    // Each canvas sends the faces again: the worker loads those that did not arrive.
+    this.#families = null
     let count = 0
     return {
       show: (frame, painted) => {

@@ -65,7 +65,13 @@ async function loadFace({ family, source, weight }: Face): Promise<boolean> {
   faces.add(key)
   const face = new FontFace(family, source, { weight })
   fonts.add(face)
-  await face.load()
+  try {
+    await face.load()
+  } catch (error) {
+    fonts.delete(face)
+    faces.delete(key)
+    throw error
+  }
   return true
 }
 

@@ -1,6 +1,8 @@
 import type { Course } from '@botgarten/learning/q-learning'
+import type { View } from '@botgarten/lab'
 import { liesOn, placeOf, wayFault } from '@botgarten/maps'
 import type { LearningOutline } from '@botgarten/programs'
+import { TICKS_PER_SECOND } from '@botgarten/simulation'
 import type { LabSession } from '#lab/session.svelte.ts'
 import type { LabUi } from '#lab/ui.svelte.ts'
 import type { Stage } from '#figures/map/stage.ts'
@@ -14,6 +16,9 @@ export interface LearnedWay {
   readonly blocks: LearningOutline['blocks']
 }
 
+/** Cm from the goal, the same as in the cards' check `arrives`, and ticks without a moving wheel before the drive ends. */
+const [near, patience] = [6, 2 * TICKS_PER_SECOND]
+
 /** What comes after learning: the way lies on the floor, and Bo drives it. */
 export class Drive {
   readonly #session: LabSession
@@ -22,6 +27,9 @@ export class Drive {
   readonly #learned: () => LearnedWay | null
   /** What stands large in the middle; the other one is small beside it. */
   front = $state<'map' | 'floor'>('map')
+
+  /** Tick since which Bo stands at the goal; null: it does not. */
+  #arrived: number | null = null
 
   /** @param learned what there is to drive now */
   constructor(session: LabSession, ui: LabUi, learned: () => LearnedWay | null) {
@@ -65,6 +73,25 @@ export class Drive {
   comeForward(): void {
     this.front = 'floor'
     if (this.#ui.page === 'network') this.#ui.page = 'world'
+  }
+
+  /**
+   * Ends the drive once Bo has not moved at the goal for two seconds: the program that follows the line has no end.
+   * @param view of a lab that runs
+   */
+  endAtGoal({ tick, robots: [bo] }: Pick<View, 'tick' | 'robots'>): void {
+    if (!bo || !this.#isAtGoal(bo)) this.#arrived = null
+    else if (this.#arrived === null || this.#arrived > tick) this.#arrived = tick
+    else if (tick - this.#arrived >= patience) this.#session.lab.stop()
+  }
+
+  #isAtGoal({ pose, motors }: View['robots'][number]): boolean {
+    if (Object.values(motors).some((percent) => percent !== 0)) return false
+    const learned = this.#learned()
+    const goal = learned?.stations.at(-1)
+    if (!learned || goal === undefined || !this.#floor.lies(learned.stage, learned.stations)) return false
+    const { x, y } = placeOf(learned.stage.map, goal)
+    return Math.hypot(pose.x - x, pose.y - y) <= near
   }
 
   swap(): void {

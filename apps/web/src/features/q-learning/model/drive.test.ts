@@ -2,7 +2,10 @@ import { addBlocks, knowMaps } from '@botgarten/blocks'
 import { learning } from '@botgarten/blocks/packs/learning'
 import { cardProject } from '@botgarten/content'
 import { content } from '@botgarten/content/files'
+import type { View } from '@botgarten/lab'
+import { placeOf } from '@botgarten/maps'
 import { learningIn } from '@botgarten/programs'
+import { TICKS_PER_SECOND } from '@botgarten/simulation'
 import { afterEach, beforeEach, expect, test, vi } from 'vitest'
 import { courseOn, type Stage } from '#figures/map/stage.ts'
 import { closeSessions, sessionOf } from '#lab/testing/session.ts'
@@ -56,4 +59,24 @@ test('if all roads to the goal are closed, no way is drawn and Bo does not drive
   expect(drive.drawFirst()).toBe(false)
   expect(session.lab.document.world).toBe(before)
   expect(start).not.toHaveBeenCalled()
+})
+
+test('the drive ends when Bo has stood at the goal for two seconds, and not before', async () => {
+  const { session, way, drive } = learned()
+  await drive.draw(true)
+  const { x, y } = placeOf(stage.map, way!.stations.at(-1)!)
+  const stop = vi.spyOn(session.lab, 'stop')
+  const at = (tick: number, away: number, percent: number) => {
+    const bo = { pose: { x: x + away, y, heading: 0 }, motors: { B: percent, C: percent } }
+    drive.endAtGoal({ tick, robots: [bo] } as unknown as View)
+  }
+  at(0, 30, 0)
+  at(1000, 30, 0)
+  at(1001, 5, 20)
+  at(2000, 5, 20)
+  at(2001, 5, 0)
+  at(2001 + 2 * TICKS_PER_SECOND - 1, 5, 0)
+  expect(stop).not.toHaveBeenCalled()
+  at(2001 + 2 * TICKS_PER_SECOND, 5, 0)
+  expect(stop).toHaveBeenCalledTimes(1)
 })

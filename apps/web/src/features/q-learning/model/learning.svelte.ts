@@ -4,7 +4,7 @@ import { isShortest, sectionsOf } from '@botgarten/maps'
 import type { Learned } from '@botgarten/programs'
 import type { LabUi } from '#lab/ui.svelte.ts'
 import type { LabSession } from '#lab/session.svelte.ts'
-import { courseOn } from '#figures/map/stage.ts'
+import { courseOn, type Stage } from '#figures/map/stage.ts'
 import { atMostEvery, pauseWhenAway, replay } from './clock.ts'
 import { throwSeed } from './dice.ts'
 import { Drive, type LearnedWay } from './drive.svelte.ts'
@@ -38,6 +38,7 @@ export class Learning {
   })
   readonly task: Task
   #course: Course | null = null
+  #stage = $state.raw<Stage | null>(null)
   #state = $state<State>('ready')
   #seed = $state(1)
   /** Has this run been written into the table? */
@@ -57,8 +58,9 @@ export class Learning {
   get outline() {
     return this.task.outline
   }
+  /** The map that is learned on. After another map was chosen in the block, the earlier one until the course on the new one begins. */
   get stage() {
-    return this.task.stage
+    return this.#stage
   }
   get edits() {
     return this.task.edits
@@ -108,6 +110,10 @@ export class Learning {
         if (session.lab.facts.phase === 'running') untrack(() => this.drive.comeForward())
       })
       $effect(() => this.drive.showMap(this.stage))
+      $effect(() => {
+        const { facts, view } = session.lab
+        if (facts.phase === 'running') untrack(() => this.drive.endAtGoal(view))
+      })
     })
     const leave = pauseWhenAway(() => this.pause())
     return () => {
@@ -122,19 +128,32 @@ export class Learning {
   /** The blocks say something else: a new course on the map they name, or the one that was kept. */
   async #follow(key: string): Promise<void> {
     this.#halt('ready')
+    // Bo may be driving the way of an earlier task.
+    if (this.#course && this.session.lab.facts.phase === 'running') this.session.lab.stop()
+    this.drive.front = 'map'
     const { task } = this
     if (!task.outline) return
-    if (!task.hasMap) await task.loadMap()
-    if (key !== task.key || !task.stage || !this.#create()) return
+    if (!task.hasMap) {
+      this.#clear()
+      await task.loadMap()
+    }
+    if (key !== task.key || !this.#create()) return
     const kept = this.session.learned
     if (kept?.key === key && kept.seed === this.#seed && kept.moves > 0) await this.#goOn(kept, key)
   }
 
-  #create(): boolean {
-    const { outline, stage } = this
+  #clear(): void {
     this.#course = null
+    this.#stage = null
     this.screen.clear()
     this.#noted = false
+  }
+
+  #create(): boolean {
+    this.#clear()
+    const { outline } = this
+    const { stage } = this.task
+    this.#stage = stage
     if (!outline || !stage) return false
     this.#course = courseOn(stage, outline, this.#seed)
     this.#show(1)

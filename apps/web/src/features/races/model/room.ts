@@ -20,6 +20,11 @@ export function placesOf(doors: readonly Door[]): readonly Place[] {
   })
 }
 
+type Side = 'left' | 'right' | 'up' | 'down'
+
+/** Is it a side to which a door of a grid's room leads? */
+export const isSide = (side: string | null): side is Side => side !== null && Object.hasOwn(arrows, side)
+
 export const arrows: { readonly [side: string]: string } = { left: '←', right: '→', up: '↑', down: '↓' }
 
 /** Each once, in the order they first come. */

@@ -3,6 +3,7 @@ import { shortestPath } from '@botgarten/learning/q-learning'
 import { language } from '#words/language.svelte.ts'
 import { m, message } from '#words/message.ts'
 import { choices, type Setting } from '../model/lanes.ts'
+import { isSide } from '../model/room.ts'
 import type { Run, Runner } from '../model/race.svelte.ts'
 import type { Learned, WalkModel } from '../model/walk.svelte.ts'
 import type { Tried } from '../model/walked.ts'
@@ -14,6 +15,10 @@ export const number = (value: number, places = 0): string =>
 const walk = (stations: readonly number[]) => stations.join(' → ')
 
 export const racerName = ({ racer }: Pick<Runner, 'racer'>): string => m[`race.racer.${racer}`]()
+
+/** Where a door leads, for screen readers: to a side of a grid's room, otherwise to the number of a room. */
+export const doorName = (side: string | null, to: number): string =>
+  isSide(side) ? m[`race.sides.${side}`]() : String(to)
 
 /** What a value of a setting is called; a number where no word is for it. */
 export function wordOf(setting: Setting, value: number): string {

@@ -6,7 +6,8 @@ export type Access =
   | { readonly kind: 'asking' | 'none' | 'unmade' }
   /** Somebody with a link to one class, until midnight. */
   | { readonly kind: 'substitute'; readonly class: string; readonly name: string }
-  | { readonly kind: 'out'; readonly first: { readonly name: string; readonly madeAt: number } }
+  /** Signed out. `madeAt`: time of the first account, ms since 1970. */
+  | { readonly kind: 'out'; readonly madeAt: number }
   | { readonly kind: 'in'; readonly username: string; readonly operator: boolean }
 
 /** Who sits before the teacher's pages. */
@@ -55,7 +56,7 @@ export class Account {
     if (teacher) return { kind: 'in', ...teacher }
     if (substitute) return { kind: 'substitute', ...substitute }
     if (!firstTeacher) return { kind: 'unmade' }
-    return { kind: 'out', first: { name: firstTeacher.name ?? '', madeAt: firstTeacher.madeAt } }
+    return { kind: 'out', madeAt: firstTeacher.madeAt }
   }
 
   /** @throws Refused */

@@ -5,13 +5,24 @@ import * as v from 'valibot'
 const list = <const Item extends v.GenericSchema>(item: Item) => v.array(item)
 
 export const serverState = v.object({
-  firstTeacher: v.nullable(v.object({ name: v.nullable(v.string()), madeAt: v.number() })),
+  firstTeacher: v.nullable(v.object({ madeAt: v.number() })),
   secure: v.boolean(),
   teacher: v.nullable(v.object({ username: v.string(), operator: v.boolean() })),
   substitute: v.nullable(v.object({ class: v.string(), name: v.string() })),
   /** The one address that devices of the room should use; null: not known. */
   address: v.nullable(v.string()),
 })
+
+const teacherRow = v.object({
+  id: v.string(),
+  username: v.string(),
+  operator: v.boolean(),
+  /** Numbers of classes and of pupils in them. */
+  classes: v.number(),
+  pupils: v.number(),
+})
+export type TeacherRow = v.InferOutput<typeof teacherRow>
+export const teachersAnswer = v.object({ teachers: list(teacherRow) })
 
 const schoolClass = v.object({
   id: v.string(),
@@ -122,7 +133,14 @@ export const results = v.object({
 })
 export type Results = v.InferOutput<typeof results>
 
-const backups = v.nullable(v.object({ count: v.number(), last: v.nullable(v.string()) }))
+const backups = v.nullable(
+  v.object({
+    count: v.number(),
+    last: v.nullable(v.string()),
+    /** Damaged databases that were set aside; an older server does not count them. */
+    broken: v.optional(v.number()),
+  }),
+)
 
 export const data = v.object({
   pupils: v.number(),
@@ -138,7 +156,7 @@ export const data = v.object({
   mostSpace: v.number(),
   endsOn: v.string(),
   backups,
-  /** Deleted today, the class is in no backup from this day on. */
+  /** Deleted today, the class is in no backup from the server's first start or night on that this day has. */
   goneFromBackupsOn: v.string(),
 })
 export type Data = v.InferOutput<typeof data>

@@ -12,9 +12,6 @@ export interface KeptRow {
   readonly until: string
 }
 
-/** How many nightly backups there are at the most. */
-const backupNights = 7
-
 function backupsLabel(backups: Data['backups']): string {
   if (backups === null) return m['teacher.byOwnTools']()
   return backups.count === 0 ? m['teacher.noneYet']() : m['teacher.countBackups']({ count: backups.count })
@@ -26,7 +23,7 @@ function backupRow({ backups }: Data): KeptRow {
     title: m['teacher.keptBackups'](),
     text: m['teacher.keptBackupsText'](),
     much: backupsLabel(backups),
-    until: m['teacher.eachNights']({ count: backupNights }),
+    until: m['teacher.untilBackups'](),
   }
 }
 

@@ -1,0 +1,21 @@
+import { expect, test } from 'vitest'
+import { allCards } from '#content/cards.ts'
+import { kindOf } from './kind.ts'
+
+const of = (card: string | undefined) => kindOf({ project: { card } } as Parameters<typeof kindOf>[0])
+
+test.each([
+  ['friendship', 'network'],
+  ['railway', 'trying'],
+  ['try-dodge', 'trying'],
+  ['tidy-up', 'sorting'],
+  [undefined, 'free'],
+  ['a card of a later version', 'free'],
+])('a project of %s is of the kind %s', (card, kind) => {
+  expect(of(card)).toBe(kind)
+})
+
+test('every card has the kind of its bed, and only cards with a network are called so', () => {
+  for (const { id, bed } of allCards)
+    expect(of(id) === 'network', id).toBe(bed === 'network' && of(id) !== 'trying')
+})
