@@ -142,6 +142,22 @@ test('cookies are out of the reach of scripts, stay on this site, and are Secure
   }
 })
 
+test('a device that sends too many requests is refused without a query until its time is over', async () => {
+  const { database, accounts } = server.ports
+  const own = new Server(database, { accounts })
+  own.holdClock()
+  const { browser } = await own.pupil(code, 'Eilig')
+  for (let count = 0; count < 300; count++) await browser.get('/projects')
+  const refused = { status: 429, body: { error: 'tooFast', seconds: 1 } }
+  expect(await browser.get('/projects')).toMatchObject(refused)
+  const queries = vi.spyOn(database.db, 'selectFrom')
+  expect(await browser.get('/projects')).toMatchObject(refused)
+  expect(queries).not.toHaveBeenCalled()
+  queries.mockRestore()
+  own.later(0.02)
+  expect((await browser.get('/projects')).status).toBe(200)
+})
+
 test('the log holds routes and codes, and no nickname, address, code of a class or id', async () => {
   const child = await server.pupil(code, 'Geheimname')
   await child.browser.post('/join', { code, nickname: 'Geheimname' })

@@ -1,8 +1,10 @@
 import { bodyOf, mostOfProject } from './body.ts'
 import { codeOf, refusalOfDatabase } from './database/errors.ts'
 import { newToken } from './hashes.ts'
-import { cookie, cookieIn, deviceCookie } from './joining/cookies.ts'
+import { cookie, cookieIn, deviceCookie, pupilCookie } from './joining/cookies.ts'
 import { networkOf } from './joining/network.ts'
+import type { Pupil } from './joining/sessions-store.ts'
+import type { Limits } from './limits.ts'
 import type { Caller, Ports } from './ports.ts'
 import { Refusal, WrongTry } from './refusal.ts'
 import type { Call, Route } from './route.ts'
@@ -47,15 +49,26 @@ async function answerTo(request: Request, found: Found, ports: Ports, caller: Ca
   const { route, at } = found
   const { headers } = request
   refuseForeign(request, ports.publicOrigin)
+  const session = route.roles.includes('pupil') ? cookieIn(headers, pupilCookie) : null
+  ports.limits.refuseEarly(session)
   const who = await whoAsks(ports, route.roles, headers, at['class'])
-  const pupil = who.pupil?.id
-  if (pupil !== undefined) ports.limits.request(pupil)
-  const uploaded =
-    isUpload(route) && pupil !== undefined ? ports.limits.upload(pupil, bytesIn(headers)) : null
+  const { pupil } = who
+  if (pupil) countRequest(ports.limits, pupil, session)
+  const uploaded = isUpload(route) && pupil ? ports.limits.upload(pupil, bytesIn(headers)) : null
   try {
     return await answerOf(request, found, { ports, caller, who })
   } finally {
     uploaded?.()
+  }
+}
+
+function countRequest(limits: Limits, pupil: Pupil, session: string | null): void {
+  try {
+    limits.requestOf(pupil)
+  } catch (error) {
+    if (session !== null && error instanceof Refusal)
+      limits.noteRefused(session, Number(error.facts['seconds']))
+    throw error
   }
 }
 
@@ -71,6 +84,7 @@ async function answerOf(
 ): Promise<Response> {
   const { headers } = request
   const body = await bodyOf(request, route)
+  if (who.pupil && isUpload(route)) ports.limits.sent(who.pupil.id, (body as string).length)
   const query = new URL(request.url).searchParams
   const triers = { device: cookieIn(headers, deviceCookie), address: networkOf(caller.address) }
   const answer = await route.handle({ ports, who, at, query, body, headers, caller, triers })

@@ -5,6 +5,7 @@ import { days } from './days.ts'
 import { first } from './first.ts'
 import { gallery } from './gallery.ts'
 import { lessons } from './lessons.ts'
+import { limits } from './limits.ts'
 import { live } from './live.ts'
 import { marks } from './marks.ts'
 import { thrown } from './thrown.ts'
@@ -25,6 +26,7 @@ export const migrations = ({ kind }: Pick<Database, 'kind'>) => ({
   'step-009-lessons': lessons,
   'step-011-tokens': tokens(kind),
   'step-012-days': days,
+  'step-015-limits': limits,
 })
 
 const migrator = (database: Database) =>

@@ -93,6 +93,8 @@ interface PupilTable {
   joinedAt: number
   /** How often its projects have changed: the number of its newest mark. */
   changes: Generated<number>
+  /** Bytes of its versions and its shared projects, and of the pictures in both. */
+  space: Generated<number>
 }
 
 /** Each change of a pupil's projects leaves one; a device that shows an unknown one comes from before a restore. */

@@ -1,7 +1,8 @@
 import type { Db } from '../database/database.ts'
+import { withAssets } from '../projects/assets-store.ts'
 import { assetsOfShared } from './shared-store.ts'
 
-/** A pupil's part of the gallery, each with its pictures. */
+/** A pupil's part of the gallery, each as JSON with its pictures. */
 export async function* sharedOf(db: Db, pupil: string) {
   const rows = await db
     .selectFrom('shared')
@@ -19,11 +20,8 @@ export async function* sharedOf(db: Db, pupil: string) {
     // The pupil has just removed it.
     if (!row) continue
     const { document, ...more } = row
-    yield {
-      id,
-      ...more,
-      project: { ...(JSON.parse(document) as object), assets: await assetsOfShared(db, id) },
-    }
+    const project = withAssets(document, await assetsOfShared(db, id))
+    yield `${JSON.stringify({ id, ...more }).slice(0, -1)},"project":${project}}`
   }
 }
 

@@ -56,6 +56,17 @@ onBothDatabases((fresh) => {
   const ofTeacher = async (query = '') =>
     (await teacher.get(`/classes/${classId}/gallery${query}`)).body as Page & { waiting: number }
 
+  test('a pupil changes 30 hearts at once, then has to wait', async () => {
+    const id = await shares(fox.browser, 'liked')
+    server.holdClock()
+    const give = (at: number) => owl.browser.put(`/gallery/${id}/heart`, { on: at % 2 === 0 })
+    for (let at = 0; at < 30; at++) expect((await give(at)).status).toBe(200)
+    expect(await give(30)).toMatchObject({ status: 429, body: { error: 'tooManyHearts', seconds: 2 } })
+    expect((await pageFor(fox.browser)).items[0]!.hearts).toBe(0)
+    server.later(0.05)
+    expect((await give(30)).status).toBe(200)
+  })
+
   test('what one shares the class sees, the newest first, with the name it has in the class', async () => {
     await shares(fox.browser, 'one')
     const id = await shares(owl.browser, 'two')

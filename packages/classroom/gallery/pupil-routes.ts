@@ -1,6 +1,6 @@
 import * as v from 'valibot'
 import { newToken } from '../hashes.ts'
-import { ClassFull } from '../projects/saves-store.ts'
+import { NoRoom } from '../projects/room-store.ts'
 import { deviceId, wholeNumber } from '../projects/routes.ts'
 import type { Ports } from '../ports.ts'
 import { Refusal } from '../refusal.ts'
@@ -64,7 +64,7 @@ async function share(call: Call<string>): Promise<Answer> {
   const { ports, query, body } = call
   const viewer = await viewerOf(call)
   const sent = deviceId(query.get('share'))
-  const checked = await ports.checkProject(body)
+  const checked = await ports.checkProject(body, { class: viewer.class, pupil: viewer.pupil! })
   if ('refused' in checked) throw new Refusal(422, 'projectRefused', { reason: checked.refused })
   const title = titleFrom(checked.name)
   if (title === null) throw new Refusal(400, 'title')
@@ -98,7 +98,8 @@ function keep(
       return { id: row.id, waiting: row.waiting === 1 }
     })
     .catch((error: unknown) => {
-      throw error instanceof ClassFull ? new Refusal(507, 'classFull') : error
+      if (!(error instanceof NoRoom)) throw error
+      throw new Refusal(error.full === 'classFull' ? 507 : 409, error.full)
     })
 }
 
@@ -117,6 +118,7 @@ async function heart(call: Call<{ readonly on: boolean }>): Promise<Answer> {
   const row = await sharedOne(db, viewer, at['shared']!)
   if (!row) throw noSuchShared()
   if (row.pupil === viewer.pupil) throw new Refusal(409, 'ownShared')
+  ports.limits.heart(viewer.pupil!)
   await setHeart(db, row.id, viewer.pupil!, body.on)
   tellClass(ports, viewer.class)
   const now = await sharedOne(db, viewer, row.id)

@@ -2,9 +2,18 @@ import type { ExpressionBuilder, Insertable } from 'kysely'
 import type { Db } from '../database/database.ts'
 import type { SharedTable } from '../database/gallery-tables.ts'
 import type { Tables } from '../database/tables.ts'
-import { addAssets, assetsIn, recount } from '../projects/assets-store.ts'
+import { assetsIn } from '../projects/assets-store.ts'
 import type { Asset } from '../projects/checked.ts'
-import { addSpace, ClassFull, mostSpace } from '../projects/saves-store.ts'
+import { makeRoom } from '../projects/room-store.ts'
+import {
+  addPictures,
+  addSpace,
+  both,
+  dropPictures,
+  lockSpace,
+  sumOf,
+  type Owner,
+} from '../projects/space-store.ts'
 
 /** Who looks: a pupil of the class, or its teacher. */
 export type Viewer = { readonly class: string; readonly pupil: string | null }
@@ -117,32 +126,35 @@ export const sentBefore = (db: Db, pupil: string, sent: string) =>
     .where('sent', '=', sent)
     .executeTakeFirst()
 
-/** Shares a snapshot, inside a transaction. @throws ClassFull where the class has no room: nothing of it is to stay */
+/** Shares a snapshot, inside a transaction. @throws NoRoom: nothing of it is to stay */
 export async function addShared(
   db: Db,
   row: Insertable<SharedTable>,
   assets: readonly Asset[],
 ): Promise<void> {
+  const added = await addPictures(db, row, assets)
   await db.insertInto('shared').values(row).execute()
-  const added = await addAssets(db, row.class, assets)
   const named = assets.map(({ name, hash }) => ({ shared: row.id, class: row.class, name, hash }))
   if (named.length > 0) await db.insertInto('sharedAsset').values(named).execute()
-  const space = await addSpace(db, row.class, row.bytes + added)
-  // Pictures of versions that went may be counted still.
-  if (space > mostSpace && (await recount(db, row.class)) > mostSpace) throw new ClassFull()
+  await makeRoom(db, row, await addSpace(db, row, sumOf(both(row.bytes), added)))
 }
 
 /** Takes something out of the gallery for good. @returns false where this pupil has no such thing there */
-export const removeShared = (db: Db, { class: classId, pupil }: Viewer, id: string): Promise<boolean> =>
+export const removeShared = (db: Db, owner: Owner, id: string): Promise<boolean> =>
   db.transaction().execute(async (inside) => {
+    await lockSpace(inside, owner)
+    const named = await inside.selectFrom('sharedAsset').select('hash').where('shared', '=', id).execute()
     const gone = await inside
       .deleteFrom('shared')
       .where('id', '=', id)
-      .where('pupil', '=', pupil)
-      .returning('id')
+      .where('pupil', '=', owner.pupil)
+      .returning('bytes')
       .executeTakeFirst()
-    if (gone) await recount(inside, classId)
-    return gone !== undefined
+    if (!gone) return false
+    const hashes = named.map(({ hash }) => hash)
+    const free = sumOf(both(gone.bytes), await dropPictures(inside, owner, hashes))
+    await addSpace(inside, owner, { class: -free.class, pupil: -free.pupil })
+    return true
   })
 
 /** @returns false where the class has no such thing */

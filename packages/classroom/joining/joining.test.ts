@@ -98,6 +98,19 @@ onBothDatabases((fresh) => {
     expect((await device.post('/join', { code, nickname: 'Igel' })).status).toBe(201)
   })
 
+  test('20 changes of a raised hand pass at once, then the pupil has to wait; other requests of the pupil pass', async () => {
+    const { code } = await server.openClass(teacher)
+    const { browser } = await server.pupil(code, 'Fuchs')
+    server.holdClock()
+    const move = (at: number) => browser.put('/me/hand', { up: at % 2 === 0 })
+    for (let at = 0; at < 20; at++) expect((await move(at)).status).toBe(204)
+    expect(await move(20)).toMatchObject({ status: 429, body: { error: 'tooManyHands', seconds: 2 } })
+    expect((await browser.get('/me')).body).toMatchObject({ hand: false })
+    server.later(0.05)
+    expect((await move(20)).status).toBe(204)
+    expect((await browser.get('/me')).body).toMatchObject({ hand: true })
+  })
+
   test('a class has 100 pupils at most, and is as it was for those who are in', async () => {
     const { id, code } = await server.openClass(teacher)
     const first = await server.pupil(code, 'Fuchs')

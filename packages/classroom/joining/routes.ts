@@ -1,4 +1,5 @@
 import * as v from 'valibot'
+import type { NewPupil } from '../database/tables.ts'
 import { newToken } from '../hashes.ts'
 import { liveOfPupil } from '../live/me-live.ts'
 import type { Ports } from '../ports.ts'
@@ -46,6 +47,15 @@ async function look(call: Call<{ readonly code: string }>): Promise<Answer> {
   return { body: { name, language, grade } }
 }
 
+/** Adds a pupil who joins. @returns the token of its session @throws Refusal 409 where the class is full or has the nickname */
+const added = (ports: Ports, row: NewPupil, device: string): Promise<string> =>
+  ports.database.db.transaction().execute(async (inside) => {
+    if ((await countPupils(inside, row.class)) >= mostPupils) throw new Refusal(409, 'classHasAll')
+    if (!(await addPupil(inside, row))) throw new Refusal(409, 'nicknameTaken')
+    await countJoin({ ...clocked(ports), db: inside }, device)
+    return await startSession(inside, ports, row)
+  })
+
 async function join(call: Call<{ readonly code: string; readonly nickname: string }>): Promise<Answer> {
   const { ports, body, caller, triers } = call
   const { id: classId } = await classFor(call)
@@ -54,18 +64,15 @@ async function join(call: Call<{ readonly code: string; readonly nickname: strin
   await refuseMoreJoins(clocked(ports), triers.device)
   const id = newToken(ports.random)
   const secret = newSecret(ports.random)
-  const token = await ports.database.db.transaction().execute(async (inside) => {
-    if ((await countPupils(inside, classId)) >= mostPupils) throw new Refusal(409, 'classHasAll')
-    const added = await addPupil(inside, {
-      ...{ id, class: classId, nickname, nicknameKey: nicknameKey(nickname) },
-      pictures: hashOfPictures(ports, id, secret),
-      ...{ wrong: 0, lockedAt: null, handAt: null, isNew: 1, joinedAt: ports.now() },
-    })
-    if (!added) throw new Refusal(409, 'nicknameTaken')
-    return await startSession(inside, ports, { id, class: classId })
-  })
   const device = triers.device ?? newToken(ports.random)
-  await countJoin(clocked(ports), device)
+  const row: NewPupil = {
+    ...{ id, class: classId, nickname, nicknameKey: nicknameKey(nickname) },
+    pictures: hashOfPictures(ports, id, secret),
+    ...{ wrong: 0, lockedAt: null, handAt: null, isNew: 1, joinedAt: ports.now() },
+  }
+  // One after the other, and classes in turn: each waits for the disk.
+  const turn = { class: classId, pupil: triers.device ?? caller.address }
+  const token = await ports.limits.joins.run(turn, () => added(ports, row, device))
   ports.live.changed(classId, [id])
   const named = triers.device === null ? [cookie(deviceCookie, device, caller)] : []
   const cookies = [cookie(pupilCookie, token, caller), ...named]
@@ -125,6 +132,7 @@ async function leave({ ports, who, caller }: Call<undefined>): Promise<Answer> {
 
 async function hand({ ports, who, body }: Call<{ readonly up: boolean }>): Promise<Answer> {
   const { id, class: classId } = who.pupil!
+  ports.limits.hand(id)
   await setHand(ports.database.db, id, body.up ? ports.now() : null)
   ports.live.changed(classId, [id])
   return {}

@@ -20,7 +20,7 @@ function stream({ ports, who, headers }: Call<undefined>): Promise<Response> {
       throw error
     }
   }
-  const closed = ports.limits.stream(id)
+  const closed = ports.limits.stream({ id, class: classId })
   return Promise.resolve(ports.live.open({ class: classId, pupil: id, teacher: null, read, closed }))
 }
 

@@ -1,8 +1,16 @@
 import { Worker } from 'node:worker_threads'
 import type { Checked, CheckProject } from './checked.ts'
+import { FairQueue, type Turn } from '../fair-queue.ts'
 
 /** A project of 5 MB takes a fraction of it on a Raspberry Pi. */
 const longest = 5000
+/** Longer texts are checked by a worker of their own: a program of 5 MB takes half a second, and small ones do not wait for it. */
+const large = 1_000_000
+/** Ms after its last project until that worker is stopped: it takes some 30 MB. */
+const idle = 60_000
+
+/** Of projects that no pupil sends. */
+const ofTeacher: Turn = { class: '', pupil: '' }
 
 interface Answer {
   readonly id: number
@@ -49,28 +57,51 @@ function asked(worker: Worker, question: { id: number; text: string }, limit: nu
   })
 }
 
-/** One worker that checks one project after the other; one that takes too long is refused, and the worker restarted. */
-export function checkInWorker(limit = longest): Checker {
+interface Lane {
+  readonly check: (text: string, turn: Turn) => Promise<Answer['checked']>
+  readonly close: () => Promise<void>
+}
+
+/**
+ * One worker that checks one project after the other; one that takes too long is refused, and the worker restarted.
+ * @param limit of one project, ms
+ * @param idleFor ms without a project until it is stopped; null: it is not
+ */
+function laneOf(limit: number, idleFor: number | null): Lane {
+  const queue = new FairQueue()
   let running: Running | null = null
-  let last: Promise<unknown> = Promise.resolve()
   let count = 0
 
+  async function stop() {
+    const worker = running?.worker
+    running = null
+    await worker?.terminate()
+  }
+
   async function once(text: string): Promise<Answer['checked']> {
+    const id = ++count
     running ??= startWorker()
     const { worker, ready } = running
     await ready
-    const answer = await asked(worker, { id: ++count, text }, limit)
+    const answer = await asked(worker, { id, text }, limit)
+    if (idleFor !== null)
+      AbortSignal.timeout(idleFor).addEventListener('abort', () => void (count === id && stop()))
     if (answer !== 'tooLong' && answer !== 'broken') return answer
-    running = null
-    await worker.terminate()
+    await stop()
     // What broke it took more memory than a project may.
     return { refused: answer === 'broken' ? 'tooBig' : answer }
   }
 
-  const check: CheckProject = (text) => {
-    const next = last.then(() => once(text))
-    last = next
-    return next
+  return { check: (text, turn) => queue.run(turn, () => once(text)), close: stop }
+}
+
+/** Checks projects in workers: small ones in one, large ones in another. In each of them classes take turns. */
+export function checkInWorker(limit = longest): Checker {
+  const lanes = { small: laneOf(limit, null), large: laneOf(limit, idle) }
+  return {
+    check: (text, turn = ofTeacher) => lanes[text.length > large ? 'large' : 'small'].check(text, turn),
+    close: async () => {
+      await Promise.all([lanes.small.close(), lanes.large.close()])
+    },
   }
-  return { check, close: async () => void (await running?.worker.terminate()) }
 }

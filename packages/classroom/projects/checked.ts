@@ -1,6 +1,7 @@
 // Of the programs' room only how a project is read: the worker holds no simulation.
 import { parseProject, ProjectError, writeProject } from '@botgarten/programs/project'
 import { hashOf } from '../hashes.ts'
+import type { Turn } from '../fair-queue.ts'
 
 export interface Asset {
   /** By which the project names it. */
@@ -24,8 +25,12 @@ export interface Checked {
   readonly assets: readonly Asset[]
 }
 
-/** Checks the text of a project. @returns the reason where it is refused: `tooBig`, `notAProject`, `tooLong` (in time) … */
-export type CheckProject = (text: string) => Promise<Checked | { readonly refused: string }>
+/**
+ * Checks the text of a project.
+ * @param turn the pupil who sends it; none: a teacher does
+ * @returns the reason where it is refused: `tooBig`, `notAProject`, `tooLong` (in time) …
+ */
+export type CheckProject = (text: string, turn?: Turn) => Promise<Checked | { readonly refused: string }>
 
 /** What the worker does. Nothing of the project is run. */
 export function checkProject(text: string): Checked | { readonly refused: string } {

@@ -1,6 +1,8 @@
 import type { Db } from '../database/database.ts'
-import { assetsOf, recount } from './assets-store.ts'
+import { assetsOf, withAssets } from './assets-store.ts'
 import { renewMark } from './marks-store.ts'
+import { dropVersions } from './room-store.ts'
+import { addSpace, type Owner } from './space-store.ts'
 
 /** A pupil's projects, each with its newest version. */
 const withHeads = (db: Db, pupil: string) =>
@@ -41,8 +43,8 @@ export const versionsOf = (db: Db, pupil: string, project: string) =>
     .orderBy('revision', 'desc')
     .execute()
 
-/** A version as a project's text with its assets; the newest where no revision is named. Null where there is none. */
-export async function versionOf(db: Db, pupil: string, project: string, revision?: number) {
+/** The row of a version; of the newest where no revision is named. */
+function rowOf(db: Db, pupil: string, project: string, revision: number | undefined) {
   const query = db
     .selectFrom('version')
     .select(['revision', 'hash', 'document', 'savedAt'])
@@ -50,14 +52,32 @@ export async function versionOf(db: Db, pupil: string, project: string, revision
     .where('project', '=', project)
     .orderBy('revision', 'desc')
     .limit(1)
-  const row = await (
-    revision === undefined ? query : query.where('revision', '=', revision)
-  ).executeTakeFirst()
+  return (revision === undefined ? query : query.where('revision', '=', revision)).executeTakeFirst()
+}
+
+/** A version as a project with its assets; the newest where no revision is named. Null where there is none. */
+export async function versionOf(db: Db, pupil: string, project: string, revision?: number) {
+  const row = await rowOf(db, pupil, project, revision)
   if (!row) return null
   const assets = await assetsOf(db, pupil, project, row.revision)
   const document = JSON.parse(row.document) as object
   const { hash, savedAt } = row
   return { revision: row.revision, hash, savedAt, project: { ...document, assets } }
+}
+
+/** The same as JSON, with further properties before. Its document is not read. */
+export async function textOfVersion(
+  db: Db,
+  pupil: string,
+  project: string,
+  revision?: number,
+  more: object = {},
+): Promise<string | null> {
+  const row = await rowOf(db, pupil, project, revision)
+  if (!row) return null
+  const { document, ...known } = row
+  const assets = await assetsOf(db, pupil, project, row.revision)
+  return `${JSON.stringify({ ...more, ...known }).slice(0, -1)},"project":${withAssets(document, assets)}}`
 }
 
 /** A version of a project that a device knows; no hash: a page that is older than hashes does not send one. */
@@ -91,30 +111,39 @@ export const isSame = (head: KnownVersion, known: KnownVersion): boolean =>
  */
 export async function deleteProject(
   db: Db,
-  { pupil, class: classId }: { readonly pupil: string; readonly class: string },
+  owner: Owner,
   id: string,
   base: KnownVersion,
   random: string,
 ): Promise<{ readonly mark: string } | { readonly revision: number; readonly hash: string } | null> {
+  const { pupil } = owner
   return db.transaction().execute(async (inside) => {
     const head = await headOf(inside, pupil, id)
     if (!head || !isSame(head, base)) return head
     const { revision } = base
-    const gone = await inside
-      .deleteFrom('project')
+    const locked = await inside
+      .updateTable('project')
+      .set((row) => ({ revision: row.ref('revision') }))
       .where('pupil', '=', pupil)
       .where('id', '=', id)
       .where('revision', '=', revision)
       .returning('revision')
       .executeTakeFirst()
-    if (!gone) return headOf(inside, pupil, id)
+    if (!locked) return headOf(inside, pupil, id)
     await inside
       .insertInto('thrown')
       .values({ pupil, project: id, revision })
       .onConflict((conflict) => conflict.columns(['pupil', 'project']).doUpdateSet({ revision }))
       .execute()
     const mark = await renewMark(inside, pupil, random)
-    await recount(inside, classId)
+    const versions = await versionsOf(inside, pupil, id)
+    const free = await dropVersions(
+      inside,
+      { ...owner, project: id },
+      versions.map((one) => one.revision),
+    )
+    await inside.deleteFrom('project').where('pupil', '=', pupil).where('id', '=', id).execute()
+    await addSpace(inside, owner, { class: -free.class, pupil: -free.pupil })
     return { mark }
   })
 }

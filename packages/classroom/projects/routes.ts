@@ -2,8 +2,9 @@ import { newToken } from '../hashes.ts'
 import { Refusal } from '../refusal.ts'
 import { route, type Answer, type Call, type Route } from '../route.ts'
 import { knowsMark, markOf } from './marks-store.ts'
-import { deleteProject, projectsOf, thrownOf, versionOf, versionsOf } from './projects-store.ts'
-import { mostProjects, mostSpace } from './saves-store.ts'
+import { deleteProject, projectsOf, textOfVersion, thrownOf, versionsOf } from './projects-store.ts'
+import { mostProjects } from './saves-store.ts'
+import { mostSpace } from './space-store.ts'
 
 /** Ids are made on devices; each pupil has a space of their own. */
 const idOfDevice = /^[\w-]{8,64}$/
@@ -45,7 +46,7 @@ async function save({ ports, who, at, query, body }: Call<string>): Promise<Answ
   const { id: pupil, class: classId } = who.pupil!
   const [project, saveId] = [deviceId(at['project']), deviceId(query.get('save'))]
   const base = wholeNumber(query.get('base'))
-  const checked = await ports.checkProject(body)
+  const checked = await ports.checkProject(body, { class: classId, pupil })
   if ('refused' in checked) throw new Refusal(422, 'projectRefused', { reason: checked.refused })
   const onto = query.get('onto') ?? undefined
   const key = { pupil, class: classId, project, save: saveId, base, onto }
@@ -53,26 +54,28 @@ async function save({ ports, who, at, query, body }: Call<string>): Promise<Answ
   if (saved.kind === 'conflict') throw anotherVersion(saved)
   if (saved.kind === 'tooManyProjects')
     throw new Refusal(422, 'projectRefused', { reason: saved.kind, most: mostProjects })
+  if (saved.kind === 'pupilFull')
+    throw new Refusal(422, 'projectRefused', { reason: saved.kind, most: mostSpace.pupil })
   if (saved.kind === 'classFull') throw new Refusal(507, 'classFull')
   const { revision, mark, space } = saved
-  return { body: { revision, hash: checked.hash, mark, full: space >= mostSpace * 0.8 } }
+  return { body: { revision, hash: checked.hash, mark, full: space >= mostSpace.class * 0.8 } }
 }
 
-async function read({ ports, who, at }: Call<undefined>): Promise<Answer> {
-  const found = await versionOf(ports.database.db, who.pupil!.id, at['project']!)
-  if (!found) throw new Refusal(404, 'noSuchProject')
-  return { body: found }
+/** A version as it is stored: a large one is not taken apart and put together again. */
+async function shown({ ports, who, at }: Call<undefined>, revision?: number): Promise<Response> {
+  const text = await textOfVersion(ports.database.db, who.pupil!.id, at['project']!, revision)
+  if (text === null) throw new Refusal(404, 'noSuchProject')
+  return new Response(text, { headers: { 'content-type': 'application/json; charset=utf-8' } })
 }
+
+const read = (call: Call<undefined>): Promise<Response> => shown(call)
 
 async function versions({ ports, who, at }: Call<undefined>): Promise<Answer> {
   return { body: { versions: await versionsOf(ports.database.db, who.pupil!.id, at['project']!) } }
 }
 
-async function version({ ports, who, at }: Call<undefined>): Promise<Answer> {
-  const found = await versionOf(ports.database.db, who.pupil!.id, at['project']!, wholeNumber(at['revision']))
-  if (!found) throw new Refusal(404, 'noSuchProject')
-  return { body: found }
-}
+const version = async (call: Call<undefined>): Promise<Response> =>
+  await shown(call, wholeNumber(call.at['revision']))
 
 async function remove({ ports, who, at, query }: Call<undefined>): Promise<Answer> {
   const { id, class: classId } = who.pupil!

@@ -1,5 +1,7 @@
 import type { Database } from '../database/database.ts'
-import { ClassFull, saveInside, type Save, type Saved } from './saves-store.ts'
+import { NoRoom } from './room-store.ts'
+import { saveInside, type Save, type Saved } from './saves-store.ts'
+import type { Space } from './space-store.ts'
 
 export type SaveQueue = (save: Save) => Promise<Saved>
 
@@ -19,12 +21,12 @@ const bytesOf = ({ checked: { document, assets } }: Save) =>
  * Saves that wait share one commit, and with it one wait for the disk. Answers come after the commit. On PostgreSQL each
  * has a connection of its own, and the server itself joins commits.
  */
-export function saveQueueOn({ kind, db, checkpoint }: Database, mostSpace?: number): SaveQueue {
+export function saveQueueOn({ kind, db, checkpoint }: Database, mostSpace?: Space): SaveQueue {
   const alone = async (save: Save): Promise<Saved> => {
     try {
       return await db.transaction().execute((inside) => saveInside(inside, save, mostSpace))
     } catch (error) {
-      if (error instanceof ClassFull) return { kind: 'classFull' }
+      if (error instanceof NoRoom) return { kind: error.full }
       throw error
     }
   }
@@ -53,8 +55,16 @@ export function saveQueueOn({ kind, db, checkpoint }: Database, mostSpace?: numb
         return all
       })
       batch.forEach(({ resolve }, at) => resolve(answers[at]!))
-    } catch {
-      // One of them is at fault and took the others along: each again by itself.
+    } catch (error) {
+      const full = error instanceof NoRoom ? batch.find(({ save }) => save === error.owner) : undefined
+      // The one without room took the others along: they go again without it.
+      if (full && error instanceof NoRoom) {
+        full.resolve({ kind: error.full })
+        const others = batch.filter((one) => one !== full)
+        if (others.length > 0) await together(others)
+        return
+      }
+      // One of them is at fault: each again by itself.
       for (const { save, resolve, reject } of batch) await alone(save).then(resolve, reject)
     }
   }

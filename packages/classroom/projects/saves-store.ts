@@ -1,10 +1,11 @@
 import type { Db } from '../database/database.ts'
-import { addAssets, recount } from './assets-store.ts'
 import type { Checked } from './checked.ts'
 import { noteResult } from '../teaching/results-store.ts'
 import { markOf, renewMark } from './marks-store.ts'
 import { headOf, isSame } from './projects-store.ts'
 import { surplus } from './retention.ts'
+import { dropVersions, makeRoom } from './room-store.ts'
+import { addPictures, addSpace, both, mostSpace, sumOf, type Space } from './space-store.ts'
 
 /** One save of a pupil as a device sends it. */
 export interface Save {
@@ -33,17 +34,15 @@ export type Saved =
   /** The class holds another version; revision 0: none. */
   | { readonly kind: 'conflict'; readonly revision: number; readonly hash?: string }
   | { readonly kind: 'classFull' }
+  | { readonly kind: 'pupilFull' }
   /** The pupil's own. */
   | { readonly kind: 'tooManyProjects' }
 
 /** A child makes some forty projects in a year. */
 export const mostProjects = 100
 
-/** 0.5 GB a class. */
-export const mostSpace = 500_000_000
-
-/** Saves inside a transaction; what it answers counts once that is committed. */
-export async function saveInside(db: Db, save: Save, most = mostSpace): Promise<Saved> {
+/** Saves inside a transaction; what it answers counts once that is committed. @throws NoRoom: nothing of it is to stay */
+export async function saveInside(db: Db, save: Save, most: Space = mostSpace): Promise<Saved> {
   const before = await answeredBefore(db, save)
   if (before !== null) return await saved(db, save, before)
   if (await changesNothing(db, save)) {
@@ -53,20 +52,17 @@ export async function saveInside(db: Db, save: Save, most = mostSpace): Promise<
   if (save.base === 0 && (await isNewAndTooMany(db, save))) return { kind: 'tooManyProjects' }
   const revision = await takeRevision(db, save)
   if (revision === null) return await conflictOrSame(db, save)
+  // Locks the pupil's row, before that of the class.
+  const mark = await renewMark(db, save.pupil, save.random)
   // First: the new version takes the place in the file that the old one leaves, and half as much is written.
   const gone = await dropSurplus(db, save, revision)
   const added = await addVersion(db, save, revision)
-  const mark = await renewMark(db, save.pupil, save.random)
   const { card, done } = save.checked
   if (card !== null) await noteResult(db, { pupil: save.pupil, class: save.class, card, done })
-  const space = await spaceWithin(db, save, await addSpace(db, save.class, added - gone), most)
-  // The transaction is to be rolled back.
-  if (space === null) throw new ClassFull()
-  return { kind: 'saved', revision, mark, space }
+  const change = { class: added.class - gone.class, pupil: added.pupil - gone.pupil }
+  const space = await makeRoom(db, save, await addSpace(db, save, change), most)
+  return { kind: 'saved', revision, mark, space: space.class }
 }
-
-/** Thrown inside the transaction, so that nothing of the save stays. */
-export class ClassFull extends Error {}
 
 async function saved(db: Db, save: Save, revision: number): Promise<Saved> {
   const row = await db.selectFrom('class').select('space').where('id', '=', save.class).executeTakeFirst()
@@ -159,86 +155,34 @@ const noteAnswered = (db: Db, { pupil, save, project, at }: Save, revision: numb
     .onConflict((conflict) => conflict.columns(['pupil', 'save']).doNothing())
     .execute()
 
-/** @returns how many bytes the class holds more */
-async function addVersion(db: Db, save: Save, revision: number): Promise<number> {
+/** @returns bytes that it takes */
+async function addVersion(db: Db, save: Save, revision: number): Promise<Space> {
   const { pupil, project, class: classId, at, checked } = save
   const { document, hash, assets } = checked
   const bytes = Buffer.byteLength(document)
   const key = { pupil, project, revision, class: classId }
+  const added = await addPictures(db, save, assets)
   await db
     .insertInto('version')
     .values({ ...key, savedAt: at, bytes, hash, document })
     .execute()
-  const added = await addAssets(db, classId, assets)
   if (assets.length > 0)
     await db
       .insertInto('versionAsset')
       .values(assets.map(({ name, hash: content }) => ({ ...key, name, hash: content })))
       .execute()
   await noteAnswered(db, save, revision)
-  return bytes + added
+  return sumOf(both(bytes), added)
 }
 
-/** @returns bytes of the class */
-export async function addSpace(db: Db, classId: string, bytes: number): Promise<number> {
-  const row = await db
-    .updateTable('class')
-    .set((row) => ({ space: row('space', '+', bytes) }))
-    .where('id', '=', classId)
-    .returning('space')
-    .executeTakeFirst()
-  return row?.space ?? 0
-}
-
-/** Drops the versions that are too many with this one. @returns how many bytes they had */
-async function dropSurplus(db: Db, { pupil, project, at }: Save, next: number): Promise<number> {
+/** Drops the versions that are too many with this one. @returns bytes that are free then */
+async function dropSurplus(db: Db, save: Save, next: number): Promise<Space> {
+  const { pupil, project, at } = save
   const rows = await db
     .selectFrom('version')
-    .select(['revision', 'savedAt', 'bytes'])
+    .select(['revision', 'savedAt'])
     .where('pupil', '=', pupil)
     .where('project', '=', project)
     .execute()
-  const gone = surplus([...rows, { revision: next, savedAt: at }], at)
-  if (gone.length === 0) return 0
-  await db
-    .deleteFrom('version')
-    .where('pupil', '=', pupil)
-    .where('project', '=', project)
-    .where('revision', 'in', gone)
-    .execute()
-  return rows.filter(({ revision }) => gone.includes(revision)).reduce((sum, row) => sum + row.bytes, 0)
+  return await dropVersions(db, save, surplus([...rows, { revision: next, savedAt: at }], at))
 }
-
-/** Bytes of the class after old versions made room where it had to be; null where there is not enough. */
-async function spaceWithin(db: Db, save: Save, counted: number, most: number): Promise<number | null> {
-  if (counted <= most) return counted
-  // Pictures of versions that went may be counted still.
-  let space = await recount(db, save.class)
-  while (space > most) {
-    const oldest = await oldestSpare(db, save.class)
-    if (!oldest) return null
-    await db
-      .deleteFrom('version')
-      .where('pupil', '=', oldest.pupil)
-      .where('project', '=', oldest.project)
-      .where('revision', '=', oldest.revision)
-      .execute()
-    space = await recount(db, save.class)
-  }
-  return space
-}
-
-/** The oldest version in a class that is not the newest of its project. */
-const oldestSpare = (db: Db, classId: string) =>
-  db
-    .selectFrom('version')
-    .innerJoin('project', (join) =>
-      join.onRef('project.pupil', '=', 'version.pupil').onRef('project.id', '=', 'version.project'),
-    )
-    .select(['version.pupil', 'version.project', 'version.revision'])
-    .where('version.class', '=', classId)
-    .whereRef('version.revision', '<', 'project.revision')
-    .orderBy('version.savedAt')
-    .orderBy('version.revision')
-    .limit(1)
-    .executeTakeFirst()

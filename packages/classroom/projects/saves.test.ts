@@ -334,7 +334,7 @@ onBothDatabases((fresh) => {
     const size = projectText('0').length
     const { database } = server.ports
     const small = new Server(database, {
-      save: saveQueueOn(database, space + 3 * size),
+      save: saveQueueOn(database, { class: space + 3 * size, pupil: 50_000_000 }),
       accounts: server.ports.accounts,
     })
     small.now = server.now
@@ -342,7 +342,10 @@ onBothDatabases((fresh) => {
     for (const [name, value] of browser.cookies) child.cookies.set(name, value)
     for (let at = 0; at < 6; at++) expect((await save(child, at, projectText(`${at}`))).status).toBe(200)
     expect((await child.get('/projects/project-1')).body).toMatchObject({ project: { name: 'Garden 5' } })
-    const full = new Server(database, { save: saveQueueOn(database, 100), accounts: server.ports.accounts })
+    const full = new Server(database, {
+      save: saveQueueOn(database, { class: 100, pupil: 50_000_000 }),
+      accounts: server.ports.accounts,
+    })
     full.now = server.now
     const last = full.browser()
     for (const [name, value] of browser.cookies) last.cookies.set(name, value)

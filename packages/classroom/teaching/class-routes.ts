@@ -4,7 +4,7 @@ import { newToken } from '../hashes.ts'
 import { newCode, codeKey } from '../joining/code.ts'
 import { endSessionsOfClass } from '../joining/sessions-store.ts'
 import type { Ports } from '../ports.ts'
-import { mostSpace } from '../projects/saves-store.ts'
+import { mostSpace } from '../projects/space-store.ts'
 import { Refusal } from '../refusal.ts'
 import { route, type Answer, type Call, type Route } from '../route.ts'
 import { addClass, changeClass, classesOf, closeClass, giveCode, sizesOf } from './classes-store.ts'
@@ -60,7 +60,7 @@ function refusePast(ports: Ports, endsOn: string) {
 async function one({ ports, who }: Call<undefined>): Promise<Answer> {
   const row = who.class!
   const sizes = await sizesOf(ports.database.db, row.id)
-  return { body: { ...shownClass(row, ports), ...sizes, space: row.space, mostSpace } }
+  return { body: { ...shownClass(row, ports), ...sizes, space: row.space, mostSpace: mostSpace.class } }
 }
 
 async function change({ ports, who, body }: Call<v.InferOutput<typeof changes>>): Promise<Answer> {

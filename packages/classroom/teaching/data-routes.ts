@@ -5,7 +5,7 @@ import { daysOfCopies } from '../hosting/copies.ts'
 import { markPhraseShown, phraseOf, phraseShown } from '../hosting/phrase-store.ts'
 import { pupilsOf } from '../joining/pupils-store.ts'
 import type { Finding, Ports } from '../ports.ts'
-import { mostSpace } from '../projects/saves-store.ts'
+import { mostSpace } from '../projects/space-store.ts'
 import { askingsOf } from '../questionnaires/askings-store.ts'
 import { Refusal } from '../refusal.ts'
 import { route, type Answer, type Call, type Route } from '../route.ts'
@@ -25,7 +25,7 @@ async function data({ ports, who }: Call<undefined>): Promise<Answer> {
   return {
     body: {
       ...sizes,
-      ...{ space, mostSpace, endsOn, endsSoon: endsSoon({ endsOn }, ports.day) },
+      ...{ space, mostSpace: mostSpace.class, endsOn, endsSoon: endsSoon({ endsOn }, ports.day) },
       shared: await countAllShared(ports.database.db, id),
       results: (await resultsOf(ports.database.db, id)).length,
       forms: (await askingsOf(ports.database.answers.db, id)).length,
@@ -52,7 +52,8 @@ async function* pieces({ database: { db } }: Ports, name: string, classId: strin
 }
 
 function exported({ ports, who }: Call<undefined>): Promise<Response> {
-  return Promise.resolve(streamed(pieces(ports, who.class!.name, who.class!.id), 'class'))
+  const slot = ports.limits.exports.enter(who.teacher!.id)
+  return Promise.resolve(streamed(pieces(ports, who.class!.name, who.class!.id), 'class', slot))
 }
 
 /** How the server is: for the page of the first start, and for who runs it. */

@@ -1,7 +1,7 @@
 import type { Db } from '../database/database.ts'
 import { deleteUnheld } from '../live/handouts-store.ts'
 import type { Tombstone } from '../ports.ts'
-import { recount } from '../projects/assets-store.ts'
+import { recount } from '../projects/space-store.ts'
 import { deleteTeacherRow } from './accounts-store.ts'
 
 /**

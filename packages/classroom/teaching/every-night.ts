@@ -1,6 +1,6 @@
 import { deleteUnheld } from '../live/handouts-store.ts'
 import type { Ports } from '../ports.ts'
-import { recount } from '../projects/assets-store.ts'
+import { recount } from '../projects/space-store.ts'
 import { settleAll } from '../questionnaires/nightly.ts'
 import { allClasses, clearAway } from './clearing-store.ts'
 import { reserveTombstone } from './deleting-store.ts'

@@ -95,7 +95,8 @@ async function project(call: Call<undefined>): Promise<Answer> {
 /** All about a pupil, for parents who ask. */
 async function everything(call: Call<undefined>): Promise<Response> {
   const pupil = await pupilIn(call)
-  return streamed(allAbout(call.ports.database.db, pupil), pupil.nickname)
+  const slot = call.ports.limits.exports.enter(call.who.teacher!.id)
+  return streamed(allAbout(call.ports.database.db, pupil), pupil.nickname, slot)
 }
 
 const one = '/classes/:class/pupils/:pupil'

@@ -2,7 +2,7 @@
 import { sql, type RawBuilder, type SqlBool } from 'kysely'
 import type { Database } from '../database/database.ts'
 import type { Tombstone } from '../ports.ts'
-import { unusedAssets } from '../projects/assets-store.ts'
+import { unusedAssets } from '../projects/space-store.ts'
 import { addTombstone } from './deleting-store.ts'
 
 type Condition = RawBuilder<SqlBool>

@@ -1,16 +1,43 @@
-/** A JSON file that is written while it is sent: a class or a pupil as a whole might not fit into memory. */
-export function streamed(pieces: AsyncGenerator<string>, name: string): Response {
+import { setTimeout as wait } from 'node:timers/promises'
+import type { Slots } from '../slots.ts'
+
+/** Letters a ms: so fast a file is written. A piece may be a project of 5 MB, and others have their turn between two. */
+const speed = 20_000
+
+type Slot = ReturnType<Slots['enter']>
+
+/**
+ * A JSON file that is written while it is sent, no faster than it is read: a class or a pupil as a whole might not fit into memory.
+ * @param slot it begins when it is let in, and ends its slot when it has been sent or the reader disconnects
+ */
+export function streamed(pieces: AsyncGenerator<string>, name: string, slot: Slot): Response {
   const encoder = new TextEncoder()
-  const body = new ReadableStream<Uint8Array>({
-    async pull(controller) {
-      const next = await pieces.next()
-      if (next.done) controller.close()
-      else controller.enqueue(encoder.encode(next.value))
+  let pause = 0
+  const body = new ReadableStream<Uint8Array>(
+    {
+      async pull(controller) {
+        try {
+          await slot.entered
+          await wait(pause)
+          const next = await pieces.next()
+          if (next.done !== true) {
+            pause = next.value.length / speed
+            return controller.enqueue(encoder.encode(next.value))
+          }
+          controller.close()
+        } catch (error) {
+          controller.error(error)
+        }
+        slot.end()
+      },
+      async cancel() {
+        slot.end()
+        await pieces.return(undefined)
+      },
     },
-    async cancel() {
-      await pieces.return(undefined)
-    },
-  })
+    // Nothing is read before it is wanted.
+    { highWaterMark: 0 },
+  )
   const headers = {
     'content-type': 'application/octet-stream',
     'content-disposition': `attachment; filename*=UTF-8''${encodeURIComponent(`botgarten-${name}.json`)}`,
@@ -18,11 +45,16 @@ export function streamed(pieces: AsyncGenerator<string>, name: string): Response
   return new Response(body, { headers })
 }
 
-/** A JSON array, an item at a time. */
-export async function* arrayOf(items: AsyncIterable<unknown>): AsyncGenerator<string> {
+/** Items as JSON. */
+export async function* textsOf(items: AsyncIterable<unknown>): AsyncGenerator<string> {
+  for await (const item of items) yield JSON.stringify(item)
+}
+
+/** A JSON array, an item at a time. @param texts each the JSON of an item */
+export async function* arrayOf(texts: AsyncIterable<string>): AsyncGenerator<string> {
   let mark = '['
-  for await (const item of items) {
-    yield mark + JSON.stringify(item)
+  for await (const text of texts) {
+    yield mark + text
     mark = ','
   }
   yield mark === '[' ? '[]' : ']'

@@ -74,7 +74,7 @@ async function invite(call: Call<string>): Promise<Answer> {
   const invited = query.get('to') ?? ''
   // Two devices of one child are not a pair.
   if (invited === inviter || !(await pupilOf(db, classId, invited))) throw new Refusal(404, 'noSuchPupil')
-  const checked = await ports.checkProject(body)
+  const checked = await ports.checkProject(body, { class: classId, pupil: inviter })
   if ('refused' in checked) throw new Refusal(422, 'projectRefused', { reason: checked.refused })
   // A photo would reach another child without the teacher's yes.
   if (checked.assets.length > 0) throw new Refusal(409, 'ownPhoto')

@@ -105,15 +105,15 @@ export async function noteThrownInClass(id: string, mark: string | null = null):
     // Whatever has its place by now is new to the class.
     if (revision === 0) await transaction.objectStore('sync').delete(id)
     else await transaction.objectStore('sync').put({ id, base: 0, synced: 0, gone: { revision, hash } })
-    await retryRefused(transaction, 'tooManyProjects')
+    await retryRefused(transaction, ['tooManyProjects', 'pupilFull'])
     await noteMark(transaction, mark)
   })
 }
 
-/** Projects that the class refused for this reason are sent again. */
-async function retryRefused(transaction: Writing, reason: string): Promise<void> {
+/** Projects that the class refused for one of these reasons are sent again. */
+async function retryRefused(transaction: Writing, reasons: readonly string[]): Promise<void> {
   for (const { refused, ...sync } of await transaction.objectStore('sync').getAll())
-    if (refused?.reason === reason) await transaction.objectStore('sync').put(sync)
+    if (refused && reasons.includes(refused.reason)) await transaction.objectStore('sync').put(sync)
 }
 
 /** The class has another version than the deleted one: an older one, which is deleted too, or newer work, which is loaded again. */

@@ -133,11 +133,13 @@ export class Member {
     return null
   }
 
-  /** @returns whether the class knows */
-  async raiseHand(up: boolean): Promise<boolean> {
+  /** @returns null if the class knows; `often`: too many moves of late */
+  async raiseHand(up: boolean): Promise<'away' | 'often' | null> {
     const reply = await this.ask('PUT', '/me/hand', { up })
-    if (reply.kind === 'done') this.#handUp = up
-    return reply.kind === 'done'
+    if (reply.kind === 'refused' && reply.code === 'tooManyHands') return 'often'
+    if (reply.kind !== 'done') return 'away'
+    this.#handUp = up
+    return null
   }
 
   /** The device is nobody's from now on. What is in the class goes from here; what is not waits, and nobody else sees it. */

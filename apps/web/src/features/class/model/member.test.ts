@@ -1,5 +1,6 @@
 // A device deletes projects when its pupil signs out: only those that the class has just confirmed.
 import { afterAll, beforeEach, expect, test, vi } from 'vitest'
+import type { Ask, Reply } from '#storage/ask.ts'
 import { freshLocalStorage } from '#storage/testing/local.ts'
 import {
   backUp,
@@ -44,6 +45,22 @@ test('before the class has confirmed a project, the page does not call it saved 
   expect(again.pause).toBe('away')
   expect(again.placeOf('fear')).toEqual({ kind: 'waiting' })
   expect(again.allConfirmed).toBe(false)
+})
+
+test('after too many changes of a raised hand the sentence is another one than for a class that cannot be reached', async () => {
+  const { device, pupil, cable } = await begin()
+  const { Member } = await device.page.member()
+  const account = { pupil: pupil.id, class: pupil.class, nickname: 'Fuchs', className: '5b' }
+  let reply: Reply | null = { kind: 'refused', status: 429, code: 'tooManyHands', facts: { seconds: 2 } }
+  const ask: Ask = (...request) => (reply === null ? cable.ask(...request) : Promise.resolve(reply))
+  const member = new Member(account, ask)
+  expect(await member.raiseHand(true)).toBe('often')
+  expect(member.handUp).toBe(false)
+  reply = { kind: 'away' }
+  expect(await member.raiseHand(true)).toBe('away')
+  reply = null
+  expect(await member.raiseHand(true)).toBeNull()
+  expect(member.handUp).toBe(true)
 })
 
 test('signing out deletes the projects that the class has', async () => {

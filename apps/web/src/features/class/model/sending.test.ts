@@ -134,32 +134,38 @@ test('what the class does not take stays on the device, and the next change is s
   expect(await headsIn(pupil)).toEqual(['work 2'])
 })
 
-test('a project that is one too many for the class is sent again once another one is deleted', async () => {
-  const { laptop, pupil, cable, work } = await scene()
-  await work.edit(laptop, 'friendship')
-  expect(await laptop.page.sendAll(cable.ask)).toBeNull()
-  await work.edit(laptop, 'fear')
-  const facts = { reason: 'tooManyProjects' }
-  let isFull = true
-  const full: Ask = (method, path, body) => {
-    if (method === 'DELETE') isFull = false
-    return isFull && method === 'PUT'
-      ? Promise.resolve({ kind: 'refused', status: 422, code: 'projectRefused', facts })
-      : cable.ask(method, path, body)
-  }
-  expect(await laptop.page.sendAll(full)).toBeNull()
-  expect((await laptop.page.whereabouts()).get('fear')).toEqual({ kind: 'refused', ...facts })
-  await laptop.page.throwAway('friendship')
-  expect(await laptop.page.sendAll(full)).toBeNull()
-  expect((await laptop.page.whereabouts()).get('fear')).toEqual({ kind: 'waiting' })
-  expect(await laptop.page.sendAll(full)).toBeNull()
-  expect(await headsIn(pupil)).toEqual(['work 2'])
-})
+test.each(['tooManyProjects', 'pupilFull'])(
+  'a project that is one too many for the class (%s) is sent again once another one is deleted',
+  async (reason) => {
+    const { laptop, pupil, cable, work } = await scene()
+    await work.edit(laptop, 'friendship')
+    expect(await laptop.page.sendAll(cable.ask)).toBeNull()
+    await work.edit(laptop, 'fear')
+    const facts = { reason }
+    let isFull = true
+    const full: Ask = (method, path, body) => {
+      if (method === 'DELETE') isFull = false
+      return isFull && method === 'PUT'
+        ? Promise.resolve({ kind: 'refused', status: 422, code: 'projectRefused', facts })
+        : cable.ask(method, path, body)
+    }
+    expect(await laptop.page.sendAll(full)).toBeNull()
+    expect((await laptop.page.whereabouts()).get('fear')).toEqual({ kind: 'refused', ...facts })
+    await laptop.page.throwAway('friendship')
+    expect(await laptop.page.sendAll(full)).toBeNull()
+    expect((await laptop.page.whereabouts()).get('fear')).toEqual({ kind: 'waiting' })
+    expect(await laptop.page.sendAll(full)).toBeNull()
+    expect(await headsIn(pupil)).toEqual(['work 2'])
+  },
+)
 
 test.each([
   ['full', 507, 'classFull'],
   ['trouble', 507, 'diskFull'],
   ['trouble', 503, 'busy'],
+  ['slow', 429, 'tooFast'],
+  ['slow', 429, 'classTooFast'],
+  ['slow', 429, 'tooMuchAtOnce'],
   ['trouble', 500, 'ourFault'],
   ['signedOut', 401, 'join'],
   ['ended', 410, 'classEnded'],

@@ -13,10 +13,11 @@ import { read, type Ask, type Reply } from '#storage/ask.ts'
 
 /**
  * Why nothing is sent now. `away`: the class cannot be reached · `full`: it has no more room · `trouble`: it cannot save ·
+ * `slow`: too much was sent of late, and the rest follows ·
  * `signedOut`: the child has to show its pictures again · `otherPupil`: somebody else is signed in here · `ended`: the class
  * is no more · `hidden`: it has ended by the date of the server and is not deleted yet.
  */
-export type Pause = 'away' | 'full' | 'trouble' | 'signedOut' | 'otherPupil' | 'ended' | 'hidden'
+export type Pause = 'away' | 'full' | 'trouble' | 'slow' | 'signedOut' | 'otherPupil' | 'ended' | 'hidden'
 
 /** In the class every pupil has a space of their own; ids there are at least eight letters long. */
 const prefix = 'project-'
@@ -38,6 +39,9 @@ const pauses: { readonly [code: string]: Pause } = {
   classEnded: 'ended',
   classHidden: 'hidden',
   classFull: 'full',
+  tooFast: 'slow',
+  classTooFast: 'slow',
+  tooMuchAtOnce: 'slow',
 }
 
 export const pauseOf = (reply: Reply): Pause =>

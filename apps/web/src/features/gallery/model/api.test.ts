@@ -1,7 +1,7 @@
 import { beforeEach, expect, test, vi } from 'vitest'
 import type { Ask, Reply } from '#storage/ask.ts'
 import { friendship } from '#storage/testing/sample.ts'
-import { fetchShared, sendShared } from './api.ts'
+import { fetchShared, giveHeart, sendShared } from './api.ts'
 
 const answers =
   (reply: Reply): Ask =>
@@ -15,8 +15,13 @@ beforeEach(() => void vi.spyOn(console, 'warn').mockImplementation(() => {}))
 test('a child hears whether its own shelf is full or the class, and that an unknown refusal may end', async () => {
   expect(await shares(refuses('galleryFull'))).toBe('full')
   expect(await shares(refuses('classFull'))).toBe('classFull')
+  expect(await shares(refuses('pupilFull'))).toBe('pupilFull')
   expect(await shares(refuses('new in a later server'))).toBe('away')
   expect(await shares(answers({ kind: 'away' }))).toBe('away')
+})
+
+test('a pupil who gives too many hearts gets a sentence of its own', async () => {
+  expect(await giveHeart(refuses('tooManyHearts'), 'one', true)).toBe('tooManyHearts')
 })
 
 test('a project is shared under its title, without the own progress', async () => {

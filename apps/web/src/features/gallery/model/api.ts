@@ -10,7 +10,17 @@ type Page = v.InferOutput<typeof page>
 
 /** Why something did not come or go. `away`: the class cannot be reached · `off`: there is no gallery (any more). */
 export type Problem =
-  'away' | 'off' | 'gone' | 'title' | 'tooBig' | 'full' | 'classFull' | 'notKept' | 'unread'
+  | 'away'
+  | 'off'
+  | 'gone'
+  | 'title'
+  | 'tooBig'
+  | 'full'
+  | 'classFull'
+  | 'pupilFull'
+  | 'tooManyHearts'
+  | 'notKept'
+  | 'unread'
 
 const problems: { readonly [code: string]: Problem } = {
   galleryOff: 'off',
@@ -20,6 +30,8 @@ const problems: { readonly [code: string]: Problem } = {
   projectRefused: 'tooBig',
   galleryFull: 'full',
   classFull: 'classFull',
+  pupilFull: 'pupilFull',
+  tooManyHearts: 'tooManyHearts',
 }
 
 const problemOf = (reply: Reply): Problem =>
