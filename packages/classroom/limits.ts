@@ -13,8 +13,8 @@ const paces = {
   requests: { atOnce: 300, eachSecond: 30 },
   /** Requests of all pupils of a class. */
   requestsOfClass: { atOnce: 2000, eachSecond: 200 },
-  /** Bytes of projects of a pupil: a large one every five seconds. */
-  bytes: { atOnce: 20_000_000, eachSecond: 1_000_000 },
+  /** Bytes of projects of a pupil: two of the largest, and one with a photo every four seconds. Each MB takes the disk some 10 ms. */
+  bytes: { atOnce: 10_000_000, eachSecond: 250_000 },
   /** Changes of a pupil's hearts: each is written to the disk, and all pages of the class load the gallery again. */
   hearts: { atOnce: 30, eachSecond: 0.5 },
   /** Raised and lowered hands of a pupil: each is written to the disk, and the teacher's page gets the class again. */

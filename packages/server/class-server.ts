@@ -20,7 +20,7 @@ import {
 } from '@botgarten/classroom'
 import { brokenIn, prepareDataFolder } from './data-folder.ts'
 import type { Here } from './here.ts'
-import { callerOf, requestOf, send } from './http.ts'
+import { callerOf, readAway, requestOf, send } from './http.ts'
 import { lockFolder } from './lock.ts'
 import { startLive } from './live.ts'
 import { resetByFile } from './reset.ts'
@@ -183,8 +183,7 @@ async function serverOn(
     const caller = callerOf(incoming, proxies)
     record.note(caller.address, ports.now())
     await send(await handled(request, caller), response)
-    // What was not read of a body that was refused is read to nowhere, so that the sender hears the answer.
-    if (!incoming.complete) incoming.resume()
+    if (!incoming.complete) readAway(incoming)
   }
 
   return {

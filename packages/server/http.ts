@@ -45,6 +45,23 @@ export function callerOf({ socket, headers }: IncomingMessage, proxies: readonly
   return { address: plain(forwarded) || address, secure, reached: null }
 }
 
+/** Bytes a ms of refused bodies, of all of them together. */
+const speed = 4000
+let refusedBodies = 0
+
+/** Reads the rest of a body that was refused, so that the sender gets the answer; slowly, and without storing it. */
+export function readAway(incoming: IncomingMessage): void {
+  // The request's own reader would store it.
+  incoming.removeAllListeners('data')
+  refusedBodies++
+  incoming.once('close', () => refusedBodies--)
+  incoming.on('data', ({ length }: Buffer) => {
+    incoming.pause()
+    setTimeout(() => incoming.resume(), (length * refusedBodies) / speed).unref()
+  })
+  incoming.resume()
+}
+
 /** Sends an answer. JSON goes in one piece; all else, such as events that go on, as it comes. */
 export async function send(answer: Response, response: ServerResponse): Promise<void> {
   for (const [name, value] of answer.headers) if (name !== 'set-cookie') response.setHeader(name, value)

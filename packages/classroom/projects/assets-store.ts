@@ -27,8 +27,17 @@ export async function assetsOf(db: Db, pupil: string, project: string, revision:
 
 const emptyAssets = '"assets":{}}'
 
+/** As JSON. The parser has let the letters of base64 through alone, which need no escaping. */
+const textOf = (assets: ReturnType<typeof assetsIn>) => {
+  const all = Object.entries(assets).map(
+    ([name, { type, base64 }]) =>
+      `${JSON.stringify(name)}:{"type":${JSON.stringify(type)},"base64":"${base64}"}`,
+  )
+  return `{${all.join(',')}}`
+}
+
 /** The text of a stored document with its pictures in it. */
-export const withAssets = (document: string, assets: object): string =>
+export const withAssets = (document: string, assets: ReturnType<typeof assetsIn>): string =>
   document.endsWith(emptyAssets)
-    ? `${document.slice(0, -'{}}'.length)}${JSON.stringify(assets)}}`
+    ? `${document.slice(0, -'{}}'.length)}${textOf(assets)}}`
     : JSON.stringify({ ...(JSON.parse(document) as object), assets })

@@ -22,14 +22,17 @@ export interface Checker {
   readonly close: () => Promise<void>
 }
 
+type Size = 'small' | 'large'
+
 interface Running {
   readonly worker: Worker
   /** It has loaded the parser: its time does not count. */
   readonly ready: Promise<unknown>
 }
 
-function startWorker(): Running {
+function startWorker(size: Size): Running {
   const worker = new Worker(new URL('./check-worker.ts', import.meta.url), {
+    workerData: size,
     resourceLimits: { maxOldGenerationSizeMb: 192, maxYoungGenerationSizeMb: 4 },
   })
   // It does not keep the process running.
@@ -63,11 +66,11 @@ interface Lane {
 }
 
 /**
- * One worker that checks one project after the other; one that takes too long is refused, and the worker restarted.
+ * One worker that checks one project after the other; one that takes too long is refused, and the worker restarted. The worker
+ * for large projects stops after a minute without one.
  * @param limit of one project, ms
- * @param idleFor ms without a project until it is stopped; null: it is not
  */
-function laneOf(limit: number, idleFor: number | null): Lane {
+function laneOf(size: Size, limit: number): Lane {
   const queue = new FairQueue()
   let running: Running | null = null
   let count = 0
@@ -80,12 +83,12 @@ function laneOf(limit: number, idleFor: number | null): Lane {
 
   async function once(text: string): Promise<Answer['checked']> {
     const id = ++count
-    running ??= startWorker()
+    running ??= startWorker(size)
     const { worker, ready } = running
     await ready
     const answer = await asked(worker, { id, text }, limit)
-    if (idleFor !== null)
-      AbortSignal.timeout(idleFor).addEventListener('abort', () => void (count === id && stop()))
+    if (size === 'large')
+      AbortSignal.timeout(idle).addEventListener('abort', () => void (count === id && stop()))
     if (answer !== 'tooLong' && answer !== 'broken') return answer
     await stop()
     // What broke it took more memory than a project may.
@@ -97,7 +100,7 @@ function laneOf(limit: number, idleFor: number | null): Lane {
 
 /** Checks projects in workers: small ones in one, large ones in another. In each of them classes take turns. */
 export function checkInWorker(limit = longest): Checker {
-  const lanes = { small: laneOf(limit, null), large: laneOf(limit, idle) }
+  const lanes = { small: laneOf('small', limit), large: laneOf('large', limit) }
   return {
     check: (text, turn = ofTeacher) => lanes[text.length > large ? 'large' : 'small'].check(text, turn),
     close: async () => {

@@ -1,8 +1,24 @@
 import { setTimeout as wait } from 'node:timers/promises'
 import type { Slots } from '../slots.ts'
 
-/** Letters a ms: so fast a file is written. A piece may be a project of 5 MB, and others have their turn between two. */
-const speed = 20_000
+/** Letters that are sent at once: others have their turn between two of them, and a project may have 5 MB. */
+const most = 250_000
+/** Letters a ms. */
+const speed = 2000
+
+/** Short pieces of a long one. No letter of two code units is cut. */
+function* cut(text: string): Generator<string> {
+  for (let at = 0; at < text.length;) {
+    const end = at + most
+    const next = /[\uD800-\uDBFF]/.test(text[end - 1] ?? '') ? end - 1 : end
+    yield text.slice(at, next)
+    at = next
+  }
+}
+
+async function* shortened(pieces: AsyncGenerator<string>): AsyncGenerator<string> {
+  for await (const piece of pieces) yield* cut(piece)
+}
 
 type Slot = ReturnType<Slots['enter']>
 
@@ -12,6 +28,7 @@ type Slot = ReturnType<Slots['enter']>
  */
 export function streamed(pieces: AsyncGenerator<string>, name: string, slot: Slot): Response {
   const encoder = new TextEncoder()
+  const short = shortened(pieces)
   let pause = 0
   const body = new ReadableStream<Uint8Array>(
     {
@@ -19,7 +36,7 @@ export function streamed(pieces: AsyncGenerator<string>, name: string, slot: Slo
         try {
           await slot.entered
           await wait(pause)
-          const next = await pieces.next()
+          const next = await short.next()
           if (next.done !== true) {
             pause = next.value.length / speed
             return controller.enqueue(encoder.encode(next.value))
@@ -32,7 +49,7 @@ export function streamed(pieces: AsyncGenerator<string>, name: string, slot: Slo
       },
       async cancel() {
         slot.end()
-        await pieces.return(undefined)
+        await short.return(undefined)
       },
     },
     // Nothing is read before it is wanted.
