@@ -47,7 +47,7 @@ const config: KnipConfig = {
     'packages/learning': { entry: ['*/testing/example.ts'] },
     // A process of its own, and a function of a test.
     'packages/programs': { entry: ['python/testing/worker.ts'] },
-    benchmarks: { entry: ['*.bench.ts'] },
+    benchmarks: { entry: ['*.bench.ts', 'worst/attacker.ts'], ignoreBinaries: ['taskset'] },
     e2e: {
       entry: [
         ...['saved-work.ts', 'file-results.mjs'],
