@@ -11,6 +11,7 @@ import { marks } from './marks.ts'
 import { thrown } from './thrown.ts'
 import { together, togetherSwitch } from './together.ts'
 import { tokens } from './tokens.ts'
+import { versions } from './versions.ts'
 import { wifi } from './wifi.ts'
 
 /** Kysely takes the steps in the order of their names: `step-` comes after the dates of the first ones. */
@@ -27,6 +28,7 @@ export const migrations = ({ kind }: Pick<Database, 'kind'>) => ({
   'step-011-tokens': tokens(kind),
   'step-012-days': days,
   'step-015-limits': limits,
+  'step-016-versions': versions,
 })
 
 const migrator = (database: Database) =>

@@ -141,6 +141,8 @@ interface VersionTable {
   revision: number
   class: string
   savedAt: number
+  /** Ms of the steady clock; null for versions of an earlier program, whose `savedAt` is comparable with it. */
+  savedSteady: number | null
   bytes: number
   hash: string
   /** The project without the content of its assets. */

@@ -4,12 +4,14 @@ const newest = 20
 
 export interface Dated {
   readonly revision: number
+  /** Ms of the steady clock. */
   readonly savedAt: number
 }
 
 /**
- * Revisions that may go: all but the newest 20 and, for a day, the newest of each hour. Order is that of the revisions,
- * not of the clock, which may have been set back.
+ * Revisions that may go: all but the newest 20 and, for a day in which the server runs, the newest of each hour. Order is that of
+ * the revisions.
+ * @param now ms of the steady clock
  */
 export function surplus(versions: readonly Dated[], now: number): readonly number[] {
   const ordered = versions.toSorted((one, other) => other.revision - one.revision)

@@ -43,7 +43,7 @@ const spares = (db: Db) =>
     )
     .select(['version.pupil', 'version.project', 'version.revision'])
     .whereRef('version.revision', '<', 'project.revision')
-    .orderBy('version.savedAt')
+    .orderBy(({ fn }) => fn.coalesce('version.savedSteady', 'version.savedAt'))
     .orderBy('version.revision')
 
 const sparesOf = (db: Db, { pupil }: Owner) => spares(db).where('version.pupil', '=', pupil).execute()

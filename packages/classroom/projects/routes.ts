@@ -50,7 +50,13 @@ async function save({ ports, who, at, query, body }: Call<string>): Promise<Answ
   if ('refused' in checked) throw new Refusal(422, 'projectRefused', { reason: checked.refused })
   const onto = query.get('onto') ?? undefined
   const key = { pupil, class: classId, project, save: saveId, base, onto }
-  const saved = await ports.save({ ...key, checked, at: ports.now(), random: newToken(ports.random) })
+  const saved = await ports.save({
+    ...key,
+    checked,
+    at: ports.now(),
+    steady: ports.steady(),
+    random: newToken(ports.random),
+  })
   if (saved.kind === 'conflict') throw anotherVersion(saved)
   if (saved.kind === 'tooManyProjects')
     throw new Refusal(422, 'projectRefused', { reason: saved.kind, most: mostProjects })

@@ -20,6 +20,8 @@ export interface Save {
   readonly onto?: string | undefined
   readonly checked: Checked
   readonly at: number
+  /** The same by the steady clock. */
+  readonly steady: number
   /** A new token, for the mark of this change. */
   readonly random: string
 }
@@ -157,14 +159,14 @@ const noteAnswered = (db: Db, { pupil, save, project, at }: Save, revision: numb
 
 /** @returns bytes that it takes */
 async function addVersion(db: Db, save: Save, revision: number): Promise<Space> {
-  const { pupil, project, class: classId, at, checked } = save
+  const { pupil, project, class: classId, at, steady, checked } = save
   const { document, hash, assets } = checked
   const bytes = Buffer.byteLength(document)
   const key = { pupil, project, revision, class: classId }
   const added = await addPictures(db, save, assets)
   await db
     .insertInto('version')
-    .values({ ...key, savedAt: at, bytes, hash, document })
+    .values({ ...key, savedAt: at, savedSteady: steady, bytes, hash, document })
     .execute()
   if (assets.length > 0)
     await db
@@ -177,12 +179,12 @@ async function addVersion(db: Db, save: Save, revision: number): Promise<Space> 
 
 /** Drops the versions that are too many with this one. @returns bytes that are free then */
 async function dropSurplus(db: Db, save: Save, next: number): Promise<Space> {
-  const { pupil, project, at } = save
+  const { pupil, project, steady } = save
   const rows = await db
     .selectFrom('version')
-    .select(['revision', 'savedAt'])
+    .select(({ fn }) => ['revision', fn.coalesce('savedSteady', 'savedAt').as('savedAt')])
     .where('pupil', '=', pupil)
     .where('project', '=', project)
     .execute()
-  return await dropVersions(db, save, surplus([...rows, { revision: next, savedAt: at }], at))
+  return await dropVersions(db, save, surplus([...rows, { revision: next, savedAt: steady }], steady))
 }

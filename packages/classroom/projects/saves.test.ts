@@ -187,6 +187,23 @@ onBothDatabases((fresh) => {
     expect(versions.map(({ revision }) => revision)).toEqual(Array.from({ length: 20 }, (_, at) => 25 - at))
   })
 
+  test('a clock that is two days ahead for one save deletes no version of an earlier hour', async () => {
+    const server = new Server(await fresh())
+    const { code } = await server.openClass(await server.firstTeacher())
+    const { browser } = await server.pupil(code, 'Fuchs')
+    await save(browser, 0, projectText('first'))
+    server.passes(3_600_000)
+    for (let at = 1; at <= 20; at++) await save(browser, at, projectText(`${at}`))
+    server.now += 2 * 24 * 3_600_000
+    expect((await save(browser, 21, projectText('ahead'))).status).toBe(200)
+    server.now -= 2 * 24 * 3_600_000
+    const { versions } = (await browser.get('/projects/project-1/versions')).body as {
+      versions: { revision: number }[]
+    }
+    // The newest 20 are 3 to 22; 1 is that of its hour.
+    expect(versions.map(({ revision }) => revision)).toContain(1)
+  })
+
   test('a clock that was set back loses nothing and keeps the order', async () => {
     const { browser } = await pupil()
     await save(browser, 0, projectText('first'))
