@@ -48,6 +48,14 @@ test('without a card it has to drive and must not bump', () => {
   expect(tried.map(({ passed }) => passed)).toEqual([false, false])
 })
 
+test('without a card it passes where it drives 1 m and bumps into nothing', () => {
+  const open = { x: world.size.width / 2, y: world.size.height / 2, heading: 0 }
+  const empty = { ...course(true).document.world, obstacles: [] }
+  const document = { ...course(true).document, world: empty }
+  const [tried] = toEnd(driveAlone({ ...course(true), document, checks: [] }, [open]))
+  expect(tried).toMatchObject({ number: 1, passed: true, missed: '' })
+})
+
 test('where a start is missed it is known what Bo read there', () => {
   const [stood] = toEnd(driveAlone(course(false), unseenStarts(card.starts, world.size, 1, 1)))
   expect(stood!.passed).toBe(false)

@@ -36,6 +36,11 @@ test('of lamps the highest above 0 is the one that is shown', () => {
   expect(kindOf([-5, -3], null)).toBe(-1)
 })
 
+test('an output of exactly 0 is not above 0, and of two equal outputs the first is shown', () => {
+  expect(kindOf([0, -1], null)).toBe(-1)
+  expect(kindOf([3, 3], null)).toBe(0)
+})
+
 test('a network with one input has no sea', () => {
   expect(seaOf({ ...brain, layers: [[neuron('a')], layers[1]!] }, weights, [], wheels)).toBeNull()
 })

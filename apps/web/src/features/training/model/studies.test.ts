@@ -39,6 +39,8 @@ test('every seed practises as it would alone', () => {
 test('with more examples the test gets better, and all of them are all of them', () => {
   const lines = toEnd(overSizes(exercise, settings))
   expect(lines.map(({ number }) => number)).toEqual([3, 6, 12, 18, 24])
+  // Only the error before practice and the one after all 30 rounds.
+  for (const { curve } of lines) expect(curve.map(({ round }) => round)).toEqual([0, 30])
   expect(endOf(lines.at(-1)!, false)).toBeLessThan(endOf(lines[0]!, false))
   const own: Exercise = { ...exercise, from: 'zero' }
   const whole = practise(beginExercise(prepare(own), settings, own)).at(-1)!

@@ -35,6 +35,18 @@ test('rows have the columns of the neurons on the screen, and gaps for those the
   expect(first!.pose).toEqual({ x: 10, y: 20, heading: 30 })
 })
 
+test('a row at 0, 0 comes from a table without poses; one on the edge of the world has a pose', () => {
+  const rows = [[0, 0], [0, 7], [7, 0]].map(([x, y], k) => ({
+    ...{ tick: k, pose: { x: x!, y: y!, heading: 30 }, inputs: [10 * k], outputs: [2] },
+  })) // prettier-ignore
+  const { examples } = withDrive(noExamples(['a'], ['l']), { id: 'pad-1', by: 'pad', seed: 1 }, rows)
+  expect(shownRows(examples, ['a'], ['l']).map(({ pose }) => pose)).toEqual([
+    null,
+    { x: 0, y: 7, heading: 30 },
+    { x: 7, y: 0, heading: 30 },
+  ])
+})
+
 test('set aside and back is nothing', () => {
   fc.assert(
     fc.property(fc.uniqueArray(fc.nat(4)), (rows) => {
