@@ -2,6 +2,7 @@ import { expect, test } from 'vitest'
 import type { PortSense, RobotView } from '@botgarten/lab'
 import type { Uses } from '@botgarten/programs'
 import { cardConfig } from '@botgarten/simulation'
+import { drawBadge } from '#drawing/badges.ts'
 import { message } from '#words/message.ts'
 import { badgesOf, sensesShown } from './badges.ts'
 
@@ -54,4 +55,18 @@ test('what Bo says is cut where it is long; silence is pale', () => {
 test('a program that only looks with its distance sensors has no badge of a sense', () => {
   expect(sensesShown({ ...none, ports: ['2', '3'] }, cardConfig)).toBe(false)
   expect(sensesShown({ ...none, ports: ['1'] }, cardConfig)).toBe(true)
+})
+
+test('every badge of what Bo does has a spot of colour or a picture', () => {
+  const uses = { ...none, lamp: true, display: true, sound: true, speech: true }
+  const badges = badgesOf({ ...bo, led: 'red' }, uses, sensing([]))
+  expect(badges.map(({ id }) => id).toSorted()).toEqual(['display', 'lamp', 'speech', 'tone'])
+  for (const badge of badges) {
+    const pictures = drawBadge(badge, { x: 0, y: 0, width: 90, height: 34 }, 40).flatMap((shape) =>
+      shape.kind === 'group' ? [shape.shapes] : [],
+    )
+    if (typeof badge.icon === 'string')
+      expect(pictures, badge.id).toEqual([[expect.anything(), expect.anything()]])
+    else expect(badge.icon.colour).toMatch(/^#/)
+  }
 })

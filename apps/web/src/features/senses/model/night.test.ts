@@ -193,6 +193,15 @@ describe('a night', () => {
     expect(set).toHaveBeenLastCalledWith('try', { STARTS: '' })
   })
 
+  test('has no places without a card, and does not begin without a block that tries', async () => {
+    const { begin, nights } = slowly()
+    const programs = { main: { ...minute['main']!, stacks: [] } }
+    const night = nightOf(await sessionFor({ ...project, programs }), begin)
+    expect(night).toMatchObject({ places: [], fromAll: false })
+    night.begin()
+    expect([night.isAsleep, night.ending, nights]).toEqual([false, null, []])
+  })
+
   test('does not begin where there is nothing to learn for', async () => {
     const night = nightOf(await sessionFor({ ...project, programs: paid('0') }), atOnce)
     night.begin()
