@@ -4,6 +4,7 @@ import { addBlocks, blockFrom, toolbox, type Template } from '@botgarten/blocks'
 import { learning as blocks, learningToolbox } from '@botgarten/blocks/packs/learning'
 import { cardConfig, paintFloor, TICKS_PER_SECOND, type Pose } from '@botgarten/simulation'
 import { describe, expect, test } from 'vitest'
+import { followerProgram } from './follower.ts'
 import {
   drawWay,
   driveSeconds,
@@ -21,7 +22,6 @@ const mapNamed = (id: string): MapFile => content.mapFile(id)!
 const start: Template = { type: 'robControls_start', mutation: { attrs: { declare: 'false' } } }
 addBlocks(blocks, learningToolbox)
 const templates = toolbox.find(({ category }) => category === 'q-learning')!.blocks
-const byType = (type: string) => templates.find((template) => template.type === type)!
 
 function documentOf(...rows: readonly Template[]) {
   let next = 0
@@ -109,9 +109,10 @@ describe('the line follower from the toolbox', () => {
     const map = mapNamed(id)
     const { scene, points } = drawWay(map, stations)
     const { starts, ...floor } = scene
-    const plain = documentOf(byType('ai_q_drive_the_best_way'))
+    const plain = documentOf()
     const robots = plain.world.robots.map((robot) => ({ ...robot, pose: starts[0]! }))
-    const document = { ...plain, world: { ...plain.world, ...floor, robots } as never }
+    const world = { ...plain.world, ...floor, robots } as never
+    const document = { ...plain, programs: { main: followerProgram() as never }, world }
     const end = run(document, 90)
     expect(Math.hypot(end.x - points.at(-1)!.x, end.y - points.at(-1)!.y)).toBeLessThan(4)
     // What is said before about how long it takes is true.

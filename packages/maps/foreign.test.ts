@@ -194,6 +194,16 @@ describe('a station', () => {
     expect(mapIn(svg(moved + circle(1, { x: 300, y: 100 }) + ends)).stations[0]).toEqual({ x: 100, y: 100 })
   })
 
+  test('that was stretched or turned takes roads that end at its new rim', () => {
+    const middle = circle(0, { x: 0, y: 0 }, 10)
+    const placed = (matrix: string) => middle.replace('/>', ` transform="matrix(${matrix})"/>`)
+    const other = circle(1, { x: 300, y: 100 })
+    // Three times as wide: the rim is 30 units from the middle.
+    expect(mapIn(svg(placed('3 0 0 1 70 100') + other + ends)).stations[0]).toEqual({ x: 70, y: 100 })
+    // A quarter turn: the rim is still 10 units away.
+    expect(mapIn(svg(placed('0 1 -1 0 90 100') + other + ends)).stations[0]).toEqual({ x: 90, y: 100 })
+  })
+
   test('whose roads end far from each other is named with the road', () => {
     const text = svg(
       '<g id="node-0"/>' +

@@ -102,6 +102,23 @@ describe('a drawn map', () => {
     ])
   })
 
+  test.each(dresses)(
+    'in the dress %s has a colour for all that is painted, and a name of its own for each layer',
+    (dress) => {
+      const stations = [
+        { x: 200, y: 200 },
+        { x: 700, y: 700 },
+      ].reduce(addStation, emptyMap('x'))
+      for (const cover of [undefined, ...covers]) {
+        const text = writeMap({ ...addRoad(stations, 0, 1), dress, ...(cover && { cover }) }, 'x')
+        expect(text).not.toMatch(/(fill|stroke)=""/)
+        const names = [...text.matchAll(/ id="([^"]*)"/g)].map(([, id]) => id)
+        expect(names).not.toContain('')
+        expect(new Set(names).size).toBe(names.length)
+      }
+    },
+  )
+
   test('belongs to its project, which is of version 2 then and comes back the same', () => {
     const map = addRoad(
       [
