@@ -68,6 +68,16 @@ test('a form whose screens leave an item out is refused', () => {
   expect(() => readForm({ ...form, screens: form.screens.slice(1) })).toThrow(/every item once/)
 })
 
+test('a form of 40 items is read, and one of 41 is refused', () => {
+  const { form } = content.forms[0]!
+  const long = (count: number) => {
+    const items = Array.from({ length: count }, (_, k) => ({ id: `item-${k}`, kind: 'text' as const }))
+    return { ...form, items, screens: [items.map(({ id }) => id)] }
+  }
+  expect(readForm(long(40)).items).toHaveLength(40)
+  expect(() => readForm(long(41))).toThrow(expect.objectContaining({ name: 'ValiError' }))
+})
+
 const files = content.forms.map(writeFormFile)
 
 /** A form's file with one letter changed, taken out or doubled. */

@@ -1,4 +1,6 @@
 // Every cage of the zoo of sensors is held to the same rules merely because its folder is there.
+import { readFileSync } from 'node:fs'
+import { dirname, join } from 'node:path'
 import { isCage, learnIn, mendedIn, shownIn, type Place } from '@botgarten/experiments/cages'
 import { createLab } from '@botgarten/lab'
 import { languagesOf } from '@botgarten/messages/folder'
@@ -38,6 +40,13 @@ describe.each(content.senseCages.map((one) => [one.cage.id, one] as const))(
     it('a cage is mended by its mend for most of its robots', () => {
       if (isCage(bos))
         expect(2 * bos.filter(({ mended }) => mended !== null).length).toBeGreaterThan(bos.length)
+    })
+
+    it('has a picture of its own animal', () => {
+      const picture = content.pictureOfSenseCage(cage.id)
+      expect(readFileSync(picture, 'utf8')).toMatch(/<svg /)
+      const beside = readFileSync(join(dirname(picture), 'cage.json'), 'utf8')
+      expect(readSenseCage(JSON.parse(beside)).id).toBe(cage.id)
     })
 
     it('has free starts', () => {

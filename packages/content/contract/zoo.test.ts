@@ -18,6 +18,7 @@ import { describe, expect, it } from 'vitest'
 import { content } from '../files.ts'
 import { gradeOf } from '../items/readability.ts'
 import { readCage } from '../schema/cage.ts'
+import { readCageText } from '../schema/cageText.ts'
 import { textOf } from './there.ts'
 
 const seeds = sample(
@@ -96,6 +97,20 @@ describe('the zoo', () => {
     const { cage } = content.cages.find(({ cage: one }) => one.id === 'fountain')!
     expect(() => readCage({ ...cage, solution: 99 })).toThrow('no such setting')
     expect(() => readCage({ ...cage, mend: { ...cage.mend, rule: 7 } })).toThrow()
-    expect(textOf('zoo/02-fountain/en.md')).toContain('## Wish')
+  })
+
+  it('names the section that its words lack', () => {
+    const text = textOf('zoo/02-fountain/en.md')
+    expect(readCageText(text).wish).toMatch(/\S/)
+    expect(() => readCageText(text.replace('## Wish', '## Dream'))).toThrow(
+      new SyntaxError('The section "Wish" is missing.'),
+    )
+  })
+
+  it('names sources of 1900 or later', () => {
+    const { cage } = content.cages[0]!
+    const from = (year: number) => readCage({ ...cage, source: { ...cage.source, year } })
+    expect(from(1900).source.year).toBe(1900)
+    expect(() => from(1899)).toThrow(expect.objectContaining({ name: 'ValiError' }))
   })
 })

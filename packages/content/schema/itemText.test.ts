@@ -175,6 +175,8 @@ describe('item.json', () => {
   it.each([
     ['kind', 'song'],
     ['grades', [5, 4]],
+    // The longest way through school has 13 grades.
+    ['grades', [3, 14]],
     ['competences', []],
     ['paper', 'a3'],
     ['module', 5],
