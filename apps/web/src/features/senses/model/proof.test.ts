@@ -3,11 +3,12 @@ import { learning } from '@botgarten/blocks/packs/learning'
 import { content } from '@botgarten/content/files'
 import { beginNight, tableOf } from '@botgarten/lab/trying'
 import { tryingIn } from '@botgarten/programs'
-import { beforeAll, expect, test } from 'vitest'
+import { afterEach, beforeAll, expect, test, vi } from 'vitest'
 import { paintFloor } from '@botgarten/simulation'
 import { proofOf } from './proof.ts'
 
 beforeAll(() => addBlocks(learning))
+afterEach(() => vi.restoreAllMocks())
 
 function learnedFor(ticks: number) {
   const { trial } = tryingIn(content.program('try-dodge', 'solution')!.programs['main']!)!
@@ -38,6 +39,13 @@ test('every move that led to a value is in its proof: the textbook update over t
   }
   expect(values[cell]).toBe(proof.number)
   expect(proof.number).toBe(learned.table.q[cell])
+})
+
+test('while a proof is made, the page gets its turn after every 600 ticks', async () => {
+  const learned = learnedFor(3600)
+  const turns = vi.spyOn(globalThis, 'setTimeout')
+  await proofOf(learned, 0)
+  expect(turns).toHaveBeenCalledTimes(3600 / 600)
 })
 
 test('a table that came about in another way has none', async () => {
