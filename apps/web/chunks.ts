@@ -1,5 +1,5 @@
 import type { Plugin } from 'vite'
-import { chunkOfWords } from './words.ts'
+import { chunkOfWords, isForTeachers } from './words.ts'
 
 // Which scripts come together. Nothing here names a file, a feature or a card: what a page needs follows from its imports.
 
@@ -101,6 +101,7 @@ interface Built {
   readonly modules?: { readonly [id: string]: unknown }
   imports?: string[]
   dynamicImports?: string[]
+  readonly viteMetadata?: { readonly importedCss: ReadonlySet<string> }
 }
 
 /**
@@ -110,7 +111,7 @@ interface Built {
 let heavy: readonly string[] = []
 
 const virtual = 'virtual:files-of-teachers'
-/** Files that only pages of teachers load at once. */
+/** Files that only pages of teachers load, at once or later. */
 let ofTeachers: readonly string[] = []
 
 /** Gives the list to the service worker, which is built after the pages. */
@@ -124,7 +125,40 @@ export const filesOfTeachers: Plugin = {
 const routeOf = ({ modules = {} }: Built) =>
   Object.keys(modules).flatMap((id) => page.exec(id)?.[1] ?? [])[0] ?? null
 
-const isOfTeachers = (route: string | null) => route !== null && /^[\\/]teacher(?:[\\/]|$)/.test(route)
+const isOfTeachers = (node: Built) => /^[\\/]teacher(?:[\\/]|$)/.test(routeOf(node) ?? '')
+
+/** Scripts and styles that pages load, at once or later. */
+function filesOf(pages: readonly Built[], bundle: { readonly [file: string]: Built }): ReadonlySet<string> {
+  const files = new Set<string>()
+  const add = (file: string) => {
+    if (files.has(file)) return
+    files.add(file)
+    const { imports = [], dynamicImports = [], viteMetadata } = bundle[file] ?? {}
+    for (const style of viteMetadata?.importedCss ?? []) files.add(style)
+    for (const other of [...imports, ...dynamicImports]) add(other)
+  }
+  for (const { fileName } of pages) add(fileName)
+  return files
+}
+
+/** Messages for teachers: every page has their address, since one table names all files of messages. */
+const isWordsForTeachers = ({ modules = {} }: Built) =>
+  Object.keys(modules).length > 0 && Object.keys(modules).every(isForTeachers)
+
+/** Files that pages of teachers load and no other page. */
+function filesOfTeachersIn(
+  nodes: readonly Built[],
+  bundle: { readonly [file: string]: Built },
+): readonly string[] {
+  const others = filesOf(
+    nodes.filter((node) => !isOfTeachers(node)),
+    bundle,
+  )
+  return [...filesOf(nodes.filter(isOfTeachers), bundle)].filter((file) => {
+    const chunk = bundle[file]
+    return !others.has(file) || (chunk !== undefined && isWordsForTeachers(chunk))
+  })
+}
 
 /** The chunk of a page or of its frame. */
 const isNode = ({ type, fileName }: Built) => type === 'chunk' && /[\\/]nodes[\\/]/.test(fileName)
@@ -139,7 +173,7 @@ export const allOfPagesAtOnce: Plugin = {
     const built = bundle as unknown as { readonly [file: string]: Built }
     const nodes = Object.values(built).filter(isNode)
     const shared = new Set<Built>()
-    const pagesWith = new Map<string, readonly { readonly waits: boolean; readonly teachers: boolean }[]>()
+    const pagesWith = new Map<string, readonly { readonly waits: boolean }[]>()
     for (const node of nodes) {
       const all = new Map<string, Built>()
       const add = (file: string) => {
@@ -156,7 +190,7 @@ export const allOfPagesAtOnce: Plugin = {
         .filter(({ modules = {} }) => asked.some((id) => id in modules))
         .forEach(({ fileName }) => add(fileName))
       node.imports = [...all.keys()]
-      const about = { waits: asked.length > 0, teachers: isOfTeachers(routeOf(node)) }
+      const about = { waits: asked.length > 0 }
       for (const file of [node.fileName, ...node.imports])
         pagesWith.set(file, [...(pagesWith.get(file) ?? []), about])
       const later = [node, ...all.values()].flatMap(({ dynamicImports = [] }) => dynamicImports)
@@ -166,9 +200,7 @@ export const allOfPagesAtOnce: Plugin = {
     heavy = [...pagesWith]
       .filter(([, pages]) => pages.length === nodes.length || pages.every(({ waits }) => waits))
       .map(([file]) => file)
-    ofTeachers = [...pagesWith]
-      .filter(([, pages]) => pages.every(({ teachers }) => teachers))
-      .map(([file]) => file)
+    ofTeachers = filesOfTeachersIn(nodes, built)
   },
 }
 

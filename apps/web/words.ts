@@ -11,6 +11,15 @@ const ofCommands = 'cli'
 /** Blockly's own words, which it asks for itself. */
 const ofBlockly = 'blockly'
 
+/** Files with messages that only pages of teachers show. */
+export const ofTeachers: readonly string[] = ['teacher', 'doctor']
+
+/** Is a module one of them? */
+export function isForTeachers(id: string): boolean {
+  const [, file] = /^\0content:words\/[^/]+\/([^/]+)$/.exec(id) ?? []
+  return file !== undefined && ofTeachers.includes(file)
+}
+
 /** The files whose messages the screens say. */
 export const filesOfScreens = (folder = wordsFolder): readonly string[] =>
   filesIn(folder).filter((file) => file !== ofCommands && file !== ofBlockly)
