@@ -24,6 +24,17 @@ test('what a finger lets go outside stays on the plane', () => {
   expect(field.valueY(-100)).toBe(10)
 })
 
+test('the plane ends inside its room, with a margin for the axes below it and on its left', () => {
+  fc.assert(
+    fc.property(room, (size) => {
+      const field = fieldIn(size)
+      const [right, below] = [size.width - field.left - field.width, size.height - field.top - field.height]
+      expect(Math.min(right, below, field.top, field.left)).toBeGreaterThan(0)
+      expect([field.left, below]).toEqual([46, 46])
+    }),
+  )
+})
+
 test('things on one place move apart, each once', () => {
   const spots = apart(
     Array.from({ length: 12 }, () => ({ x: 100, y: 100 })),
@@ -97,6 +108,15 @@ test('of a square with a spot inside it is the square', () => {
     { x: 0, y: 4 },
   ]
   expect(hullOf([...square, { x: 2, y: 2 }])).toEqual(square)
+})
+
+test('of the smallest triangle has all three corners', () => {
+  const triangle = [
+    { x: 0, y: 0 },
+    { x: 1, y: 0 },
+    { x: 0, y: 1 },
+  ]
+  expect(hullOf(triangle)).toEqual(triangle)
 })
 
 test('arrow keys move a flag in small or large steps, other keys do not', () => {

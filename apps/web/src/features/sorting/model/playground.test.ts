@@ -1,6 +1,10 @@
+import { cluster, plusPlusStart } from '@botgarten/learning/k-means'
+import { stream } from '@botgarten/numbers'
 import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest'
 import { Playground } from './playground.svelte.ts'
+import type { Kept } from './kept.ts'
 import { traps } from './traps.ts'
+import { pointsIn } from './work.ts'
 
 const store = new Map<string, string>()
 beforeEach(() => {
@@ -84,6 +88,32 @@ describe('the sorting playground', () => {
     sorts(['Länge', 'Breite', 'Höhe'], rows)
     expect(playground.work.table.columns[0]).toMatchObject({ feature: 'Länge' })
     sorts(['1', '2'], [[5, 5], [5, 5], [5, 5]]) // prettier-ignore
+  })
+
+  test('a table of one column has one axis, every other table two: its first two columns', () => {
+    const playground = new Playground()
+    const axesOf = (...row: number[]) => {
+      playground.takeTable(row.map(String), [row, row])
+      return playground.work.axes
+    }
+    expect([axesOf(1), axesOf(1, 2), axesOf(1, 2, 3)]).toEqual([[0, -1], [0, 1], [0, 1]]) // prettier-ignore
+  })
+
+  test('the best of ten throws has the least inertia of ten, not of nine or eleven', () => {
+    const playground = new Playground()
+    playground.takeTrap('many')
+    playground.setFlags(6)
+    for (let time = 0; time < 30; time += 1) {
+      const { table, flags, distance, throws } = playground.work
+      const dice = stream(throws, 'learn/sorting/flags')
+      const ten = Array.from({ length: 10 }, () =>
+        cluster(pointsIn(table), plusPlusStart(pointsIn(table), flags, distance, dice), distance),
+      )
+      const least = Math.min(...ten.map(({ inertia }) => inertia.at(-1)!))
+      playground.throwFlags('best')
+      const best = ten.find(({ inertia }) => inertia.at(-1) === least)!
+      expect(playground.work.state!.centres).toEqual(best.centres)
+    }
   })
 
   test('never has more flags than points, and none without points', () => {
@@ -201,6 +231,22 @@ describe('the sorting playground', () => {
     expect(again.work.state!.centres).toHaveLength(3)
   })
 
+  test('a playground that is left while it plays saves its flags, plays no more, and closes its project', () => {
+    const saved: Kept[] = []
+    const close = vi.fn()
+    const keep = (now: () => Kept) => saved.push(now())
+    const playground = new Playground({ kept: null, keep, flush: () => {}, project: null, close })
+    playground.play()
+    vi.advanceTimersByTime(700)
+    const { state } = playground.work
+    playground.close()
+    expect(close).toHaveBeenCalledOnce()
+    vi.advanceTimersByTime(60_000)
+    expect([playground.playing, playground.work.state]).toEqual([false, state])
+    const again = new Playground({ kept: saved.at(-1), keep, flush: () => {}, project: null, close })
+    expect(again.work.state!.centres).toEqual(state!.centres)
+  })
+
   test('each page is found again as it was left, with its result', () => {
     const playground = new Playground()
     playground.takeSet('leaves')
@@ -250,6 +296,49 @@ describe('the sorting playground', () => {
     for (const value of playground.work.table.rows.flat()) expect(value >= 0 && value <= 10).toBe(true)
     for (let step = 0; step < 200 && !playground.done; step++) playground.stepAll()
     expect(playground.done).toBe(true)
+  })
+
+  test.each([
+    ['heaps', 3],
+    ['few', 5],
+  ])(
+    'the %s are apart: points of one heap are nearer to each other than to any of another',
+    (name, heaps) => {
+      const rows = traps[name]!.rows()
+      const each = rows.length / heaps
+      const apart = { own: [] as number[], others: [] as number[] }
+      for (const [a, one] of rows.entries())
+        for (const [b, other] of rows.slice(0, a).entries()) {
+          const isOwn = Math.floor(a / each) === Math.floor(b / each)
+          apart[isOwn ? 'own' : 'others'].push(Math.hypot(one[0]! - other[0]!, one[1]! - other[1]!))
+        }
+      expect(Math.max(...apart.own)).toBeLessThan(Math.min(...apart.others))
+    },
+  )
+
+  test('the five heaps are placed as on a die: those in the corners are equally far from the one in the middle', () => {
+    const rows = traps['few']!.rows()
+    const mean = (heap: number, axis: number) =>
+      rows.slice(12 * heap, 12 * heap + 12).reduce((sum, row) => sum + row[axis]! / 12, 0)
+    const far = [0, 1, 2, 3].map((heap) => Math.hypot(mean(heap, 0) - mean(4, 0), mean(heap, 1) - mean(4, 1)))
+    expect(Math.max(...far) / Math.min(...far)).toBeLessThan(1.1)
+  })
+
+  test('moons are half circles: every point is about as far from the middle of both ends, on one side', () => {
+    const rows = traps['moons']!.rows()
+    for (const [arc, side] of [
+      [rows.slice(0, 32), 1],
+      [rows.slice(32), -1],
+    ] as const) {
+      // prettier-ignore
+      const [first, last] = [arc[0]!, arc.at(-1)!]
+      const [x, y] = [(first[0]! + last[0]!) / 2, (first[1]! + last[1]!) / 2]
+      const radius = Math.hypot(first[0]! - x, first[1]! - y)
+      for (const [right, up] of arc) {
+        expect(Math.abs(Math.hypot(right! - x, up! - y) - radius)).toBeLessThan(0.6)
+        expect(side * (up! - y)).toBeGreaterThan(-0.6)
+      }
+    }
   })
 
   test('moons are cut: k-means puts points of both arcs together', () => {

@@ -19,6 +19,18 @@ test('one feature of words alone lies on trays; numbers, colours and two feature
   expect(isOnTrays(withFeature(only('vessels', 'material'), 'width', true))).toBe(false)
 })
 
+test('trays lie side by side from edge to edge, each with its middle half way between its edges', () => {
+  const trays = traysIn(field, 4)
+  const ends = trays.map(({ left, width }) => left + width)
+  expect([trays[0]!.left, ends[3]]).toEqual([field.left, field.left + field.width])
+  trays.slice(1).forEach(({ left }, before) => expect(left).toBeGreaterThan(ends[before]!))
+  for (const { left, top, width, height, x, y } of trays)
+    expect([x - left, y - top]).toEqual([
+      expect.closeTo(width / 2, 9) as number,
+      expect.closeTo(height / 2, 9) as number,
+    ])
+})
+
 test('every thing lies on the tray of its word, in its edges, and apart from the others', () => {
   const { rows, columns } = only('vessels', 'material').table
   const trays = traysIn(field, columns.length)
@@ -41,4 +53,9 @@ test('a flag that is set on a tray means its word, and stands over that tray', (
   const centre = centreOn(trays, trays[1]!.x + 20, 7)
   expect(centre).toEqual([0, 7, 0])
   expect(flagsOn(trays, [centre])[0]!.x).toBeCloseTo(trays[1]!.x, 9)
+})
+
+test('a flag that means no word, as the median of three different words, is in the middle of all trays', () => {
+  const trays = traysIn(field, 3)
+  expect(flagsOn(trays, [[0, 0, 0]])[0]!.x).toBeCloseTo(field.left + field.width / 2, 9)
 })
