@@ -50,6 +50,22 @@ describe('examples in a session', () => {
     expect(session.weights.now(network)['eyeLeft']!['wheelLeft']).toBe(0.4)
   })
 
+  it('writes no more rows once recording has ended, though the run goes on', () => {
+    const { session, network, rows, frame } = taught()
+    session.examples.record(network, 'pad')
+    session.start()
+    const stop = session.lab.run()
+    session.lab.drive({ left: 60, right: 60 })
+    for (let k = 0; k < 10; k++) frame()
+    session.examples.stop()
+    const written = rows()
+    expect(written).toBeGreaterThan(1)
+    expect(session.lab.view.recording).toBeNull()
+    for (let k = 0; k < 10; k++) frame()
+    expect(rows()).toBe(written)
+    stop()
+  })
+
   it('chooses how it practises, before and after it has', () => {
     const { session, network } = taught()
     const { examples } = session

@@ -1,3 +1,5 @@
+import { content } from '@botgarten/content/files'
+import { draftOf } from '@botgarten/content/own-card'
 import { afterEach, beforeEach, expect, test, vi } from 'vitest'
 import * as packs from '#features/editor/model/packs.ts'
 import { load, save } from '#storage/projects.ts'
@@ -41,6 +43,19 @@ test('what is kept is opened, under the card or under a key of its own', async (
   const second = await openLab('friendship', 'friendship-2', packs)
   expect(second).toMatchObject({ id: 'friendship-2', project: { name: 'second' } })
   expect((await openLab('free', 'friendship-2', packs))!.card).toBeNull()
+})
+
+test('the free lab shows the card that a project is made as, with its goals in words, but no draft of one', async () => {
+  const { card } = content.card('friendship')!
+  const begun = draftOf(friendship, 'Meet', 'en', card)
+  const text = { title: 'Meet', story: 'A story.', task: 'Bo comes near.', hints: ['1', '2', '3'] as const }
+  const { draft: _, ...ownCard } = { ...begun.ownCard!, text: { en: text } }
+  await save('made', { ...begun, ownCard }, 0)
+  const made = (await openLab('free', 'made', packs))!
+  expect(made.card!.card.checks).toEqual(ownCard.checks)
+  expect(Object.keys(made.card!.text.en.checks)).toEqual(ownCard.checks.map(({ id }) => id))
+  await save('draft', { ...begun, ownCard: { ...ownCard, draft: true } }, 0)
+  expect((await openLab('free', 'draft', packs))!.card).toBeNull()
 })
 
 test('what is damaged stays where it is; what of it can be opened is a project of its own', async () => {
