@@ -10,7 +10,7 @@ function opened() {
   const { session } = sessionOf()
   session.learnFirst = () => false
   const last = new LastRun(session)
-  const turn = () => session.weights.turn('net', 'eyeLeft', 'wheelRight', 0.5)
+  const turn = () => session.weights.turn('net', 'eyeLeft', 'wheelRight', 0.5, 'whole')
   return { session, last, turn, draw }
 }
 

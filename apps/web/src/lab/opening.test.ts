@@ -53,7 +53,7 @@ test('the free lab shows the card that a project is made as, with its goals in w
   await save('made', { ...begun, ownCard }, 0)
   const made = (await openLab('free', 'made', packs))!
   expect(made.card!.card.checks).toEqual(ownCard.checks)
-  expect(Object.keys(made.card!.text.en.checks)).toEqual(ownCard.checks.map(({ id }) => id))
+  expect(Object.keys(made.card!.text.en!.checks)).toEqual(ownCard.checks.map(({ id }) => id))
   await save('draft', { ...begun, ownCard: { ...ownCard, draft: true } }, 0)
   expect((await openLab('free', 'draft', packs))!.card).toBeNull()
 })

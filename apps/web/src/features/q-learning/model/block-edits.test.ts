@@ -47,6 +47,12 @@ test('a road is closed or opened in each direction, the others stay', () => {
   expect([edits().isClosed(3, 2), edits().isClosed(0, 1)]).toEqual([true, false])
 })
 
+test('roads that share one station with it stay closed', () => {
+  const closed = [[3, 2], [2, 3], [3, 5], [1, 2], [2, 4]] as const // prettier-ignore
+  edits({ ...outline, closed }).setRoad(2, 3, false, false)
+  expect(steps).toEqual([{ map: 'map', roads: [[3, 5], [1, 2], [2, 4]] }]) // prettier-ignore
+})
+
 test('own rewards come, change and go', () => {
   edits().setOwn(['4'], 2.5)
   edits().setOwn(['3'], 0)

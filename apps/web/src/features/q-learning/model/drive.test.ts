@@ -80,3 +80,26 @@ test('the drive ends when Bo has stood at the goal for two seconds, and not befo
   at(2001 + 2 * TICKS_PER_SECOND, 5, 0)
   expect(stop).toHaveBeenCalledTimes(1)
 })
+
+test('the pale map lies under the floor only while the way of this map lies on it', async () => {
+  const { session, drive } = learned()
+  const painted = { ...stage, picture: { pale: 'data:image/svg+xml,pale' } } as unknown as Stage
+  drive.showMap(painted)
+  expect(session.below).toBeNull()
+  await drive.draw(false)
+  drive.showMap(painted)
+  expect(session.below!.url).toBe('data:image/svg+xml,pale')
+  expect(session.below!.stations).toEqual(stage.map.stations.map((_, at) => placeOf(stage.map, at)))
+  drive.showMap(null)
+  expect(session.below).toBeNull()
+})
+
+test('map and floor change places: the small one comes to the front, again and again', () => {
+  const { drive } = learned()
+  const seen = [drive.front]
+  for (let press = 0; press < 3; press += 1) {
+    drive.swap()
+    seen.push(drive.front)
+  }
+  expect(seen).toEqual(['map', 'floor', 'map', 'floor'])
+})
