@@ -25,6 +25,19 @@ test('the picture has room for everyone who is alike, and for what is less than 
   expect(scaleOf([laneWith(0), laneWith(0)], 'falls')).toEqual({ low: 0, high: 1, outside: [] })
 })
 
+test('a lane alone has the whole picture, and one with four times as much as the next stays in it', () => {
+  expect(scaleOf([laneWith(1, 46)], 'falls')).toEqual({ low: 0, high: 46, outside: [] })
+  expect(scaleOf([laneWith(10), laneWith(40)], 'falls')).toEqual({ low: 0, high: 40, outside: [] })
+  expect(scaleOf([laneWith(10), laneWith(41)], 'falls')).toEqual({ low: 0, high: 10, outside: [1] })
+})
+
+test('steps between ticks are 1, 2 or 5 times a power of ten, a third of the picture at least', () => {
+  expect(ticksOf(0, 30)).toEqual([0, 10, 20, 30])
+  expect(ticksOf(0, 31)).toEqual([0, 20])
+  expect(ticksOf(0, 150)).toEqual([0, 50, 100, 150])
+  expect(ticksOf(0, 3)).toEqual([0, 1, 2, 3])
+})
+
 test('ticks are round, within the picture, and not many', () => {
   expect(ticksOf(0, 60)).toEqual([0, 20, 40, 60])
   fc.assert(

@@ -34,3 +34,16 @@ test('half of the time shows half of the way, all of it the end, and then it sta
   frameAt(1000 + 16_000)
   expect([playback.at, playback.playing, frames]).toEqual([600, false, []])
 })
+
+test('a moment that is chosen while it plays is shown, and playing stops there', () => {
+  const playback = new Playback()
+  playback.speed = 1
+  playback.begin(601)
+  frameAt(1000 + 4000)
+  playback.goTo(20)
+  expect([playback.at, playback.playing, frames]).toEqual([20, false, []])
+  playback.goTo(900)
+  expect([playback.at, playback.atEnd]).toEqual([600, true])
+  playback.goTo(-1)
+  expect(playback.at).toBe(0)
+})

@@ -45,6 +45,7 @@ describe('a child that walks', () => {
       [3],
       false,
     ])
+    expect(walk.now).toEqual({ states: [3], stars: 0, falls: 0, atGoal: false })
     for (const { action, to, side } of walk.doorsOf(3))
       expect([world.from[action], world.meant[action], side]).toEqual([3, to, null])
   })
