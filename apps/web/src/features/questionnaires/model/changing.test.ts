@@ -35,3 +35,10 @@ test('a form of one’s own keeps its name when it is changed again', () => {
   const again = new Changing(made, 'de', made.text['de']!).made('after-3', steps)
   expect(again.form.id).toBe('after-2')
 })
+
+test('a form in another language only has the words of that language where nothing was changed', () => {
+  const words = after.text['de']!
+  const french = { form: { ...after.form, id: 'after-2' }, text: { fr: words } }
+  const made = new Changing(french, 'en', words).made('after-3', steps)
+  expect(made.text['en']!.words['go-on']).toEqual(words.words['go-on'])
+})

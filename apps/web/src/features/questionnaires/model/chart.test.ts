@@ -54,3 +54,13 @@ test('a slope goes from moment to moment', () => {
 test('a mean of 3 lies in the middle of its strip', () => {
   expect(onStrip(3, 120)).toBe(60)
 })
+
+test('bars that all lie left of the middle fill the room, up to the middle at its right end', () => {
+  const { middle, bars } = around([[3, 1, 0, 0, 0]], 200)
+  expect(middle).toBe(200)
+  // 4 people are 200 px: 3 of them 150, 1 of them 50.
+  expect(bars[0]!.map(({ x, width }) => [x, width])).toEqual([
+    [0, 150],
+    [150, 50],
+  ])
+})

@@ -1,7 +1,7 @@
 import content from 'content:questionnaires'
 import { bands } from '@botgarten/answers'
 import { expect, test } from 'vitest'
-import { gradesOf, scaleBlocks, studyOf } from './results.ts'
+import { gradesOf, scaleBlocks, slopesOf, studyOf } from './results.ts'
 
 const after = content.forms.find(({ form }) => form.id === 'after')!
 const tally = (counts: { readonly [item: string]: readonly number[] }) => ({
@@ -28,4 +28,21 @@ test('mixed grades have no group of 2020, nor have the oldest', () => {
 
 test('grades are said from the first to the last', () => {
   expect([gradesOf(['5-6']), gradesOf(['3-4', '5-6'])]).toEqual(['5–6', '3–6'])
+  expect(gradesOf(['10-12'])).toBe('10–12')
+})
+
+test('a topic has a line of the shares that guessed right, and none where no form asked it', () => {
+  const before = content.forms.find(({ form }) => form.id === 'before')!
+  const item = before.form.items.find((one) => one.kind === 'robot')!
+  const { question } = content.asked.find((one) => one.question.id === item.question)!
+  // 3 of 4 guessed right.
+  const counts = question.choices.map((choice, at) =>
+    choice === question.answer ? 3 : at === (question.choices[0] === question.answer ? 1 : 0) ? 1 : 0,
+  )
+  const source = {
+    ...{ forms: [before], isOpen: () => false, count: () => 22, growths: () => [], close: () => {} },
+    ...{ tallies: () => [tally({ [item.id]: counts })], rows: () => Promise.resolve([]) },
+  }
+  expect(slopesOf(source, [before])).toEqual([{ topic: item.topic, points: [{ at: 0, share: 0.75, n: 4 }] }])
+  expect(slopesOf({ ...source, isOpen: () => true }, [before])).toEqual([])
 })

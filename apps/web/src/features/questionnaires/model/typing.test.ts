@@ -25,3 +25,10 @@ test('a field that was emptied counts nothing', () => {
   typing.counts['go-on'] = [undefined as unknown as number, 3, Number.NaN]
   expect(typing.made!.counts['go-on']).toEqual([0, 3, 0])
 })
+
+test('what was not typed in counts 0 for every answer', () => {
+  const typing = new Typing(after)
+  typing.sheets = 5
+  expect(typing.made!.counts['go-on']).toEqual([0, 0, 0])
+  expect(typing.made!.counts['interest-supervised']).toEqual([0, 0, 0, 0, 0])
+})
