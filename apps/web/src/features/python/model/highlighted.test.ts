@@ -16,6 +16,14 @@ it('texts and words of Python are told apart', () => {
   expect(kinds('return "if"')).toEqual([['keyword return', 'text "if"']])
 })
 
+it('words that define or import are words of Python, names that are defined are plain', () => {
+  expect(kinds('import a\ndef go(far):\n    class Bo: x = None')).toEqual([
+    ['keyword import'],
+    ['keyword def', 'name go'],
+    ['keyword class', 'keyword None'],
+  ])
+})
+
 it('nothing is lost or added', () => {
   const code = '# ä\n\n\ndef f(x):\n    return x + "\\n"\n'
   const text = highlighted(code)

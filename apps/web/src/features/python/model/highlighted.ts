@@ -8,13 +8,12 @@ export interface Piece {
 }
 
 const highlighter = tagHighlighter([
-  { tag: [tags.keyword, tags.modifier, tags.operatorKeyword, tags.controlKeyword], class: 'keyword' },
-  { tag: [tags.definitionKeyword, tags.moduleKeyword, tags.self, tags.null], class: 'keyword' },
+  // With its parts: words that define, import, and the like.
+  { tag: tags.keyword, class: 'keyword' },
   { tag: [tags.number, tags.bool], class: 'number' },
   { tag: [tags.string, tags.special(tags.string)], class: 'text' },
   { tag: tags.comment, class: 'note' },
   { tag: [tags.function(tags.variableName), tags.function(tags.propertyName)], class: 'name' },
-  { tag: [tags.definition(tags.variableName), tags.className], class: '' },
 ])
 
 /** A file of Python line by line, each in coloured pieces. */
