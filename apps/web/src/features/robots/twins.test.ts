@@ -6,7 +6,7 @@ import { readFileSync } from 'node:fs'
 import { describe, expect, it } from 'vitest'
 import { withBeside } from './beside.ts'
 import { withoutRobot } from '#lab/robots.ts'
-import { differing, linksOf, twinsOf } from './twins.ts'
+import { differing, linksOf, twinsOf, weightIn } from './twins.ts'
 
 const content = new URL('../../../../../content/', import.meta.url)
 const read = (path: string) => JSON.parse(readFileSync(new URL(path, content), 'utf8')) as unknown
@@ -63,5 +63,12 @@ describe('Fear and Friendship side by side', () => {
     const { document: both } = withBeside(named, card.beside!, 'Friendship')
     expect(both.brains['net']!.sets['Friendship']).toEqual({})
     expect(both.world.robots[1]!.brain).toBe('bo2')
+  })
+
+  it('have the weight 0 on a link that has none', () => {
+    const weights = { eyeLeft: { wheelLeft: 0.5 } }
+    expect(weightIn(weights, { from: 'eyeLeft', to: 'wheelLeft' })).toBe(0.5)
+    expect(weightIn(weights, { from: 'eyeLeft', to: 'wheelRight' })).toBe(0)
+    expect(weightIn(weights, { from: 'eyeRight', to: 'wheelLeft' })).toBe(0)
   })
 })

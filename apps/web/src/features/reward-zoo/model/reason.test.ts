@@ -50,6 +50,16 @@ describe('the reason of a decision', () => {
       [2, false],
       [3, true],
     ])
+    // The same with stations 0 and 3 in each other's place: the numbers of stations say nothing of their worth.
+    const swapped = {
+      map: { actions: [[{ to: 4 }], [{ to: 0 }, { to: 2 }, { to: 3 }], [{ to: 1 }], [{ to: 1 }], []] },
+    } as unknown as MapFile
+    expect(
+      reasonAt({ ...forked, start: 3 }, swapped, 50)!.moves.map(({ to, isBest }) => [to, isBest]),
+    ).toEqual([
+      [2, false],
+      [0, true],
+    ])
   })
 
   test('is none where the cage names no station', () => {

@@ -30,3 +30,9 @@ test('wherever Bo stands, it is at least 19 cm inside the picture', () => {
     }),
   )
 })
+
+test('the picture moves from Bo towards the thing by three fifths of the way to it', () => {
+  // 20 cm to the right and 10 cm up: 12 and 6 cm; the picture is 190 × 76 cm, its y goes down from 400.
+  const frame = frameOf({ size, obstacles: [block] }, { x: 280, y: 190 })
+  expect(frame).toBe(`${280 + 12 - 95} ${400 - (190 + 6) - 38} 190 76`)
+})

@@ -179,3 +179,8 @@ test('a substitute sees the class and helps, and changes no name', async () => {
   await account.signOut(false)
   expect(account.access.kind).toBe('out')
 })
+
+test('times are seen by the server’s clock, not by that of this device', () => {
+  // The state came a moment ago; a minute is far more than a slow machine takes for that.
+  expect(Math.abs(live.at(Date.now()) - server.now)).toBeLessThan(60_000)
+})

@@ -36,3 +36,8 @@ test('a card that is not free today is a dot, and what was done stays done', () 
 test('a playground without goals is never done', () => {
   expect(matrixOf(cards, { pupils, free: null })[0]!.cells[3]).toEqual({ kind: 'working', passed: 0, of: 0 })
 })
+
+test('a card with one place is done from this place', () => {
+  const railway = { id: '3', nickname: 'Otter', done: { railway: 1 } }
+  expect(matrixOf(cards, { pupils: [railway], free: null })[0]!.cells[2]).toEqual({ kind: 'done' })
+})

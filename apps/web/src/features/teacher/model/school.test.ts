@@ -94,3 +94,12 @@ test('another date has to be one to come', async () => {
   await school.change({ name: '5c', grade: 6, endsOn: '2027-07-31' })
   expect(school.row).toMatchObject({ name: '5c', grade: 6, endsOn: '2027-07-31' })
 })
+
+test('a link for a substitute lets somebody in, until lending ends', async () => {
+  const { token } = (await school.lend())!
+  expect(school.refused).toBeNull()
+  const other = apiOn(server)
+  await other.send('POST', '/substitute', { token })
+  await school.endLending()
+  await expect(other.send('GET', `/classes/${school.id}`)).rejects.toMatchObject({ status: 401 })
+})

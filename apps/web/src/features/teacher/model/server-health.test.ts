@@ -1,5 +1,5 @@
 import { endClasses, firstTeacherToken } from '@botgarten/classroom'
-import { expect, test } from 'vitest'
+import { expect, test, vi } from 'vitest'
 import { apiOn, freshServer } from '../testing/class-server.ts'
 import { classes, made } from './answers.ts'
 import { BackupPhrase } from './backup-phrase.svelte.ts'
@@ -106,4 +106,15 @@ test('the operator sees both dates of a clock that is doubted, and answers with 
   expect(health.clock).toBeNull()
   expect(health.refused).toBeNull()
   expect(await own()).toEqual([])
+})
+
+test('a page that looks again and again looks at once', async () => {
+  const server = await freshServer()
+  const api = apiOn(server)
+  const token = await firstTeacherToken(server.ports)
+  await api.send('POST', '/teachers', { token, username: 'm.weber', password: 'kastanie im regen' })
+  const health = new ServerHealth(api)
+  const stop = health.watch(true)
+  await vi.waitFor(() => expect(health.findings).not.toBeNull())
+  stop()
 })

@@ -4,6 +4,8 @@ import { afterEach, beforeEach, expect, test, vi } from 'vitest'
 import { screen } from '#lab/testing/session.ts'
 import { workersHere } from '#lab/testing/worker.ts'
 import { freshLocalStorage } from '#storage/testing/local.ts'
+import type { Order, Report } from './messages.ts'
+import { newWorker } from './new-worker.ts'
 import { SenseWork } from './sense-work.svelte.ts'
 
 let workers: ReturnType<typeof workersHere>
@@ -41,4 +43,21 @@ test('the robot of the cage drives from every start, by the table that it has le
   expect([work.player.playing, work.isCagePay]).toEqual([true, true])
   work.close()
   expect(workers.map(({ isOver }) => isOver)).toEqual([true])
+})
+
+test('the robot of the cage learns with another pay, and drives by what it has learned', async () => {
+  const { cage } = loaded
+  const pay = [{ for: 'bump', coins: -7 }] as const
+  const reports: Report[] = []
+  const worker = newWorker()
+  worker.onmessage = ({ data }: MessageEvent<Report>) => void reports.push(data)
+  const order = (one: Order) => worker.postMessage(one)
+  order({ kind: 'open', cage, grounds: work.grounds })
+  order({ kind: 'learn', pay, seed: 5 })
+  await vi.waitFor(() => expect(reports.at(-1)?.kind).toBe('seen'), { timeout: 30_000 })
+  worker.terminate()
+  const { seen } = reports.at(-1) as Extract<Report, { kind: 'seen' }>
+  expect([seen.table.pay, seen.table.seed]).toEqual([pay, 5])
+  expect(seen.table.moves).toBeGreaterThan(0)
+  expect(seen.watched).toHaveLength(cage.starts.length)
 })
