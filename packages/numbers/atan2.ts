@@ -7,8 +7,9 @@ const [A1, A2, A3, A4, A5, A6, A7] = ARCTANGENT
 const TABLE_FROM = 0.109375
 const TINY = 3.7252902984619140625e-9 // 2^-28: atan q = q
 const SPLITTER = 134217729 // 2^27 + 1
-const BIG = 1e200
-const SMALL = 1e-200
+// Powers of two, by which nothing is rounded.
+const BIG = 7.654505172902098e199 // 2^664
+const SMALL = 1.3064201766302604e-200 // 2^-664
 
 /** The angle of the point (x, y) in radians, −pi..pi: within 1 ulp, the same bits in every engine; zeros and infinities as in ECMAScript. */
 export const atan2 = (y: number, x: number): number => angleOf(y, x, 0)

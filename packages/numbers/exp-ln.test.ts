@@ -40,6 +40,7 @@ describe('at the ends', () => {
       0,
       NaN,
     ])
+    expect([exp(0), exp(-0)]).toEqual([1, 1])
     expect([ln(0), ln(-1), ln(Infinity), ln(NaN)]).toEqual([-Infinity, NaN, Infinity, NaN])
     expect([log10(0), log10(-1), log10(Infinity), log10(NaN)]).toEqual([-Infinity, NaN, Infinity, NaN])
   })
