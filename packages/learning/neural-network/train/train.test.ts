@@ -419,6 +419,18 @@ describe('what cannot practise is refused', () => {
     expect(practice.parameters[2]).not.toBe(0.3)
   })
 
+  it.each([
+    // z = 10 · 1 + 20 · w percent: 2, 0, −2.
+    [-0.4, 1],
+    [-0.5, 0],
+    [-0.6, 0],
+  ])('a threshold with the weights 1 and %d gives %d', (weight, value) => {
+    const layers = [layersOf([2, 2], 'identity', 'identity')[0]!, [neuron('m', 'threshold'), neuron('n')]]
+    const practice = practiceOf(layers, pairs, quick, [1, weight, 0.3, 0.4, 0, 0])
+    forwardOver(practice, practice.practised.inputs, 0)
+    expect(practice.values[2]).toBe(value)
+  })
+
   it('softmax beside others, a row that chooses none, no links, no examples', () => {
     const mixed = [layersOf([2, 2], 'identity', 'identity')[0]!, [neuron('m', 'softmax'), neuron('n')]]
     expect(refusal(mixed)).toEqual({ kind: 'softmax' })

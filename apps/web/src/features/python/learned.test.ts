@@ -16,12 +16,7 @@ import { learnedIn } from './learned.ts'
 // Only a browser can draw the picture of a map.
 vi.mock('#figures/map/stage.ts', () => ({
   loadStage: (id: string) =>
-    Promise.resolve(
-      stageOf(
-        id,
-        readFileSync(new URL(`../../../../../content/maps/${id}/map.svg`, import.meta.url), 'utf8'),
-      ),
-    ),
+    Promise.resolve(stageOf(id, readFileSync(content.path('maps', id, 'map.svg'), 'utf8'))),
 }))
 beforeAll(async () => {
   addBlocks(learning)

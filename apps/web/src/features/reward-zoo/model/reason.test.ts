@@ -50,7 +50,7 @@ describe('the reason of a decision', () => {
       [2, false],
       [3, true],
     ])
-    // The same with stations 0 and 3 in each other's place: the numbers of stations say nothing of their worth.
+    // The same with stations 0 and 3 in each other's place: a station is worth the same under any number.
     const swapped = {
       map: { actions: [[{ to: 4 }], [{ to: 0 }, { to: 2 }, { to: 3 }], [{ to: 1 }], [{ to: 1 }], []] },
     } as unknown as MapFile
