@@ -129,6 +129,19 @@ describe('learning by trying', () => {
     }
   })
 
+  it('is paid for a new square of the floor once in a try', () => {
+    const free = { ...world, obstacles: [], size: { width: 4000, height: 4000 } }
+    const starts = [{ x: 2000, y: 2000 }]
+    const ahead = { ...trialOf(), starts, actions: [{ left: 50, right: 50 }] }
+    const night = beginNight(free, paintFloor(free), { ...ahead, pay: [{ for: 'tile', coins: 1 }] })
+    night.advance(3600)
+    // A minute at 5.6 π cm/s is 1056 cm: across squares of 40 cm at least 18 along their diagonals, and at most 27 columns
+    // and 27 rows. It decides 240 times.
+    const paid = night.state.curve[0]!.pay
+    expect(paid).toBeGreaterThanOrEqual(18)
+    expect(paid).toBeLessThanOrEqual(54)
+  })
+
   it('ends a try at a bump where that is set: the next one begins at the start', () => {
     const ended = trialOf(blocks(1, { ENDS: 'TRUE' }))
     expect(ended.bumpEnds).toBe(true)

@@ -6,6 +6,7 @@ import { closeSessions, screen, sessionOf } from '#lab/testing/session.ts'
 import { friendship } from '#storage/testing/sample.ts'
 import { fetchWords } from '#words/message.ts'
 import { Debugger } from './debugger.svelte.ts'
+import { noValues } from './values.ts'
 
 afterEach(() => {
   closeSessions()
@@ -77,6 +78,19 @@ describe('a stop', () => {
     expect(session.lab.view.robots).toHaveLength(2)
     expect([session.lab.view.phase, looking.waits]).toEqual(['paused', true])
   })
+})
+
+test('values are looked up at blocks only while a run is on and the debugger is open', () => {
+  const { session, looking, frames } = debugging()
+  const isLookedUp = () => looking.marks.values !== noValues
+  expect([session.lab.facts.phase, isLookedUp()]).toEqual(['ready', false])
+  session.start()
+  frames()
+  expect([session.lab.facts.phase, isLookedUp()]).toEqual(['running', true])
+  session.lab.pause()
+  expect([session.lab.facts.phase, isLookedUp()]).toEqual(['paused', true])
+  looking.open = false
+  expect(isLookedUp()).toBe(false)
 })
 
 test('truth values are displayed in the language of the screen', async () => {

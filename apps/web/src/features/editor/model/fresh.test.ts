@@ -1,6 +1,7 @@
 import { cardConfig, withoutSensor } from '@botgarten/simulation'
 import { afterEach, describe, expect, it } from 'vitest'
 import { knowRobot } from './fresh.ts'
+import { addLine } from './list.ts'
 import { addNeuron } from './network.ts'
 import { Bench, distance, motor, network } from './test-bench.ts'
 
@@ -42,4 +43,12 @@ describe('a new neuron', () => {
     expect(added('output')).toBe('B')
     expect(added('output')).toBe('D')
   })
+})
+
+it('a new row of a list without neurons comes with what is in its last row', () => {
+  const road = { id: 'road', type: 'ai_q_barrier_mountain', fields: { FROM: '3', TO: '2' } }
+  const mutation = { attrs: { items: '1', list_type: 'Obstacle' } }
+  bench = new Bench({ id: 'roads', type: 'rl_obstacles_easy_list', mutation, values: { ADD0: road } })
+  const added = addLine(bench.block('roads'))!
+  expect([added.type, added.getFieldValue('TO')]).toEqual(['ai_q_barrier_mountain', 2])
 })
