@@ -64,6 +64,16 @@ describe('examples as a file', () => {
     expect(fitExamples(parseExamplesFile(text), net)).toEqual(examples)
   })
 
+  it.each(['hand', 'keys', 'pad', 'touch', 'coach', 'program', 'file'] as const)(
+    'come back as they were, too, where they were shown by %s',
+    (by) => {
+      const drive = { id: 'own', by, seed: 1 }
+      const own = withDrive(noExamples(inputs, outputs), drive, [shown(10, 90, 30, 60)]).examples
+      const file = JSON.stringify(examplesFile(own, net))
+      expect(fitExamples(parseExamplesFile(file), net)).toEqual(own)
+    },
+  )
+
   it('fit a network whose neurons are of the same kinds in their order, and no other', () => {
     const file = parseExamplesFile(text.replaceAll(inputs[0]!, 'other').replaceAll(outputs[1]!, 'another'))
     expect(fitExamples(file, net)).toEqual(examples)
