@@ -116,7 +116,7 @@ test('the class answers at the address of the lab, guarded like its pages, and k
   const open = await classOfTest()
   const { asker } = await open.pupil('Fuchs')
   const { body } = await asker.ask('GET', '/state')
-  expect(body).toMatchObject({ firstTeacher: { name: 'm.weber' }, pupil: { nickname: 'Fuchs' } })
+  expect(body).toMatchObject({ firstTeacher: { name: null }, pupil: { nickname: 'Fuchs' } })
   const answer = await request.get(`${open.url}/api/class/state`)
   expectGuarded(answer.headers())
   expect(answer.headers()['cache-control']).toBe('no-store')
