@@ -126,7 +126,7 @@ export class BlockHands {
       // What stands in the block comes before the next one.
       for (let presses = 0; presses < 5 && !(await at()).isBlock; presses += 1)
         await this.#page.keyboard.press('ArrowLeft')
-      expect(await at()).toEqual({ isPaper: true, isBlock: true, block })
+      await expect.poll(at).toEqual({ isPaper: true, isBlock: true, block })
     }).toPass()
   }
 

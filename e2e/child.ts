@@ -309,7 +309,7 @@ export class Child {
   async seesStanding() {
     const before = await this.boStands()
     await this.watches(30)
-    expect(await this.boStands()).toBe(before)
+    await expect.poll(() => this.boStands()).toBe(before)
   }
 
   /** Lets the screen draw so many times. A page that is stuck draws no more. */

@@ -33,6 +33,60 @@ describe('entering as a child does', () => {
   })
 })
 
+/** Playwright's own reads, which do not wait for a state. */
+const reads = [
+  ...['allInnerTexts', 'allTextContents', 'ariaSnapshot', 'boundingBox', 'count', 'evaluate', 'evaluateAll'],
+  ...[
+    'getAttribute',
+    'innerHTML',
+    'innerText',
+    'inputValue',
+    'isChecked',
+    'isDisabled',
+    'isEnabled',
+    'isVisible',
+  ],
+  ...['textContent', 'title'],
+]
+/** A driver's method that any test polls reads a page, too. */
+const polled = /expect\s*\.poll\((?:async )?\(\) => \(*(?:await )?[\w.]+\.(\w+)\(/g
+
+/**
+ * Expectations that read a page a single time and so fail while it is still about to change. Answers of a server, files
+ * and events arrive once and may be awaited directly.
+ */
+function singleReads(text: string, methods: readonly string[]): readonly string[] {
+  const expected = text
+    .replaceAll(/\s+/g, ' ')
+    .match(/\bexpect\((?!async )(?:(?!\)\.(?:not\.)?to[A-Z]).)*await .*?\)\.(?:not\.)?to[A-Z]/g)
+  const look = new RegExp(`await [^ ]*\\.(?:${methods.join('|')})\\(`)
+  return (expected ?? []).filter((one) => look.test(one))
+}
+
+describe('reading a page', () => {
+  const inFolder = (folder: string) => readdirSync(join(here, folder)).map((name) => `${folder}/${name}`)
+  const files = [...specs, ...inFolder('gate'), ...inFolder('walk'), ...drivers]
+  const found = files.flatMap((path) => [...read(path).matchAll(polled)].map(([, method]) => method!))
+  const methods = [...new Set([...reads, ...found])].filter((method) => method !== 'ask')
+
+  test('finds what drivers read', () => {
+    expect(methods).toEqual(expect.arrayContaining(['names', 'blockWords', 'boStands', 'hashOfWeights']))
+  })
+
+  test.each(files)('%s expects a state with expect.poll, never with a single read', (path) => {
+    expect(singleReads(read(path), methods)).toEqual([])
+  })
+
+  test('a single read is found over several lines and in a calculation; a file is not', () => {
+    const found = (text: string) => singleReads(text, ['names', 'count'])
+    expect(found('expect(await list.names()).toEqual([])')).toHaveLength(1)
+    expect(found('expect(\n  (await there.names()).toSorted(),\n).not.toEqual([])')).toHaveLength(1)
+    expect(found('await expect.poll(() => list.names()).toEqual([])')).toEqual([])
+    expect(found("expect(await readFile('names.txt')).toEqual(await list.names())")).toEqual([])
+    expect(found('expect(a).toBe(1)\nawait list.names()\nexpect(b).toBe(2)')).toEqual([])
+  })
+})
+
 /** Rooms whose faults lose work. */
 const careful = new Set(['storage', 'class'])
 /** Tests of saving and restoring whose files belong to other rooms. */

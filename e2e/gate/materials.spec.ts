@@ -32,7 +32,7 @@ test(
     await expect(page.locator(ready)).toBeVisible()
     const hints = page.locator('.hints > li')
     const seen = () => hints.evaluateAll((some) => some.filter((one) => one.checkVisibility()).length)
-    expect(await seen()).toBe(0)
+    await expect.poll(seen).toBe(0)
     await child.presses('materials.askHint', { number: 1, of: 3 })
     await expect.poll(seen).toBe(1)
     await page.goto('/materials/card/friendship?paper=a5')

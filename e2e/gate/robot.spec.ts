@@ -68,7 +68,7 @@ test(
     const [first, second] = [await robots.stands(1), await robots.stands(2)]
     await child.pressesStart()
     await expect.poll(() => robots.stands(1)).not.toBe(first)
-    expect(await robots.stands(2)).toBe(second)
+    await expect.poll(() => robots.stands(2)).toBe(second)
     await child.pressesStop()
     await child.typesWeight(leftEye, rightWheel, 0.3)
     await robots.chip(1).click()

@@ -18,7 +18,7 @@ test(
     await opensProject(child, 'Versuch', JSON.stringify(project))
     await bo.sees()
     // Three distances of each of two eyes, and the bumper, by three actions.
-    expect(await bo.untried()).toBe(30)
+    await expect.poll(() => bo.untried()).toBe(30)
     await child.pressesStart()
     await bo.time.opens()
     await bo.time.chooses('16')

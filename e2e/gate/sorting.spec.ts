@@ -15,7 +15,7 @@ test(
     const before = await sorting.places()
     await sorting.presses('play')
     await sorting.seesDone()
-    expect(await sorting.places()).not.toEqual(before)
+    await expect.poll(() => sorting.places()).not.toEqual(before)
     const kinds = ['bottle', 'cup', 'glass'].map((kind) => sorting.word(`kind.${kind}`)).join('|')
     for (const number of [1, 5, 9])
       await test.step(`thing ${number}`, async () => {

@@ -40,14 +40,14 @@ test(
     await child.presses('teacher.sendHint', { number: 2, name: 'Fuchs' })
     await expect(child.words('teacher.hintSent', { name: 'Fuchs' })).toBeVisible()
     const me = async () => (await fox.asker.ask('GET', '/me')).body
-    expect(await me()).toMatchObject({ handouts: [{ kind: 'hint', hint: 2 }], attention: null })
+    await expect.poll(me).toMatchObject({ handouts: [{ kind: 'hint', hint: 2 }], attention: null })
     await child.presses('teacher.look')
     await expect(page.getByRole('dialog').getByRole('img')).toHaveCount(2)
-    expect(await me()).toMatchObject({ inside: { by: 'm.weber' } })
+    await expect.poll(me).toMatchObject({ inside: { by: 'm.weber' } })
     await child.types('Escape')
     await child.presses('teacher.attention')
     await expect(child.button('teacher.goOn')).toBeVisible()
-    expect(await me()).not.toMatchObject({ attention: null })
+    await expect.poll(me).not.toMatchObject({ attention: null })
     await child.presses('teacher.goOn')
 
     await child.presses('teacher.cards')

@@ -28,7 +28,7 @@ test(
     await teaching.letsPractise()
     await teaching.practises()
     await expect(teaching.curve).toHaveAttribute('aria-valuenow', '60')
-    expect(await teaching.hashOfWeights()).toBe(weightsOfSixRows)
+    await expect.poll(() => teaching.hashOfWeights()).toBe(weightsOfSixRows)
     const error = async () => {
       await proof.asks()
       const [percent] = (await proof.sum()).match(/[\d,]+(?=\D*$)/)!
@@ -46,7 +46,7 @@ test(
     for (const beat of ['inputs', 'sums', 'says', 'error', 'arrows', 'knobs'])
       await child.presses(`training.next.${beat}`)
     await child.presses('training.close')
-    expect(await teaching.hashOfWeights()).not.toBe(weightsOfSixRows)
+    await expect.poll(() => teaching.hashOfWeights()).not.toBe(weightsOfSixRows)
     await child.types('Control+z')
     await expect.poll(() => teaching.hashOfWeights()).toBe(weightsOfSixRows)
     await child.pressesStart()

@@ -125,7 +125,7 @@ test('three saves that did not come to the class are sent from the old address; 
       // The chip said so of the work before, too.
       await expect.poll(() => keptIn(page)).toBe(works)
     })
-    expect(await projectsIn(room)).toBe(0)
+    await expect.poll(() => projectsIn(room)).toBe(0)
     await page.close()
   })
 
@@ -139,7 +139,7 @@ test('three saves that did not come to the class are sent from the old address; 
     await context.unroute(saves)
     await later.presses('address.send')
     await leads(later, 'allInClass')
-    expect(await projectsIn(room)).toBe(3)
+    await expect.poll(() => projectsIn(room)).toBe(3)
   })
 
   await test.step('under the announced address another child sees nothing of it', async () => {

@@ -44,7 +44,7 @@ for (const { name, size } of [
         })
         await expect(sums).toHaveCount(6)
         for (const node of await sums.all())
-          expect((await node.boundingBox())!.width).toBeGreaterThanOrEqual(44)
+          await expect.poll(async () => (await node.boundingBox())!.width).toBeGreaterThanOrEqual(44)
       })
 
       await child.pressesStart()

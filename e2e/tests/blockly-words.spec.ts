@@ -89,5 +89,5 @@ test('the test itself knows English when it sees it', async ({ child }) => {
   await child.opensLab('friendship')
   await child.block('net').click({ ...head, button: 'right' })
   await expect(menu(child)).toContainText('Duplicate')
-  expect((await said(child)).filter(isEnglish).length).toBeGreaterThan(3)
+  await expect.poll(async () => (await said(child)).filter(isEnglish).length).toBeGreaterThan(3)
 })

@@ -112,7 +112,7 @@ for (const language of languagesOf(import.meta.filename)) {
       }
       await pulls({ x: stands!.x + 150, y: stands!.y + 320 })
       await expect.poll(() => blocks.count()).toBeGreaterThan(before)
-      expect(await first.boundingBox()).toEqual(stands)
+      await expect.poll(() => first.boundingBox()).toEqual(stands)
       await child.presses('lab.undo')
       await expect(blocks).toHaveCount(before)
       const shelf = (await hands.row('control').boundingBox())!

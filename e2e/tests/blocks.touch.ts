@@ -77,7 +77,7 @@ test.describe('where the pointer is a finger', () => {
   test('a number in a block is met 20 px above and below its middle', async ({ child, page }) => {
     await opensWaits(child)
     const field = child.canvas.locator('.blocklyNumberField').first()
-    expect((await field.boundingBox())!.height).toBeGreaterThanOrEqual(24)
+    await expect.poll(async () => (await field.boundingBox())!.height).toBeGreaterThanOrEqual(24)
     const { x, y } = await child.middleOf(field)
     for (const at of [y - 20, y + 20]) {
       await page.touchscreen.tap(x, at)

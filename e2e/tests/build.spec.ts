@@ -277,7 +277,8 @@ test('a world of another size keeps everybody on its floor; an odd size is not t
   await child.page.keyboard.press('Escape')
   for (const thing of await builder.things.all()) {
     const label = (await thing.getAttribute('aria-label'))!
-    if (/\d/.test(label)) expect((await builder.placeOf(thing)).x).toBeLessThanOrEqual(150)
+    if (/\d/.test(label))
+      await expect.poll(async () => (await builder.placeOf(thing)).x).toBeLessThanOrEqual(150)
   }
   expect((await file(child)).world.size).toEqual({ width: 150, height: 400 })
 })

@@ -18,7 +18,7 @@ for (const language of languagesOf(import.meta.filename)) {
       await expect(child.words('network.empty')).toBeVisible()
       const before = (await builder.world.boundingBox())!.height
       await builder.begins()
-      expect((await builder.world.boundingBox())!.height).toBeGreaterThan(before * 1.5)
+      await expect.poll(async () => (await builder.world.boundingBox())!.height).toBeGreaterThan(before * 1.5)
 
       await builder.addsThing('rectangle')
       const box = builder.all('world.thing.rectangle')
@@ -32,7 +32,7 @@ for (const language of languagesOf(import.meta.filename)) {
       await child.drags(handle, { x: handle.x + 40, y: handle.y + 40 })
       await expect.poll(async () => (await box.boundingBox())!.width).toBeGreaterThan(width + 20)
       await builder.ends()
-      expect((await builder.world.boundingBox())!.height).toBeCloseTo(before, 0)
+      await expect.poll(async () => (await builder.world.boundingBox())!.height).toBeCloseTo(before, 0)
     })
 
     test('brings the floor nearer with two fingers', async ({ child, page }) => {

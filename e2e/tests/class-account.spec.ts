@@ -100,7 +100,7 @@ test('a teacher changes the password, signs in with it elsewhere and deletes the
     await expect(otto.field('account.newPassword')).toHaveAttribute('aria-invalid', 'true')
     await otto.changesPassword(old, chosen)
     await otto.says('account.changed')
-    expect((await teacher.ask('GET', '/classes')).status).toBe(401)
+    await expect.poll(async () => (await teacher.ask('GET', '/classes')).status).toBe(401)
   })
 
   await test.step('a class is in the way of the deletion, and the link leads to it', async () => {
@@ -151,6 +151,6 @@ test('a teacher changes the password, signs in with it elsewhere and deletes the
     await remove.click()
     await expect(page.getByRole('dialog')).toHaveCount(0)
     await expect(weber.child.button('teacher.account.deleteOne', { name: 'e.klein' })).toHaveCount(0)
-    expect((await left.ask('GET', '/classes')).status).toBe(401)
+    await expect.poll(async () => (await left.ask('GET', '/classes')).status).toBe(401)
   })
 })

@@ -65,7 +65,7 @@ for (const language of languagesOf(import.meta.filename))
         await expect(teacher.words('teacher.clockDoubt.denied')).toBeVisible()
         await child.presses('class.tryAgain')
         await expect(hidden).toHaveCount(0)
-        expect(await project()).toMatchObject({ projects: [{ id: 'project-friendship' }] })
+        await expect.poll(project).toMatchObject({ projects: [{ id: 'project-friendship' }] })
       })
 
       await test.step('the clock is right: the class is deleted', async () => {

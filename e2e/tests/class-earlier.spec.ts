@@ -41,7 +41,7 @@ for (const version of earlierVersions) {
     server,
   }) => {
     const profile = profileOf(version)
-    expect(await revisionOf(server, 'fear')).toBe(1)
+    await expect.poll(() => revisionOf(server, 'fear')).toBe(1)
     await putProfile(page, server.url, profile)
     const child = new Child(page, 'en')
     const pupil = new Pupil(child, { code: '' })
@@ -54,7 +54,9 @@ for (const version of earlierVersions) {
 
     const list = new ProjectList(child)
     await list.opens()
-    expect((await list.names()).toSorted()).toEqual([child.card('fear'), child.card('friendship')].toSorted())
+    await expect
+      .poll(async () => (await list.names()).toSorted())
+      .toEqual([child.card('fear'), child.card('friendship')].toSorted())
     await child.opensLab('fear')
     await child.seesWeight(leftEye, rightWheel, 0.6)
     await child.seesWeight(rightEye, leftWheel, 0.7)

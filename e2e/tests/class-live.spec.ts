@@ -56,7 +56,7 @@ for (const language of languagesOf(import.meta.filename)) {
         await expect(sheet).toBeVisible()
         const before = await child.painted.stands()
         await expect.poll(() => liveOf(school)).toMatchObject({ running: false })
-        expect(await child.painted.stands()).toEqual(before)
+        await expect.poll(() => child.painted.stands()).toEqual(before)
         await teaches('PUT', '/attention', { on: false })
         await expect(sheet).toHaveCount(0)
       })

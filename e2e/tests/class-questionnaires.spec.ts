@@ -174,7 +174,7 @@ test('with the cable pulled a child answers all the same, and its answers come w
   expect(others).toEqual([])
   expect(Object.keys(kept!).toSorted()).toEqual(['code', 'id', 'key', 'token', 'values'])
   // The device no longer knows which token is whose.
-  expect(await page.evaluate(() => localStorage.getItem('botgarten.answerTokens'))).toBeNull()
+  await expect.poll(() => page.evaluate(() => localStorage.getItem('botgarten.answerTokens'))).toBeNull()
   expect(JSON.stringify(kept)).not.toMatch(/Igel|20\d\d-/)
   await context.setOffline(false)
   await page.clock.fastForward(3 * minutes)

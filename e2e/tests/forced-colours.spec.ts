@@ -27,7 +27,7 @@ async function showsChoice(chosen: Locator, other: Locator) {
   const colour = await highlight(chosen)
   // What a press opens may still be on its way.
   await expect.poll(async () => (await painted(chosen)).backgroundColor).toBe(colour)
-  expect((await painted(other)).backgroundColor).not.toBe(colour)
+  await expect.poll(async () => (await painted(other)).backgroundColor).not.toBe(colour)
 }
 
 /** The same of what is painted: a ring so many px from the edge of what answers to a hand. */
@@ -38,8 +38,8 @@ async function showsRing(child: Child, chosen: Locator, other: Locator, off: num
     const painted = await child.painted.colourAt({ x: x + width / 2, y: y + height + off })
     return farFrom(colour, painted)
   }
-  expect(await ring(chosen)).toBeLessThan(3)
-  expect(await ring(other)).toBeGreaterThan(30)
+  await expect.poll(() => ring(chosen)).toBeLessThan(3)
+  await expect.poll(() => ring(other)).toBeGreaterThan(30)
 }
 
 /** By how much the channels of two colours differ at most. */
@@ -91,5 +91,5 @@ test('forced colours show what counts and what is touched in sorting, on the sam
   await bottle.click()
   await showsChoice(bottle, glass)
   const paper = page.locator('.plane')
-  expect((await painted(paper)).backgroundColor).toBe('rgb(255, 253, 248)')
+  await expect.poll(async () => (await painted(paper)).backgroundColor).toBe('rgb(255, 253, 248)')
 })

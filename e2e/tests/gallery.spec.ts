@@ -167,7 +167,7 @@ for (const language of languagesOf(import.meta.filename)) {
           ? (body as { items: { title: string }[] }).items.map(({ title }) => title)
           : status
       }
-      expect(await seen()).toEqual(['Shy Bo'])
+      await expect.poll(seen).toEqual(['Shy Bo'])
       await teaches(page, school)
       // By address: a teacher comes by a bookmark.
       await page.goto(`/teacher?class=${school.id}&view=gallery`)
@@ -175,7 +175,7 @@ for (const language of languagesOf(import.meta.filename)) {
 
       await child.presses('teacher.hideOne', { title: 'Shy Bo' })
       await expect(page.locator('article h2')).toHaveCount(0)
-      expect(await seen()).toEqual([])
+      await expect.poll(seen).toEqual([])
       const show = page.getByLabel(child.word('teacher.galleryShow'))
       await show.selectOption('hidden')
       await child.presses('teacher.restoreOne', { title: 'Shy Bo' })
@@ -254,7 +254,9 @@ for (const language of languagesOf(import.meta.filename)) {
       const wide = await page.evaluate(() => document.documentElement.scrollWidth)
       expect(wide).toBeLessThanOrEqual(390)
       await gallery.looks('Biber 0')
-      expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(390)
+      await expect
+        .poll(() => page.evaluate(() => document.documentElement.scrollWidth))
+        .toBeLessThanOrEqual(390)
       await child.presses('parts.close')
       await expect(gallery.looked).toHaveCount(0)
     })

@@ -93,7 +93,7 @@ for (const language of languagesOf(import.meta.filename)) {
       await expect(child.button('lab.stop')).toBeVisible()
       await child.seesDriving()
       await expect(child.page.locator('html')).toHaveAttribute('lang', other)
-      expect(await child.blockWords()).toContain(child.word('block.ai_easy_list.addInput'))
+      await expect.poll(() => child.blockWords()).toContain(child.word('block.ai_easy_list.addInput'))
       await child.presses('lab.undo')
       await expect(child.knobs).toHaveCount(4)
       await child.presses('lab.undo')

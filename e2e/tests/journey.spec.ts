@@ -39,7 +39,7 @@ for (const language of languagesOf(import.meta.filename)) {
         await child.seesWeight(leftEye, rightWheel, 0)
         await child.seesWeight(rightEye, leftWheel, 0)
         await child.seesWeight(rightEye, rightWheel, 0.8)
-        expect(await child.blockWords()).toEqual(words)
+        await expect.poll(() => child.blockWords()).toEqual(words)
         await expect(child.button('lab.placePassed', { number: 1 })).toBeVisible()
       })
 
@@ -52,7 +52,7 @@ for (const language of languagesOf(import.meta.filename)) {
       })
 
       await test.step('Fear: the same blocks, other weights', async () => {
-        expect(await child.blockWords()).toEqual(words)
+        await expect.poll(() => child.blockWords()).toEqual(words)
         await child.dragsKnob(leftEye, rightWheel, 0.8)
         await child.dragsKnob(rightEye, leftWheel, 0.8)
         await child.pressesStart()

@@ -101,7 +101,7 @@ for (const language of languagesOf(import.meta.filename)) {
       await again.opensLab('friendship')
       await again.seesWeight(leftEye, leftWheel, 0.35)
       await expect(again.knobs).toHaveCount(6)
-      expect(await again.blockWords()).toEqual(words)
+      await expect.poll(() => again.blockWords()).toEqual(words)
     })
   })
 }

@@ -52,7 +52,7 @@ for (const language of languagesOf(import.meta.filename)) {
         await expect(lampBehindTheNetwork(child)).toBeVisible()
         await child.types('Control+z')
         await expect(lampBehindTheNetwork(child)).toBeHidden()
-        expect(await child.blockWords()).toEqual(words)
+        await expect.poll(() => child.blockWords()).toEqual(words)
         await child.types('Control+y')
         await expect(lampBehindTheNetwork(child)).toBeVisible()
       })
@@ -145,7 +145,7 @@ test('arrow keys drive Bo, move and turn things, and move the borders of panes',
     (await square.getAttribute('aria-label'))!.match(/\d+/g)!.map(Number) as [number, number]
   const [x, y] = await at()
   await child.types('ArrowRight', 'ArrowRight', 'Shift+ArrowUp')
-  expect(await at()).toEqual([x + 2, y + 10])
+  await expect.poll(at).toEqual([x + 2, y + 10])
   await child.types('Enter')
   const turning = page.getByRole('slider', {
     name: child.word('world.turn', { thing: child.word('world.thing.block') }),

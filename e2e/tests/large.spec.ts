@@ -46,7 +46,7 @@ for (const language of languagesOf(import.meta.filename)) {
       const made = () => page.locator('.blocklyBlockCanvas .blocklyDraggable').count()
       await comer.opensAtHome('Big.xml', big)
       await comer.seesProgram('Big')
-      expect(await made()).toBeLessThan(2010)
+      await expect.poll(made).toBeLessThan(2010)
       await child.block('b0-0-').click({ position: { x: 12, y: 12 } })
       await page.keyboard.press('Delete')
       await expect(child.block('b0-0-')).toHaveCount(0)
@@ -59,7 +59,7 @@ for (const language of languagesOf(import.meta.filename)) {
       // Twice, the first time in the middle of it: what is kept is the whole program.
       await page.reload()
       await child.block('start').waitFor()
-      expect(await made()).toBeLessThan(2010)
+      await expect.poll(made).toBeLessThan(2010)
       await page.reload()
       await comer.seesProgram('Big')
       expect(order((await comer.saves()).text)).toEqual(order(big))

@@ -27,7 +27,7 @@ for (const language of languagesOf(import.meta.filename)) {
         await learner.learnsToTheEnd()
         const best = Math.min(...(await learner.covers(last)))
         expect(best).toBeLessThan(0.1)
-        expect(Math.max(...(await learner.covers()))).toBeGreaterThan(best)
+        await expect.poll(async () => Math.max(...(await learner.covers()))).toBeGreaterThan(best)
       }
     })
 
@@ -224,11 +224,11 @@ for (const language of languagesOf(import.meta.filename)) {
       await learner.learns()
       const places = await learner.places(2500)
       expect(places.size).toBeLessThanOrEqual(4)
-      expect(await page.evaluate(() => document.getAnimations().map(({ id }) => id))).toEqual([])
+      await expect.poll(() => page.evaluate(() => document.getAnimations().map(({ id }) => id))).toEqual([])
       const facts = { move: 1, from: '\\d', to: '\\d', how: '.+', stars: '\\d' }
-      expect(await heard()).toContainEqual(
-        expect.stringMatching(new RegExp(child.word('q.said.move', facts))),
-      )
+      await expect
+        .poll(heard)
+        .toContainEqual(expect.stringMatching(new RegExp(child.word('q.said.move', facts))))
     })
 
     test('rewards of one’s own: length counts, a station pays, and both stand in the table', async ({

@@ -55,8 +55,10 @@ for (const language of languagesOf(import.meta.filename)) {
       const link = await sharesFromLab(child)
       await child.presses('share.copy')
       await expect(child.words('share.copied')).toBeVisible()
-      expect(await child.page.evaluate(() => navigator.clipboard.readText())).toBe(link)
-      expect(await reads(child.page.getByRole('img', { name: child.word('share.code') }))).toBe(link)
+      await expect.poll(() => child.page.evaluate(() => navigator.clipboard.readText())).toBe(link)
+      await expect
+        .poll(() => reads(child.page.getByRole('img', { name: child.word('share.code') })))
+        .toBe(link)
     })
 
     test('without the clipboard of secure pages it is copied all the same', async ({ child, page }) => {
@@ -74,7 +76,7 @@ for (const language of languagesOf(import.meta.filename)) {
       const link = await sharesFromLab(child)
       await child.presses('share.copy')
       await expect(child.words('share.byHand')).toBeVisible()
-      expect(await page.evaluate(() => getSelection()?.toString())).toBe(link)
+      await expect.poll(() => page.evaluate(() => getSelection()?.toString())).toBe(link)
     })
 
     test('a broken link is refused with a reason, and nothing here changes', async ({ child, page }) => {

@@ -23,10 +23,10 @@ for (const language of languagesOf(import.meta.filename))
       const hints = page.locator('.hints > li')
       await expect(hints).toHaveCount(3)
       const seen = () => hints.evaluateAll((all) => all.filter((one) => one.checkVisibility()).length)
-      expect(await seen()).toBe(0)
+      await expect.poll(seen).toBe(0)
       await child.presses('materials.askHint', { number: 1, of: 3 })
       await child.presses('materials.askHint', { number: 2, of: 3 })
-      expect(await seen()).toBe(2)
+      await expect.poll(seen).toBe(2)
       await child.opensLab('friendship')
       // The last one waits until something was tried.
       await child.typesWeight(leftEye, leftWheel, 0.3)
@@ -38,7 +38,7 @@ for (const language of languagesOf(import.meta.filename))
       await child.seesSaved()
       await page.goto('/materials/card/friendship')
       await expect(page.getByRole('status').getByText(child.word('materials.allHints'))).toBeVisible()
-      expect(await seen()).toBe(3)
+      await expect.poll(seen).toBe(3)
     })
 
     test('from its dialog in the lab a card goes to paper, on a page of A5 of its own', async ({
@@ -75,7 +75,7 @@ for (const language of languagesOf(import.meta.filename))
         await expect.poll(() => said(page)).toHaveLength(before + 1)
         return (await said(page)).at(-1)!
       }
-      expect(await reads('thePage')).toMatch(starting(await page.locator('h1').innerText()))
+      await expect.poll(() => reads('thePage')).toMatch(starting(await page.locator('h1').innerText()))
       const font = await page.locator('h1').evaluate((title) => getComputedStyle(title).fontFamily)
       expect(font).toContain('Atkinson')
       await page.goto('/materials/slides/can-robots-learn-alone')
@@ -84,8 +84,8 @@ for (const language of languagesOf(import.meta.filename))
 
       await page.goto('/materials/slides/how-does-your-robot-learn?slide=2')
       const title = page.getByRole('heading', { level: 2 })
-      expect(await title.evaluate((one) => getComputedStyle(one).fontFamily)).toContain('Atkinson')
-      expect(await reads('theSlide', { number: 2 })).toMatch(starting(await title.innerText()))
+      await expect.poll(() => title.evaluate((one) => getComputedStyle(one).fontFamily)).toContain('Atkinson')
+      await expect.poll(() => reads('theSlide', { number: 2 })).toMatch(starting(await title.innerText()))
       await page.goto('/materials/questions/1')
       const asked = await title.innerText()
       const choices = await page.locator('.answers > button').allInnerTexts()
@@ -93,10 +93,10 @@ for (const language of languagesOf(import.meta.filename))
       expect(question).toMatch(starting(asked))
       expect(choices.map((choice) => question.indexOf(choice.trim()) > 0)).toEqual(choices.map(() => true))
       await page.locator('.answers button').first().click()
-      expect(await reads('theWhy')).toContain(child.word('materials.thatHappens'))
-      expect(new Set((await heardOn(page)).languages)).toEqual(
-        new Set([{ de: 'de-DE', en: 'en-GB' }[language]]),
-      )
+      await expect.poll(() => reads('theWhy')).toContain(child.word('materials.thatHappens'))
+      await expect
+        .poll(async () => new Set((await heardOn(page)).languages))
+        .toEqual(new Set([{ de: 'de-DE', en: 'en-GB' }[language]]))
     })
 
     test('beside the library an item shows what it is, and leads to paper and to its questions', async ({
@@ -176,7 +176,7 @@ test('many cards are fitted to paper once, and the page answers', async ({ page 
   })
   await page.goto('/materials/card/network-cards?paper=a4')
   await expect(page.locator('html[data-print=ready] .paper[aria-busy="false"]')).toBeVisible()
-  expect(await page.evaluate(() => (window as unknown as { told: unknown[] }).told.length)).toBe(1)
+  await expect.poll(() => page.evaluate(() => (window as unknown as { told: unknown[] }).told.length)).toBe(1)
 })
 
 test('a deck printed by hand is its slides; with its notes it is sheets of A4', async ({ child, page }) => {
@@ -245,7 +245,7 @@ test('where the device keeps nothing, a slide shows the card with its start prog
     name: new RegExp(child.word('network.weight', { from: '.+', to: '.+' })),
   })
   await expect(weights.first()).toBeVisible()
-  expect(new Set(await weights.evaluateAll((all) => all.map((one) => one.ariaValueNow)))).toEqual(
-    new Set(['0']),
-  )
+  await expect
+    .poll(async () => new Set(await weights.evaluateAll((all) => all.map((one) => one.ariaValueNow))))
+    .toEqual(new Set(['0']))
 })

@@ -75,7 +75,7 @@ for (const language of languagesOf(import.meta.filename)) {
       await expect(page.getByRole('searchbox')).toBeFocused()
       await page.goto('/materials?module=3&kind=slides')
       await expect(page.locator('.library li')).toHaveCount(3)
-      expect(await page.locator('.library input:checked').count()).toBe(3)
+      await expect.poll(() => page.locator('.library input:checked').count()).toBe(3)
     })
 
     test('slides are turned by keys, and the teacher sees what comes next in another window', async ({

@@ -120,10 +120,12 @@ for (const language of languagesOf(import.meta.filename)) {
       await expect(child.words('offline.newVersionLab')).toBeVisible()
       await lab.reloads()
       await lab.seesWeight(leftEye, leftWheel, 0.3)
-      expect(await lab.page.evaluate(() => navigator.serviceWorker.controller !== null)).toBe(true)
-      expect(
-        await page.evaluate(async () => (await navigator.serviceWorker.getRegistration())?.waiting?.state),
-      ).toBe('installed')
+      await expect.poll(() => lab.page.evaluate(() => navigator.serviceWorker.controller !== null)).toBe(true)
+      await expect
+        .poll(() =>
+          page.evaluate(async () => (await navigator.serviceWorker.getRegistration())?.waiting?.state),
+        )
+        .toBe('installed')
 
       await lab.page.close()
       await child.presses('offline.newVersionTake')
@@ -136,7 +138,7 @@ for (const language of languagesOf(import.meta.filename)) {
         .toBe('nobody')
       await child.seesTitle()
       await expect(child.button('offline.newVersionTake')).toBeHidden()
-      expect(await page.evaluate(() => caches.keys())).toContain(`botgarten-${next}`)
+      await expect.poll(() => page.evaluate(() => caches.keys())).toContain(`botgarten-${next}`)
       await door.shut()
       await child.opensLabByAddress('friendship')
       await child.seesWeight(leftEye, leftWheel, 0.3)
@@ -153,7 +155,7 @@ for (const language of languagesOf(import.meta.filename)) {
       context,
     }) => {
       await child.opensHome()
-      expect(await page.evaluate(() => isSecureContext)).toBe(false)
+      await expect.poll(() => page.evaluate(() => isSecureContext)).toBe(false)
       await page.waitForFunction(() => document.documentElement.dataset['parts'] === 'here')
       await door.shut()
       await context.setOffline(true)

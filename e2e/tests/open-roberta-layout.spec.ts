@@ -99,7 +99,7 @@ test('one press tidies the stacks up, one takes it back, and the file is as it c
   await tidy.focus()
   await page.keyboard.press('Enter')
   await expect.poll(async () => new Set((await drawn(page)).map(({ left }) => Math.round(left))).size).toBe(1)
-  expect(overlaps(await drawn(page))).toBe(0)
+  await expect.poll(async () => overlaps(await drawn(page))).toBe(0)
   await expect(firstWord(page).first()).toBeInViewport()
   await child.presses('lab.undo')
   await expect.poll(() => drawn(page)).toEqual(before)

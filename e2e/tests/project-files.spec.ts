@@ -29,7 +29,7 @@ for (const language of languagesOf(import.meta.filename)) {
       await child.typesWeight(leftEye, leftWheel, 0.9)
       await child.opensFile('mine.botgarten.json', file)
       await child.seesWeight(leftEye, leftWheel, 0.45)
-      expect(await child.blockWords()).toEqual(words)
+      await expect.poll(() => child.blockWords()).toEqual(words)
       expect(read(await child.savesFile())).toEqual(read(file))
 
       await child.opensHome()

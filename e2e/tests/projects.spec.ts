@@ -187,9 +187,9 @@ for (const language of languagesOf(import.meta.filename)) {
       await there.opensFile('home.botgarten.json', file)
       await there.isTold('projects.mergedTitle', 'projects.merged', { added: 3, same: 0 })
       const copy = home.word('session.copy', { name: home.card('friendship') })
-      expect((await there.names()).toSorted()).toEqual(
-        [copy, home.card('friendship'), 'Uno', 'Due'].toSorted(),
-      )
+      await expect
+        .poll(async () => (await there.names()).toSorted())
+        .toEqual([copy, home.card('friendship'), 'Uno', 'Due'].toSorted())
       await there.opensFile('home.botgarten.json', file)
       await there.isTold('projects.mergedTitle', 'projects.merged', { added: 0, same: 3 })
       await home.opensLab('friendship')

@@ -64,14 +64,16 @@ for (const language of languagesOf(import.meta.filename)) {
       const bo = new RobotHands(child)
       const ray = async () => (await child.painted.places()).find(({ name }) => name === 'bo ray 4')
       await child.opensLab('friendship')
-      expect(await ray()).toBeUndefined()
+      await expect.poll(ray).toBeUndefined()
       await bo.opens('build')
       await bo.dragsFromShelf('infrared', bo.port('4'))
       await bo.seesAtPort('4', 'infrared')
       await bo.closes()
       // Only rays of sensors that the program reads are shown, until all are asked for.
-      expect((await child.painted.places()).map(({ name }) => name)).toContain('bo ray 2')
-      expect(await ray()).toBeUndefined()
+      await expect
+        .poll(async () => (await child.painted.places()).map(({ name }) => name))
+        .toContain('bo ray 2')
+      await expect.poll(ray).toBeUndefined()
       await child.presses('lab.worldSettings')
       await child.page.getByText(child.word('lab.allSensors'), { exact: true }).click()
       await child.types('Escape')
@@ -79,7 +81,7 @@ for (const language of languagesOf(import.meta.filename)) {
       await expect.poll(async () => (await ray())?.text).toBe('100')
       const { x: left, y: top } = (await ray())!
       // The number's border, in the colour of infrared.
-      expect(await child.painted.colourAt({ x: left - 23, y: top })).toMatch(/^18\d,5\d,2\d,255$/)
+      await expect.poll(() => child.painted.colourAt({ x: left - 23, y: top })).toMatch(/^18\d,5\d,2\d,255$/)
       await bo.opens('senses')
       await expect(bo.sense('mode.infrared', '4')).toHaveText('100')
 

@@ -29,7 +29,7 @@ for (const language of languagesOf(import.meta.filename)) {
       const [first, second] = [await robots.stands(1), await robots.stands(2)]
       await child.pressesStart()
       await expect.poll(() => robots.stands(1)).not.toBe(first)
-      expect(await robots.stands(2)).toBe(second)
+      await expect.poll(() => robots.stands(2)).toBe(second)
       await child.pressesStop()
 
       for (let back = 0; back < 2; back += 1) await child.presses('lab.undo')

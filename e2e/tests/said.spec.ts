@@ -46,7 +46,7 @@ for (const language of languagesOf(import.meta.filename)) {
       await expect(dialog).toBeHidden()
       await child.seesWeight(rightEye, rightWheel, 0.6)
       await child.seesWeight(leftEye, leftWheel, 0)
-      expect(await kept()).toEqual([
+      await expect.poll(kept).toEqual([
         ['friendship', 7],
         [expect.stringMatching(/^friendship-/), 'friendship'],
       ])

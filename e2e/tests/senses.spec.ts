@@ -14,7 +14,7 @@ for (const language of languagesOf(import.meta.filename))
       await expect(child.words('problem.tryNoPay.text')).toBeVisible()
       await expect(child.words('senses.sizeBump', { product: '3 × 3', states: 10 })).toBeVisible()
       await expect(bo.table.locator('tbody tr')).toHaveCount(10)
-      expect(await bo.untried()).toBe(30)
+      await expect.poll(() => bo.untried()).toBe(30)
     })
 
     test('the table fills while Bo tries; a cell is tapped, its number proved, and time goes back to the table of then', async ({

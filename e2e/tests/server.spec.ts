@@ -106,7 +106,7 @@ test.describe('a page that somebody tampers with', () => {
       document.body.append(script)
     })
     expect(await refused).toBe('script-src-elem')
-    expect(await page.title()).not.toBe('taken over')
+    await expect.poll(() => page.title()).not.toBe('taken over')
   })
 })
 

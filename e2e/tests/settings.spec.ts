@@ -29,7 +29,7 @@ for (const language of languagesOf(import.meta.filename)) {
       await child.types('Escape')
       await child.opensLab('friendship')
       await expect(page.locator('html')).toHaveAttribute('data-projector')
-      expect(await fontOf(child)).toContain('Atkinson')
+      await expect.poll(() => fontOf(child)).toContain('Atkinson')
       await expect(page.locator('.strip .peek')).toBeHidden()
       await expect(page.locator('.strip .piep')).toBeHidden()
       await expect(child.button('lab.hint')).toBeVisible()
@@ -58,7 +58,7 @@ for (const language of languagesOf(import.meta.filename)) {
       await child.types('Escape')
       await expect.poll(width).not.toBe(before)
       expect(fonts.length).toBeGreaterThan(0)
-      expect(await child.blockWords()).toEqual(words)
+      await expect.poll(() => child.blockWords()).toEqual(words)
       const font = await child
         .block('eyeLeft')
         .locator('text')
@@ -117,7 +117,7 @@ for (const language of languagesOf(import.meta.filename)) {
       await child.types('Escape')
       await reads(child, 'theTask')
       await expect(page.getByText(child.word('comfort.noVoice'))).toBeVisible()
-      expect(await said(page)).toEqual([])
+      await expect.poll(() => said(page)).toEqual([])
     })
 
     test('the sound switch is kept', async ({ child }) => {

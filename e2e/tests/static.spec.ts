@@ -75,7 +75,7 @@ for (const language of languagesOf(import.meta.filename)) {
         'href',
         'mailto:lee@school.example',
       )
-      expect(await page.locator('main script').count()).toBe(0)
+      await expect.poll(() => page.locator('main script').count()).toBe(0)
       await page.getByRole('link', { name: 'Apache License 2.0' }).click()
       await expect(page.locator('body')).toContainText('Apache License')
     })

@@ -79,7 +79,7 @@ test('two children on one program, one with a pulled cable: both end with the sa
     await fox.seesWeight(leftEye, rightWheel, 0.2)
     await owl.seesWeight(rightEye, rightWheel, 0.7)
     await expect.poll(() => one.blocks()).toEqual(await two.blocks())
-    expect((await one.blocks()).length).toBeGreaterThan(before.length)
+    await expect.poll(async () => (await one.blocks()).length).toBeGreaterThan(before.length)
   })
   await test.step('undo takes back only the own steps', async () => {
     await fox.presses('lab.undo')
@@ -105,7 +105,7 @@ test('two children on one program, one with a pulled cable: both end with the sa
     await expect(two.bar).toHaveCount(0)
     for (const hands of [one, two]) {
       await hands.child.reloads()
-      expect(await hands.blocks()).toEqual(blocks)
+      await expect.poll(() => hands.blocks()).toEqual(blocks)
       await hands.child.seesWeight(leftEye, rightWheel, 0.2)
     }
   })

@@ -56,7 +56,7 @@ async function lights(child: Child, block: string | null) {
   await expect(highlighted(child)).toHaveCount(block ? 1 : 0)
   if (block) await expect(highlighted(child)).toHaveAttribute('data-id', block)
   await expect.poll(() => child.painted.lit()).toHaveLength(block ? 2 : 0)
-  if (block) expect(await child.painted.lit()).toContain(`neuron ${block}`)
+  if (block) await expect.poll(() => child.painted.lit()).toContain(`neuron ${block}`)
 }
 
 for (const language of languagesOf(import.meta.filename)) {
@@ -179,7 +179,7 @@ for (const language of languagesOf(import.meta.filename)) {
           // The light has come along: node and wheel are seen lit side by side.
           await expect(tourOf(child)).toContainText(child.word('tour.nodeAlone', { name: motor(child) }))
           await expect.poll(() => child.painted.lit()).toHaveLength(2)
-          expect(await child.painted.lit()).toContain(wheel)
+          await expect.poll(() => child.painted.lit()).toContain(wheel)
           await seesPart(child, wheel)
           await node(child, 'showSum', motor(child)).click()
           await expect(tourOf(child)).toContainText(child.word('tour.litNodeAlone'))

@@ -35,13 +35,13 @@ test('a child shows Bo what to do, lets it practise and drive, repairs a row, an
 
   await teaching.letsPractise()
   await teaching.practises()
-  expect(await teaching.hashOfWeights()).toBe(weightsOfSixRows)
+  await expect.poll(() => teaching.hashOfWeights()).toBe(weightsOfSixRows)
   await expect(teaching.curve).toHaveAttribute('aria-valuenow', '60')
   await teaching.curve.press('Home')
   await expect(teaching.curve).toHaveAttribute('aria-valuenow', '0')
   await teaching.curve.press('End')
   await expect(teaching.curve).toHaveAttribute('aria-valuenow', '60')
-  expect(await teaching.hashOfWeights()).toBe(weightsOfSixRows)
+  await expect.poll(() => teaching.hashOfWeights()).toBe(weightsOfSixRows)
 
   await child.presses('training.fieldView')
   await expect(page.getByRole('img', { name: /^Field/ })).toBeVisible()
@@ -54,7 +54,7 @@ test('a child shows Bo what to do, lets it practise and drive, repairs a row, an
   for (const beat of ['inputs', 'sums', 'says', 'error', 'arrows', 'knobs'])
     await child.presses(`training.next.${beat}`)
   await child.presses('training.close')
-  expect(await teaching.hashOfWeights()).not.toBe(weightsOfSixRows)
+  await expect.poll(() => teaching.hashOfWeights()).not.toBe(weightsOfSixRows)
   await page.keyboard.press('Control+z')
   await expect.poll(() => teaching.hashOfWeights()).toBe(weightsOfSixRows)
 

@@ -103,7 +103,7 @@ test('a step that is taken back before Blockly has told of it can come again', a
   })
   await expect(child.button('lab.redo')).toBeEnabled()
   await expect(child.knobs).toHaveCount(4)
-  expect(await child.blockWords()).toEqual(words)
+  await expect.poll(() => child.blockWords()).toEqual(words)
   await child.types('Control+y')
   await expect(child.knobs).toHaveCount(2)
 })

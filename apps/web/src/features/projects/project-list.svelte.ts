@@ -146,9 +146,10 @@ export class ProjectList {
     const { openProjectFile } = await import('#storage/files.ts')
     const outcome = await openProjectFile(file)
     if ('problem' in outcome) this.#refuse(outcome.problem, outcome.facts)
-    else if ('merged' in outcome) this.tellMerged(outcome.merged)
-    else return outcome
+    else if (!('merged' in outcome)) return outcome
+    // The dialog counts the new projects, so the list shows them first.
     await this.look()
+    if ('merged' in outcome) this.tellMerged(outcome.merged)
     return null
   }
 

@@ -148,9 +148,18 @@ describe('a file', () => {
     const text = await files[0]!.text()
     await freshDevice()
     vi.spyOn(console, 'warn').mockImplementation(() => {})
+    const tells = vi.spyOn(projects, 'tellMerged')
+    const shown: string[][] = []
+    tells.mockImplementationOnce((merged) => {
+      shown.push(names())
+      tells.mockRestore()
+      projects.tellMerged(merged)
+    })
     expect(await projects.openFile(fileOf(text))).toBeNull()
     expect([names(), projects.told!.good]).toEqual([['one', 'two'], true])
     expect(projects.told!.text).toContain(m['projects.merged']({ added: 2, same: 0 }))
+    // The list shows them before the dialog counts them.
+    expect(shown).toEqual([['one', 'two']])
   })
 
   test('of a device with nothing on it is none', async () => {
