@@ -18,7 +18,7 @@ async function renew(args: string[]): Promise<string> {
   if (name === undefined || more !== undefined) throw new CallError('call.oneTeacher')
   const folder = values.data ?? usualData
   const renewIn = async (database: Database) => {
-    const password = await resetTeacher(accountsOn(database, secretIn(folder)), name)
+    const password = await resetTeacher(accountsOn(database, secretIn(folder), Date.now), name)
     if (password === null) throw new FileError('serve.noTeacher', { name })
     return message('serve.reset', { name, password })
   }

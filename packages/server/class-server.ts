@@ -131,7 +131,7 @@ export async function openClassServer(options: ClassOptions): Promise<ClassServe
       ? openFile(folder, secret, options.startOver ?? false)
       : openServer(options.database))
     await checkKey(database, secret, folder)
-    await resetByFile({ accounts: accountsOn(database, secret) }, folder)
+    await resetByFile({ accounts: accountsOn(database, secret, Date.now) }, folder)
     return await serverOn(database, secret, folder, options, free)
   } catch (error) {
     free()

@@ -111,7 +111,7 @@ export function portsOn(database: Database, secret: Uint8Array, options: PortOpt
     day: dayHere,
     random: (bytes) => new Uint8Array(randomBytes(bytes)),
     secret,
-    accounts: accountsOn(database, secret),
+    accounts: accountsOn(database, secret, Date.now),
     checkProject: checker.check,
     save: saveQueueOn(database),
     bury: (tombstone) => Promise.resolve(bury(options.folder, tombstone)),

@@ -47,7 +47,7 @@ afterAll(() => {
 function serverOn(folder: string, database: Database, days: number) {
   const secret = secretIn(folder)
   const server = new Server(database, {
-    ...{ secret, accounts: accountsOn(database, secret, quickHashes) },
+    ...{ secret, accounts: accountsOn(database, secret, Date.now, quickHashes) },
     bury: (tombstone) => Promise.resolve(bury(folder, tombstone)),
   })
   server.now = start + days * aDay

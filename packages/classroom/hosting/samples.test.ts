@@ -38,7 +38,7 @@ afterEach(() => rmSync(folder, { recursive: true, force: true }))
 async function serverOn({ madeAt }: Known) {
   const database = await openedIn(folder)
   const secret = secretIn(folder)
-  const server = new Server(database, { secret, accounts: accountsOn(database, secret) })
+  const server = new Server(database, { secret, accounts: accountsOn(database, secret, Date.now) })
   server.now = madeAt + 60_000
   const browserWith = (cookies: Readonly<Record<string, string>>) => {
     const browser = server.browser()

@@ -39,7 +39,7 @@ const serverOn = async (folder: string) => {
   const [database, secret] = [await openedIn(folder), secretIn(folder)]
   await isKeyOf(database, secret)
   const server = new Server(database, {
-    ...{ secret, accounts: accountsOn(database, secret, quickHashes) },
+    ...{ secret, accounts: accountsOn(database, secret, Date.now, quickHashes) },
     bury: (tombstone) => Promise.resolve(bury(folder, tombstone)),
   })
   return { database, server }

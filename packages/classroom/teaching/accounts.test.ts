@@ -158,4 +158,18 @@ onBothDatabases((fresh) => {
     await db.updateTable('teacherSession').set({ expiresAt: past }).where('id', '=', id).execute()
     expect((await browser.get('/classes')).status).toBe(401)
   })
+
+  test('a session from a time when the clock was ahead ends with the right clock', async () => {
+    const browser = server.browser('10.9.0.7')
+    const teacher = { username: 'k.otto2', password: 'ein neuer satz' }
+    await browser.post('/auth/sign-in/username', teacher)
+    expect((await browser.get('/classes')).status).toBe(200)
+    const { db } = server.ports.database
+    // As it was made by a clock that was an hour ahead.
+    const ahead = new Date(Date.now() + 13 * 3_600_000).toISOString()
+    await db.updateTable('teacherSession').set({ expiresAt: ahead }).execute()
+    expect((await browser.get('/classes')).status).toBe(401)
+    await browser.post('/auth/sign-in/username', teacher)
+    expect((await browser.get('/classes')).status).toBe(200)
+  })
 })

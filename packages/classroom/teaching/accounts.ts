@@ -1,5 +1,6 @@
 import { betterAuth } from 'better-auth'
 import { username } from 'better-auth/plugins/username'
+import * as v from 'valibot'
 import type { Database } from '../database/database.ts'
 import { keyedHash } from '../hashes.ts'
 import { Refusal } from '../refusal.ts'
@@ -22,10 +23,12 @@ export interface Teacher {
 export const mounted = ['/sign-in/username', '/sign-out', '/get-session'] as const
 export type Mounted = (typeof mounted)[number]
 
-interface Session {
-  readonly session: { readonly id: string }
-  readonly user: { readonly id: string; readonly displayUsername: string }
-}
+const sessionAnswer = v.nullable(
+  v.object({
+    session: v.object({ id: v.string(), expiresAt: v.pipe(v.string(), v.toDate()) }),
+    user: v.object({ id: v.string(), displayUsername: v.string() }),
+  }),
+)
 
 interface NewTeacher {
   readonly username: string
@@ -51,6 +54,8 @@ export interface Accounts {
 const inside = 'http://class.internal'
 const basePath = '/api/class/auth'
 const sessionSeconds = 12 * 3600
+/** By how much a clock may be put right, or differ from that of another node, before sessions end. */
+const clockSlackSeconds = 600
 
 /** How passwords are hashed: scrypt where nothing else is given. */
 export interface Hashing {
@@ -94,8 +99,18 @@ function options(database: Database, secret: Uint8Array, hashing?: Hashing) {
   }
 }
 
-/** Accounts of teachers: better-auth on our tables. `secret` keys its cookies. */
-export function accountsOn(database: Database, secret: Uint8Array, hashing?: Hashing): Accounts {
+/**
+ * Accounts of teachers: better-auth on our tables.
+ *
+ * @param secret keys its cookies
+ * @param now the clock that better-auth uses: milliseconds since 1970
+ */
+export function accountsOn(
+  database: Database,
+  secret: Uint8Array,
+  now: () => number,
+  hashing?: Hashing,
+): Accounts {
   const auth = betterAuth(options(database, secret, hashing))
 
   function forward(path: Mounted, headers: Headers, body: string | null) {
@@ -106,12 +121,15 @@ export function accountsOn(database: Database, secret: Uint8Array, hashing?: Has
     return auth.handler(new Request(url, { method, headers: given, body: method === 'GET' ? null : body }))
   }
 
-  async function sessionOf(headers: Headers): Promise<Session | null> {
+  async function sessionOf(headers: Headers) {
     if (!headers.get('cookie')?.includes('botgarten-teacher')) return null
     const answer = await forward('/get-session', headers, null)
     // better-auth hides what the database said.
     if (!answer.ok) throw new Refusal(503, 'busy')
-    return (await answer.json()) as Session | null
+    const found = v.parse(sessionAnswer, await answer.json())
+    // Signed in while the clock was ahead: without this the session would last until the clock gets there.
+    const latest = now() + (sessionSeconds + clockSlackSeconds) * 1000
+    return found && found.session.expiresAt.getTime() > latest ? null : found
   }
 
   async function teacherOf(headers: Headers): Promise<Teacher | null> {

@@ -22,7 +22,7 @@ export const quickHashes: Hashing = {
 
 /** Ports of a server whose teachers sign in at once. */
 export const quickAccounts = (database: Database): Pick<Ports, 'accounts'> => ({
-  accounts: accountsOn(database, secret, quickHashes),
+  accounts: accountsOn(database, secret, Date.now, quickHashes),
 })
 
 /** A class server in a test: a real database, a clock that is set by hand, and what it logged and buried. */
@@ -44,7 +44,7 @@ export class Server {
       day: (offset) => new Date(this.now + offset * 86_400_000).toISOString().slice(0, 10),
       random: (bytes) => crypto.getRandomValues(new Uint8Array(bytes)),
       secret,
-      accounts: accountsOn(database, secret),
+      accounts: accountsOn(database, secret, Date.now),
       checkProject: (text) => Promise.resolve(checkProject(text)),
       save: saveQueueOn(database),
       bury: (tombstone) => Promise.resolve(void this.buried.push(tombstone)),
