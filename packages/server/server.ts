@@ -9,6 +9,7 @@ import { addresses, listenedAt, secureAddresses } from './addresses.ts'
 import { announcedTo } from './announced.ts'
 import { answerHere, type Here } from './here.ts'
 import { startSecure, type SecureServer } from './https/secure-server.ts'
+import { spreadConnections } from './pacing.ts'
 import { readOperator } from './operator.ts'
 import { baseline, readPolicies, transportOf } from './policies.ts'
 import type { ClassServer } from './class-server.ts'
@@ -154,6 +155,7 @@ export async function startServer(options: ServerOptions): Promise<RunningServer
     handler(request, response, () => response.writeHead(404).end())
   }
   const server = createServer(listener)
+  spreadConnections(server)
   server.listen({ port: options.port, host: options.host })
   await once(server, 'listening')
   const { port } = server.address() as AddressInfo
