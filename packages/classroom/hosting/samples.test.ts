@@ -3,7 +3,7 @@
 import { cpSync, mkdtempSync, readdirSync, readFileSync, rmSync } from 'node:fs'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
-import { afterEach, beforeEach, expect, test } from 'vitest'
+import { afterEach, beforeEach, expect, test, vi } from 'vitest'
 import { openedIn } from '../testing/databases.ts'
 import { projectText } from '../testing/projects.ts'
 import { Server } from '../testing/world.ts'
@@ -32,12 +32,17 @@ const knownOf = (name: string) => JSON.parse(readFileSync(join(samples, name, 'k
 
 let folder: string
 beforeEach(() => void (folder = mkdtempSync(join(tmpdir(), 'botgarten-sample-'))))
-afterEach(() => rmSync(folder, { recursive: true, force: true }))
+afterEach(() => {
+  vi.useRealTimers()
+  rmSync(folder, { recursive: true, force: true })
+})
 
 /** A server on the folder, a minute after the sample was made. */
 async function serverOn({ madeAt }: Known) {
   const database = await openedIn(folder)
   const secret = secretIn(folder)
+  // better-auth has a clock of its own, and the teacher's session lasts twelve hours.
+  vi.useFakeTimers({ toFake: ['Date'], now: madeAt + 60_000 })
   const server = new Server(database, { secret, accounts: accountsOn(database, secret, Date.now) })
   server.now = madeAt + 60_000
   const browserWith = (cookies: Readonly<Record<string, string>>) => {
