@@ -8,7 +8,8 @@ export class Refused {
 
   /** @param elapsed ms of a clock that never goes back */
   constructor(elapsed: () => number) {
-    this.elapsed = elapsed
+    // Whole ms: differences of fractions would round a second up to two.
+    this.elapsed = () => Math.floor(elapsed())
   }
 
   /** @param seconds until it may send again */
