@@ -56,6 +56,14 @@ const brokenProject = () =>
 export const screens: readonly Screen[] = [
   { name: 'home', show: (child) => child.opensHome() },
   {
+    name: 'about',
+    async show(child) {
+      await child.opensHome()
+      await child.page.getByRole('link', { name: child.word('parts.about') }).click()
+      await expect(child.words('about.noData')).toBeVisible()
+    },
+  },
+  {
     name: 'new-project',
     async show(child) {
       await child.opensHome()
