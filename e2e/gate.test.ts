@@ -21,10 +21,8 @@ const pages = globSync('routes/**/+{page,error}.svelte', { cwd: web }).map((file
     .replace(/\.svelte$/, ''),
 )
 
-const specs = globSync('*.spec.ts', { cwd: join(import.meta.dirname, 'gate') }).map((file) => ({
-  file,
-  text: read(join(import.meta.dirname, 'gate'), file),
-}))
+const gate = join(import.meta.dirname, 'gate')
+const specs = globSync('**/*.spec.ts', { cwd: gate }).map((file) => ({ file, text: read(gate, file) }))
 const tags = specs.flatMap(({ text }) => [...text.matchAll(/'@([\w-]+|\/[^']*)'/g)].map(([, tag]) => tag!))
 const isPage = (tag: string) => tag.startsWith('/')
 
@@ -40,4 +38,14 @@ test.each(specs)('every test of $file has a tag with its features and pages', ({
   const tests = [...text.matchAll(/^test\(/gm)].length
   expect(tests).toBeGreaterThan(0)
   expect([...text.matchAll(/^.*\btag: /gm)]).toHaveLength(tests)
+})
+
+/** Names of files with steps, as the specs give them: `goesThrough(child, 'races', …)`. */
+const stepped = specs.flatMap(({ text }) =>
+  [...text.matchAll(/goesThrough\(\s*child,\s*'([\w-]+)'/g)].map(([, name]) => name!),
+)
+
+test('each file of changes belongs to one walk through steps', () => {
+  const written = globSync('*.txt', { cwd: join(gate, 'trees') }).map((file) => file.replace(/\.txt$/, ''))
+  expect(stepped.toSorted()).toEqual(written.toSorted())
 })

@@ -1,5 +1,6 @@
 // `npm run walk:faults`: makes one small fault at a time in a view, in a copy of the tree, builds it and runs the walk of
-// `npm test`, which has to turn red. `--count 10`, `--seed 1`, `--from 3` skips the first three, `--out` appends each line to a file.
+// `npm test`, which has to turn red. `--count 10`, `--seed 1`, `--from 3` skips the first three, `--out` appends each line
+// to a file, `--feature races` draws all of them in one feature and runs its tests alone.
 import { spawnSync } from 'node:child_process'
 import { appendFileSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'
@@ -22,11 +23,12 @@ function runNpm(cwd: string, args: readonly string[]) {
 }
 
 /** The outcome of one fault: the first red test, or `survived`. Tests of its own feature run first, since they take seconds. */
-function outcomeOf(copy: string, file: string): string {
+function outcomeOf(copy: string, file: string, all: boolean): string {
   const npm = (...args: readonly string[]) => runNpm(copy, args)
   if (npm('build').status !== 0) return 'caught by the build'
   const [feature] = file.replace('apps/web/src/features/', '').split('/')
-  for (const some of [['--grep', `@${feature}(?![\\w-])`], []]) {
+  const own = ['--grep', `@${feature}(?![\\w-])`]
+  for (const some of all ? [own, []] : [own]) {
     const { status, stdout } = npm('test:gate', '--', '-x', '--retries=0', ...some)
     if (status !== 0) return `caught by ${redIn(stdout)}`
   }
@@ -34,11 +36,11 @@ function outcomeOf(copy: string, file: string): string {
 }
 
 /** Puts a fault into the copy, and takes it out again. */
-function tryFault(copy: string, { file, text }: ViewFault): string {
+function tryFault(copy: string, { file, text }: ViewFault, all: boolean): string {
   const before = readFileSync(join(copy, file), 'utf8')
   writeFileSync(join(copy, file), text)
   try {
-    return outcomeOf(copy, file)
+    return outcomeOf(copy, file, all)
   } finally {
     writeFileSync(join(copy, file), before)
   }
@@ -51,16 +53,18 @@ await asScript(async () => {
       seed: { type: 'string', default: '1' },
       from: { type: 'string', default: '0' },
       out: { type: 'string' },
+      feature: { type: 'string' },
     },
   })
   const [count, seed, from] = [Number(values.count), Number(values.seed), Number(values.from)]
-  const faults = drawFaults(inHouse('.'), { count, seed })
+  const { feature } = values
+  const faults = drawFaults(inHouse('.'), { count, seed, feature })
   const copy = copyTree(inHouse('.'))
   let survived = 0
   try {
     for (const [at, fault] of faults.entries()) {
       if (at < from) continue
-      const outcome = tryFault(copy, fault)
+      const outcome = tryFault(copy, fault, feature === undefined)
       if (outcome === 'survived') survived += 1
       const change = fault.change.replaceAll('|', '\\|').replaceAll('`', "'")
       const line = `| ${at + 1} | ${fault.kind} | ${fault.file}:${fault.line} | \`${change}\` | ${outcome} |`

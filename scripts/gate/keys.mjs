@@ -19,7 +19,7 @@ function readImports() {
 
 const isDocument = (path) => /^(benchmarks|docs)\/|^[^/]+\.md$/.test(path)
 const isUnitTest = (path) => path.endsWith('.test.ts')
-const isSpec = (path) => /^e2e\/(tests|gate|walk)\//.test(path)
+const isSpec = (path) => /^e2e\/.*\.(spec|touch|walk)\.ts$/.test(path)
 
 /**
  * Keys of steps and test files: a key is a hash of everything that decides how it ends. `whole` is a hash of all files. No key is

@@ -97,22 +97,35 @@ const byOrder = <Thing>(all: readonly Thing[], order: (one: Thing) => string): r
     .toSorted((a, b) => (a.at < b.at ? -1 : 1))
     .map(({ one }) => one)
 
-/** Draws `count` faults in views by a seed, each in another feature, with kinds in rotation. */
-export function drawFaults(house: string, { count, seed }: { count: number; seed: number }): ViewFault[] {
+/** The draw: one fault in each of `count` features, or `count` faults in one feature. */
+interface Draw {
+  readonly count: number
+  readonly seed: number
+  readonly feature?: string | undefined
+}
+
+/** Draws faults in views by a seed, with kinds in rotation. */
+export function drawFaults(house: string, { count, seed, feature }: Draw): ViewFault[] {
+  const features = faultsByFeature(house)
+  const inOrder = (faults: readonly ViewFault[]) =>
+    byOrder(faults, ({ file, line, change }) => orderOf(seed, file, `${line}`, change))
+  if (feature !== undefined) return inOrder(features.get(feature) ?? []).slice(0, count)
+  return byOrder([...features], ([name]) => orderOf(seed, name))
+    .slice(0, count)
+    .flatMap(([, faults], turn) => {
+      const ordered = inOrder(faults)
+      return ordered.find(({ kind }) => kind === kinds[turn % kinds.length]) ?? ordered[0] ?? []
+    })
+}
+
+function faultsByFeature(house: string): Map<string, readonly ViewFault[]> {
   const folder = join(house, 'apps/web/src/features')
-  const features = new Map<string, ViewFault[]>()
+  const features = new Map<string, readonly ViewFault[]>()
   for (const path of globSync('*/**/*.svelte', { cwd: folder }).map((one) => one.replaceAll('\\', '/'))) {
     const file = `apps/web/src/features/${path}`
     const [feature = ''] = path.split('/')
-    features.set(feature, [
-      ...(features.get(feature) ?? []),
-      ...faultsOf(file, readFileSync(join(house, file), 'utf8')),
-    ])
+    const faults = faultsOf(file, readFileSync(join(house, file), 'utf8'))
+    features.set(feature, [...(features.get(feature) ?? []), ...faults])
   }
-  return byOrder([...features], ([feature]) => orderOf(seed, feature))
-    .slice(0, count)
-    .flatMap(([, faults], turn) => {
-      const ordered = byOrder(faults, ({ file, line, change }) => orderOf(seed, file, `${line}`, change))
-      return ordered.find(({ kind }) => kind === kinds[turn % kinds.length]) ?? ordered[0] ?? []
-    })
+  return features
 }
