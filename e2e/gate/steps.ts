@@ -20,7 +20,9 @@ interface Options {
 
 const linesOf = async ({ page }: Child, { hides, draws }: Options) => [
   ...(await treeOf(page, hides)),
-  ...(draws === undefined ? [] : await drawnIn(page, draws)),
+  ...(draws === undefined ? [] : await drawnIn(page, draws)).map((line) =>
+    hides ? line.replaceAll(hides, '…') : line,
+  ),
 ]
 
 /** `npm run trees` writes the files instead of comparing with them. */
