@@ -59,10 +59,58 @@ const detailsOf = (page: Page): Promise<readonly string[]> =>
       )
   })
 
+/**
+ * Facts that only the eye sees: which parts each drawing has and which of their attributes are set, with the values where a
+ * small `viewBox` makes them independent of the layout, and its text; bounds and states of controls.
+ */
+const looksOf = (page: Page): Promise<readonly string[]> =>
+  page.evaluate(() => {
+    const isLook = /^(class|style|role|tabindex|id|data-.*|aria-.*|stroke-.*|text-anchor)$/
+    const isPart = (one: Element) => /^(path|circle|ellipse|rect|line|poly\w+|text|use|g)$/.test(one.tagName)
+    const shown = [...document.querySelectorAll('svg')].filter(
+      (one) => one.checkVisibility() && !one.closest('.injectionDiv, svg svg'),
+    )
+    const partOf = (one: Element, isFixed: boolean) => {
+      const set = [...one.attributes].filter(({ name }) => !isLook.test(name))
+      const values = set.map(({ name, value }) => (isFixed ? `${name}:${value.slice(0, 16)}` : name))
+      return `${one.tagName}[${values.join(' ')}]${one.tagName === 'text' ? one.textContent.trim() : ''}`
+    }
+    const drawings = shown.map((svg) => {
+      const isFixed = svg.hasAttribute('viewBox') && svg.viewBox.baseVal.width <= 128
+      const parts = [...svg.querySelectorAll('*')].filter(isPart).map((one) => partOf(one, isFixed))
+      return `~ ${[partOf(svg, false), ...new Set(parts)].join(' ')}`
+    })
+    const bounds = [
+      'aria-rowcount',
+      'aria-valuemin',
+      'aria-valuemax',
+      'aria-invalid',
+      'aria-readonly',
+      'aria-sort',
+      'min',
+      'max',
+      'step',
+    ]
+    const controls = [...document.querySelectorAll(bounds.map((name) => `[${name}]`).join())]
+      .filter((one) => one.checkVisibility() && !one.closest('.injectionDiv'))
+      .map((one) => {
+        const set = bounds.filter((name) => one.hasAttribute(name))
+        const value = one instanceof HTMLInputElement && one.type === 'range' ? ` value:${one.value}` : ''
+        return `~ ${one.tagName.toLowerCase()} ${set.map((name) => `${name}:${one.getAttribute(name)!}`).join(' ')}${value}`
+      })
+    const lists = [...document.querySelectorAll('select')]
+      .filter((one) => one.checkVisibility() && !one.closest('.injectionDiv'))
+      .map((one) => {
+        const name = one.getAttribute('aria-label') ?? one.labels[0]?.firstElementChild?.textContent ?? ''
+        return `~ select ${name.trim()}: ${one.selectedOptions[0]?.text.trim() ?? ''}`
+      })
+    return [...new Set([...drawings, ...controls, ...lists])]
+  })
+
 /** The page's tree for a screen reader, a line for each element; text that differs from run to run is replaced. */
-export async function treeOf(page: Page, hidden?: RegExp): Promise<readonly string[]> {
+export async function treeOf(page: Page, hidden?: RegExp, looks = false): Promise<readonly string[]> {
   const tree = (await page.locator('body').ariaSnapshot()).split('\n')
-  const all = [...shortened(tree), ...(await detailsOf(page))]
+  const all = [...shortened(tree), ...(await detailsOf(page)), ...(looks ? await looksOf(page) : [])]
   const patterns = hidden ? [...varying, [hidden, '…'] as const] : varying
   return all.map((line) => patterns.reduce((text, [pattern, by]) => text.replaceAll(pattern, by), line))
 }

@@ -13,6 +13,8 @@ export interface Steps {
 interface Options {
   /** Matches text that differs from run to run: codes, random names. Written as `…`. */
   readonly hides?: RegExp
+  /** Compares drawings and the bounds of controls too. */
+  readonly looks?: boolean
 }
 
 /** `npm run trees` writes the files instead of comparing with them. */
@@ -32,11 +34,11 @@ const asText = (steps: readonly (readonly [string, readonly string[]])[]) =>
   steps.map(([step, changes]) => [`## ${step}`, ...changes].join('\n')).join('\n\n') + '\n'
 
 /** The tree once it has not changed for half a second: only for writing, where there is nothing to wait for. */
-async function settled(child: Child, hides?: RegExp): Promise<readonly string[]> {
-  let tree = await treeOf(child.page, hides)
+async function settled(child: Child, { hides, looks }: Options): Promise<readonly string[]> {
+  let tree = await treeOf(child.page, hides, looks)
   for (let alike = 0; alike < 5;) {
     await child.page.waitForTimeout(100)
-    const next = await treeOf(child.page, hides)
+    const next = await treeOf(child.page, hides, looks)
     alike = next.join('\n') === tree.join('\n') ? alike + 1 : 0
     tree = next
   }
@@ -44,7 +46,8 @@ async function settled(child: Child, hides?: RegExp): Promise<readonly string[]>
 }
 
 /** Goes through the steps. Each has to change something, and just as the file says. */
-export async function goesThrough(child: Child, name: string, steps: Steps, { hides }: Options = {}) {
+export async function goesThrough(child: Child, name: string, steps: Steps, options: Options = {}) {
+  const { hides, looks } = options
   const file = fileOf(name)
   const writes = isWriting()
   const recorded = new Map(existsSync(file) ? parsed(readFileSync(file, 'utf8')) : [])
@@ -55,11 +58,11 @@ export async function goesThrough(child: Child, name: string, steps: Steps, { hi
       await act(child)
       let after: readonly string[] = []
       if (writes) {
-        after = await settled(child, hides)
+        after = await settled(child, options)
         written.push([step, changesOf(before, after)])
         expect(written.at(-1)![1], `"${step}" changes something`).not.toEqual([])
       } else {
-        const look = async () => changesOf(before, (after = await treeOf(child.page, hides)))
+        const look = async () => changesOf(before, (after = await treeOf(child.page, hides, looks)))
         await expect
           .poll(look, { message: `after "${step}" (npm run trees writes ${name}.txt)`, timeout: 10_000 })
           .toEqual(recorded.get(step) ?? [])
