@@ -114,6 +114,6 @@ test('what a class shares, step by step', { tag: '@gallery' }, async ({ child, p
         await goesHome(child)
       },
     },
-    { looks: true, hides: /(?<=p=)friendship-\w+|(?<=[ "])(now|\d+ minutes? ago)\b/g },
+    { hides: /(?<=p=)friendship-\w+|(?<=[ "])(now|\d+ minutes? ago)\b/g },
   )
 })

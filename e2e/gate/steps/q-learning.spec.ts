@@ -7,17 +7,6 @@ import { goesThrough, type Steps } from '../steps.ts'
 test.use({ language: 'en' })
 
 /** The map, the numbers of stations, and the kinds of buttons. */
-const draws = [
-  '.space *',
-  '.q b',
-  '.q img',
-  '.q button',
-  '.q .time .rail *',
-  '.q .icon *',
-  '.q .sign *',
-  '.q select',
-  '.q input',
-].join()
 
 /** How far Bo came before it was stopped. */
 const hides = /The next one is [\d.]+ c?m away/g
@@ -354,21 +343,21 @@ const bare = (name: string) =>
   )
 
 test('a map is chosen, changed and paid', { tag: '@q-learning' }, ({ child }) =>
-  goesThrough(child, 'q-learning-choosing', choosing, { draws, hides }),
+  goesThrough(child, 'q-learning-choosing', choosing, { hides }),
 )
 
 test('Bo learns beside a guess and drives what it has learned', { tag: '@q-learning' }, ({ child }) =>
-  goesThrough(child, 'q-learning', learning, { draws, hides }),
+  goesThrough(child, 'q-learning', learning, { hides }),
 )
 
 test('rooms, and a map that is nearly square', { tag: '@q-learning' }, ({ child }) =>
-  goesThrough(child, 'q-learning-maps', otherMaps, { draws, hides }),
+  goesThrough(child, 'q-learning-maps', otherMaps, { hides }),
 )
 
 test('a map on small screens', { tag: '@q-learning' }, ({ child }) =>
-  goesThrough(child, 'q-learning-small', small, { draws, hides }),
+  goesThrough(child, 'q-learning-small', small, { hides }),
 )
 
 test('programs that lack something', { tag: '@q-learning' }, ({ child }) =>
-  goesThrough(child, 'q-learning-lacking', lacking, { draws, hides }),
+  goesThrough(child, 'q-learning-lacking', lacking, { hides }),
 )

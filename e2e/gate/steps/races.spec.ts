@@ -9,10 +9,10 @@ import { goesThrough, type Steps } from '../steps.ts'
 /** A class that is gone is refused. */
 const complaints = [/status of 40\d/]
 
-test.use({ language: 'en', complaints })
+test
+  .use({ language: 'en', complaints })
 
-/** Curves, ways on maps and signs of lanes are drawn. */
-const draws = ['b', 'img', 'button', 'select', 'input', 'output', 'svg *', '.bar *']
+  /** Curves, ways on maps and signs of lanes are drawn. */
   .map((part) => `.races ${part}`)
   .join()
 
@@ -216,13 +216,13 @@ const brains: Steps = {
 }
 
 test('races of learners, step by step', { tag: '@races' }, ({ child }) =>
-  goesThrough(child, 'races', learners, { draws }),
+  goesThrough(child, 'races', learners),
 )
 
 test('a child walks, and races with Bo', { tag: '@races' }, ({ child }) =>
-  goesThrough(child, 'races-walking', walking, { draws }),
+  goesThrough(child, 'races-walking', walking),
 )
 
 test('a race of brains, step by step', { tag: '@races' }, ({ child }) =>
-  goesThrough(child, 'races-brains', brains, { draws, hides: /(?<=[?&](?:p|class)=)[\w-]+/g }),
+  goesThrough(child, 'races-brains', brains, { hides: /(?<=[?&](?:p|class)=)[\w-]+/g }),
 )
