@@ -12,7 +12,7 @@ const varying: readonly (readonly [RegExp, string])[] = [
     /\b\d{1,2} (January|February|March|April|May|June|July|August|September|October|November|December)( \d{4})?\b/g,
     'DATE',
   ],
-  [/\b\d{2}:\d{2}(:\d{2})?\b/g, 'TIME'],
+  [/\b\d{1,2}:\d{2}(:\d{2})?\b( [AP]M\b)?/g, 'TIME'],
 ]
 
 const indentOf = (line: string) => line.search(/\S/)
@@ -25,6 +25,8 @@ export function shortened(lines: readonly string[]): string[] {
   let above = Infinity
   const counts: Map<string, number>[] = []
   for (const line of lines) {
+    // A page that loads has no lines; the place for messages about the network comes three seconds later.
+    if (line === '' || line === '- status') continue
     const indent = indentOf(line)
     if (indent > above) continue
     above = Infinity
