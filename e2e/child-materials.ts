@@ -1,18 +1,6 @@
 import { expect, type Locator } from '@playwright/test'
 import type { Child } from './child.ts'
-import { seesParts } from './drawn.ts'
 import { said } from './voice.ts'
-
-const drawn = {
-  'main img': ['src'],
-  '.robot > svg, .paper-code > svg': ['viewBox'],
-  'main svg path': ['d'],
-  'main svg polyline': ['points'],
-  '.robot text': ['x', 'y', 'text-anchor'],
-  '.robot > svg > circle': ['cx', 'cy'],
-  '.flow-diagram rect, .flow-diagram text': ['x', 'y'],
-  '.flow-diagram .head': ['transform'],
-}
 
 /** Actions of a teacher with the learning materials. */
 export class MaterialHands {
@@ -46,10 +34,9 @@ export class MaterialHands {
     await this.seesDrawn()
   }
 
-  /** Waits until the page is complete and no part of its drawings lacks an attribute: the tree does not list them. */
+  /** Waits until the material is complete. */
   async seesDrawn() {
     await expect(this.#page.locator('.material[aria-busy="false"]').first()).toBeAttached()
-    await seesParts(this.#page, drawn)
   }
 
   /** Presses a button for reading aloud. Returns the text that the voice gets. */

@@ -6,8 +6,6 @@ import { goesThrough, type Steps } from '../steps.ts'
 
 test.use({ language: 'en' })
 
-/** The map, the numbers of stations, and the kinds of buttons. */
-
 /** How far Bo came before it was stopped. */
 const hides = /The next one is [\d.]+ c?m away/g
 

@@ -1,6 +1,5 @@
 import { opensForm } from '../../asked-class.ts'
 import { Asker, nth } from '../../child-questionnaires.ts'
-import { seesParts } from '../../drawn.ts'
 import { joins, signsIn } from '../../made-class.ts'
 import { givesVoice } from '../../voice.ts'
 import { expect, link, test } from '../gate.ts'
@@ -9,18 +8,6 @@ import { goesThrough } from '../steps.ts'
 test.use({ language: 'en' })
 
 const five = [0, 1, 2, 3, 4]
-
-/** Parts of birds, faces, charts and pictures. */
-const drawn = {
-  'main svg path': ['d'],
-  'main .birds path': ['fill'],
-  'main svg rect': ['x', 'width'],
-  'main svg text': ['x', 'y'],
-  'main svg circle': ['cx'],
-  'main .line': ['stroke'],
-  'main svg .mark, main .key path': ['fill'],
-  'main img': ['src'],
-}
 
 test('a form is asked in grade 3, step by step', { tag: '@questionnaires' }, async ({ child, page }) => {
   await givesVoice(page, ['en-GB'])
@@ -34,7 +21,6 @@ test('a form is asked in grade 3, step by step', { tag: '@questionnaires' }, asy
     'all questionnaires': () => asker.comes(),
     async 'a form is asked'() {
       await asker.asks('after', 3)
-      await seesParts(page, drawn)
     },
     async 'it is read aloud'() {
       // This voice speaks until it is stopped.
@@ -54,7 +40,6 @@ test('a form is asked in grade 3, step by step', { tag: '@questionnaires' }, asy
     'the first question': () => asker.begins(),
     async 'a face is chosen'() {
       await asker.answers('after', items[0]!, '4', true)
-      await seesParts(page, drawn)
     },
     'the next question': () => child.presses('form.next'),
     'the question before': () => child.presses('form.back'),
@@ -127,7 +112,6 @@ test('a form is asked in grade 5, step by step', { tag: '@questionnaires' }, asy
       async 'the first topic'() {
         await asker.choosesCode('robin', 300)
         await asker.begins()
-        await seesParts(page, drawn)
       },
       'a number is chosen': () => asker.answers('after', items[0]!, '2', false),
       'the next topic': next,
@@ -152,7 +136,6 @@ test('a form is asked in grade 5, step by step', { tag: '@questionnaires' }, asy
       'the results': () => child.presses('form.close'),
       async 'all questionnaires, with answers'() {
         await downloads(() => button('CSV').click())
-        await seesParts(page, drawn)
         await print()
         await child.presses('form.print')
         await expect.poll(prints).toBe(1)
@@ -168,7 +151,6 @@ test('a form is asked in grade 5, step by step', { tag: '@questionnaires' }, asy
         await takes('before', 5, [2, 3, 4])
         await takes('after', 9, [5, 6, 7, 8, 9])
         await asker.opens('after', 'form.results')
-        await seesParts(page, drawn)
       },
       'one group alone': () => page.locator('.groups button').nth(1).click(),
       'all groups': () => child.presses('form.allGrades'),
@@ -213,7 +195,6 @@ test(
       },
       async 'the form for the youngest'() {
         await child.presses('form.forYoung')
-        await seesParts(page, drawn)
       },
       'the form for older ones': () => child.presses('form.forOlder'),
       async 'counts are typed'() {

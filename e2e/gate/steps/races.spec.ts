@@ -9,12 +9,7 @@ import { goesThrough, type Steps } from '../steps.ts'
 /** A class that is gone is refused. */
 const complaints = [/status of 40\d/]
 
-test
-  .use({ language: 'en', complaints })
-
-  /** Curves, ways on maps and signs of lanes are drawn. */
-  .map((part) => `.races ${part}`)
-  .join()
+test.use({ language: 'en', complaints })
 
 const radio = (child: Child, key: string) => child.page.getByRole('radio', { name: child.word(key) })
 const list = (child: Child, key: string) =>

@@ -5,15 +5,6 @@ import { goesThrough, type Steps } from '../steps.ts'
 
 test.use({ language: 'en' })
 
-/** Maps, coins, bars of cages and signs are drawn. */
-const draws = [
-  '.cage-screen svg *',
-  '.cage-screen img',
-  '.cage-screen button',
-  'article',
-  'article img',
-].join()
-
 const textOf = (id: string) => content.cages.find(({ cage }) => cage.id === id)!.text['en']!
 const senseTextOf = (id: string) => content.senseCages.find(({ cage }) => cage.id === id)!.text['en']!
 
@@ -184,9 +175,9 @@ const senses: Steps = {
 }
 
 test('cages on maps, step by step', { tag: '@reward-zoo' }, ({ child }) =>
-  goesThrough(child, 'reward-zoo', maps, { draws }),
+  goesThrough(child, 'reward-zoo', maps),
 )
 
 test('cages of sensors, step by step', { tag: '@reward-zoo' }, ({ child }) =>
-  goesThrough(child, 'reward-zoo-senses', senses, { draws }),
+  goesThrough(child, 'reward-zoo-senses', senses),
 )

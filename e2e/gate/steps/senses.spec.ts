@@ -7,17 +7,6 @@ import { goesThrough, type Steps } from '../steps.ts'
 
 test.use({ language: 'en' })
 
-/** Arrows of moves, curves and the numbers of the table are drawn. */
-const draws = [
-  '.senses svg *',
-  '.senses svg',
-  '.senses [tabindex]',
-  '.senses th',
-  '.senses input',
-  '.edge',
-  '.choice *',
-].join()
-
 /** The length of a run and the last bump depend on the speed of the machine. */
 const hides =
   /[\d.]+ seconds? ago|of [\d.]+ s\b|(?<=slider "Moment of the run": ).*|(?<=paragraph: )Bo (bumped|stands|drives).*/g
@@ -107,9 +96,9 @@ const night: Steps = {
 }
 
 test('a table fills by trying, step by step', { tag: '@senses' }, ({ child }) =>
-  goesThrough(child, 'senses', trying, { draws, hides }),
+  goesThrough(child, 'senses', trying, { hides }),
 )
 
 test('a night of learning, step by step', { tag: '@senses' }, ({ child }) =>
-  goesThrough(child, 'senses-night', night, { draws }),
+  goesThrough(child, 'senses-night', night),
 )
