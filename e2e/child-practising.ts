@@ -48,7 +48,9 @@ function changed(before: Brain, after: Brain): { readonly rate?: number; readonl
 async function putsLayersIn(child: Child, before: Brain, after: Brain) {
   const hands = new NetHands(child)
   const layers = after.layers.slice(1, after.layers.length - before.layers.length + 1)
-  if (layers.length > 0) await hands.chooses('expert')
+  if (layers.length === 0) return
+  await child.presses('network.byHand')
+  await hands.chooses('expert')
   for (const [index, neurons] of layers.entries()) {
     const layer = index + 1
     await child.presses('net.addLayer')

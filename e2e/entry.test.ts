@@ -68,7 +68,7 @@ describe('reading a page', () => {
     readdirSync(join(here, folder))
       .filter((name) => name.endsWith('.ts'))
       .map((name) => `${folder}/${name}`)
-  const files = [...specs, ...['gate', 'gate/steps', 'walk'].flatMap(inFolder), ...drivers]
+  const files = [...specs, ...['gate', 'steps', 'walk'].flatMap(inFolder), ...drivers]
   const found = files.flatMap((path) => [...read(path).matchAll(polled)].map(([, method]) => method!))
   const methods = [...new Set([...reads, ...found])].filter((method) => method !== 'ask')
 

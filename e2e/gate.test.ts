@@ -21,8 +21,13 @@ const pages = globSync('routes/**/+{page,error}.svelte', { cwd: web }).map((file
     .replace(/\.svelte$/, ''),
 )
 
-const gate = join(import.meta.dirname, 'gate')
-const specs = globSync('**/*.spec.ts', { cwd: gate }).map((file) => ({ file, text: read(gate, file) }))
+const specsIn = (folder: string) =>
+  globSync('*.spec.ts', { cwd: join(import.meta.dirname, folder) }).map((file) => ({
+    file: `${folder}/${file}`,
+    text: read(join(import.meta.dirname, folder), file),
+  }))
+const specs = specsIn('gate')
+const steps = specsIn('steps')
 const tags = specs.flatMap(({ text }) => [...text.matchAll(/'@([\w-]+|\/[^']*)'/g)].map(([, tag]) => tag!))
 const isPage = (tag: string) => tag.startsWith('/')
 
@@ -34,18 +39,20 @@ test('the walk goes through every page', () => {
   expect(unique(tags.filter(isPage))).toEqual(unique(pages.map((page) => page || '/')))
 })
 
-test.each(specs)('every test of $file has a tag with its features and pages', ({ text }) => {
+test.each([...specs, ...steps])('every test of $file has a tag with its features and pages', ({ text }) => {
   const tests = [...text.matchAll(/^test\(/gm)].length
   expect(tests).toBeGreaterThan(0)
   expect([...text.matchAll(/^.*\btag: /gm)]).toHaveLength(tests)
 })
 
 /** Names of files with steps, as the specs give them: `goesThrough(child, 'races', …)`. */
-const stepped = specs.flatMap(({ text }) =>
+const stepped = steps.flatMap(({ text }) =>
   [...text.matchAll(/goesThrough\(\s*child,\s*'([\w-]+)'/g)].map(([, name]) => name!),
 )
 
 test('each file of changes belongs to one walk through steps', () => {
-  const written = globSync('*.txt', { cwd: join(gate, 'trees') }).map((file) => file.replace(/\.txt$/, ''))
+  const written = globSync('*.txt', { cwd: join(import.meta.dirname, 'steps/trees') }).map((file) =>
+    file.replace(/\.txt$/, ''),
+  )
   expect(stepped.toSorted()).toEqual(written.toSorted())
 })

@@ -55,4 +55,12 @@ describe('what a press changes', () => {
     const three = Array.from({ length: 3 }, () => '- button "More"')
     expect(changesOf(three, three.slice(2))).toHaveLength(2)
   })
+
+  test('is a number of lines and a hash of them where a whole page goes', () => {
+    const page = Array.from({ length: 20 }, (_, at) => `- button "${at}"`)
+    const other = page.with(3, '- button "another"')
+    const [first, second] = [page, other].map((lines) => changesOf(lines, ['- heading "Home"']))
+    expect(first).toEqual([expect.stringMatching(/^- 20 lines \([0-9a-f]{8}\)$/), '+ heading "Home"'])
+    expect(second).not.toEqual(first)
+  })
 })

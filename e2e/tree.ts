@@ -1,5 +1,6 @@
 // The tree of a page for screen readers, as lines, and the changes between two trees.
 import type { Page } from '@playwright/test'
+import { createHash } from 'node:crypto'
 
 /** Longer lists of these are cut, so that a further card, map or item changes nothing here. */
 const shown: { readonly [role: string]: number } = {
@@ -112,8 +113,17 @@ function moreIn(after: readonly string[], before: readonly string[]): string[] {
   })
 }
 
+/** So many lines that went are listed; of more, as where another page opens, a hash stands for them. */
+const mostGone = 12
+
+function goneLines(gone: readonly string[]): readonly string[] {
+  if (gone.length <= mostGone) return gone.map((line) => `- ${line.trim().replace(/^- /, '')}`)
+  const hash = createHash('sha256').update(gone.join('\n')).digest('hex').slice(0, 8)
+  return [`- ${gone.length} lines (${hash})`]
+}
+
 /** Lines that went and lines that came. */
 export const changesOf = (before: readonly string[], after: readonly string[]): readonly string[] => [
-  ...moreIn(before, after).map((line) => `- ${line.trim().replace(/^- /, '')}`),
+  ...goneLines(moreIn(before, after)),
   ...moreIn(after, before).map((line) => `+${line.replace(/^( *)- /, ' $1')}`),
 ]

@@ -22,14 +22,18 @@ function runNpm(cwd: string, args: readonly string[]) {
   return { status, stdout }
 }
 
-/** The outcome of one fault: the first red test, or `survived`. Tests of its own feature run first, since they take seconds. */
+/** The outcome of one fault: the first red test, or `survived`. Tests and steps of its own feature run first: they take seconds. */
 function outcomeOf(copy: string, file: string, all: boolean): string {
   const npm = (...args: readonly string[]) => runNpm(copy, args)
   if (npm('build').status !== 0) return 'caught by the build'
   const [feature] = file.replace('apps/web/src/features/', '').split('/')
   const own = ['--grep', `@${feature}(?![\\w-])`]
-  for (const some of all ? [own, []] : [own]) {
-    const { status, stdout } = npm('test:gate', '--', '-x', '--retries=0', ...some)
+  const runs = [
+    ['test:gate', ...own],
+    ['test:steps', ...own],
+  ]
+  for (const [script = '', ...some] of all ? [...runs, ['test:gate']] : runs) {
+    const { status, stdout } = npm(script, '--', '-x', '--retries=0', '--pass-with-no-tests', ...some)
     if (status !== 0) return `caught by ${redIn(stdout)}`
   }
   return 'survived'

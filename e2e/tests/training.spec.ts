@@ -90,8 +90,6 @@ for (const language of languagesOf(import.meta.filename))
       const teaching = new Teaching(child)
       await child.opensLab('show-it')
       const ways = page.getByRole('toolbar', { name: child.word('network.ways'), exact: true })
-      await child.tabsTo(ways.locator('[tabindex="0"]'))
-      await child.types('ArrowRight', 'Enter')
       await expect(teaching.table).toBeVisible()
 
       for (const [row, presses] of [
