@@ -1,7 +1,7 @@
-// Drawings of a page, as lines for the steps of the walk: a tree for screen readers says nothing of them.
+// Drawings of a page, as lines for the steps of the walk. Screen readers do not see them.
 import type { Page } from '@playwright/test'
 
-/** What is drawn or placed below the elements of a selector, with its attributes; long ones are cut, numbers rounded. */
+/** Shapes and placed elements below a selector, with their attributes; long ones are cut, numbers rounded. */
 export const drawnIn = (page: Page, selector: string): Promise<readonly string[]> =>
   page.evaluate((drawings) => {
     const shapes = 'svg, g, path, circle, ellipse, rect, polyline, text, img, [style]'

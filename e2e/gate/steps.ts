@@ -34,7 +34,7 @@ const parsed = (text: string): readonly (readonly [string, readonly string[]])[]
 const asText = (steps: readonly (readonly [string, readonly string[]])[]) =>
   steps.map(([step, changes]) => [`## ${step}`, ...changes].join('\n')).join('\n\n') + '\n'
 
-/** The tree, and the shapes of the drawings that are asked for. */
+/** The tree, and the shapes of the selected drawings. */
 const seen = async ({ page }: Child, { hides, draws }: Options): Promise<readonly string[]> => [
   ...(await treeOf(page, hides)),
   ...(draws ? await drawnIn(page, draws) : []),
