@@ -52,7 +52,7 @@ export class MapMaker {
     await this.station(stations - 1).focus()
     await this.child.presses('design.goalHere')
     await this.seesReached(2)
-    await this.seesTried(4, 4)
+    await this.seesTried(2, 2)
   }
 
   /** The tool that a press on the paper uses from now on. */

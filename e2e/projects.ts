@@ -146,3 +146,24 @@ export function sayingProject(name: string): string {
   const robots = [{ ...bo!, config: { ...bo!.config, sensors } }]
   return JSON.stringify({ ...project, world: { ...world, robots } })
 }
+
+/** x is 7, then 12; then Bo waits. `b6` waits first, `b10` last. */
+export function countingProject(name: string): string {
+  const text = freeProgram(name, (make) => {
+    const set = make.block('variables_set', {
+      fields: { VAR: 'x' },
+      mutation: { attrs: { datatype: 'Number' } },
+      values: { VALUE: make.number(12) },
+    })
+    return [make.wait(100), set, make.wait(200)]
+  })
+  const project = JSON.parse(text) as Project
+  const start = project.programs['main']!.stacks[0]!.blocks[0]!
+  const declared = {
+    ...{ id: 'x', type: 'robGlobalVariables_declare', fields: { TYPE: 'Number', VAR: 'x' } },
+    mutation: { attrs: { next: 'false', declaration_type: 'Number' } },
+    values: { VALUE: { id: 'seven', type: 'math_number', fields: { NUM: '7' } } },
+  }
+  Object.assign(start, { mutation: { attrs: { declare: 'true' } }, statements: { ST: [declared] } })
+  return JSON.stringify(project)
+}

@@ -5,17 +5,20 @@ import { changesOf, shortened } from './tree.ts'
 const lines = fc.array(fc.constantFrom('- list:', '  - listitem: a', '  - listitem: b', '- button "Start"'))
 
 describe('the tree of a page', () => {
-  test('has three items of a long list, however many there are', () => {
-    const items = ['a', 'b', 'c', 'd', 'e'].flatMap((name) => [`  - listitem:`, `    - link "${name}"`])
+  test('has five items of a long list, however many there are', () => {
+    const items = ['a', 'b', 'c', 'd', 'e', 'f', 'g'].flatMap((name) => [
+      `  - listitem:`,
+      `    - link "${name}"`,
+    ])
     const short = shortened(['- list:', ...items, '- button "Start"'])
     expect(short.filter((line) => line.includes('link'))).toEqual(
-      ['a', 'b', 'c'].map((name) => `    - link "${name}"`),
+      ['a', 'b', 'c', 'd', 'e'].map((name) => `    - link "${name}"`),
     )
     expect(short.slice(-2)).toEqual(['  - more of listitem', '- button "Start"'])
   })
 
   test('counts the items of each list alone', () => {
-    const list = ['- list:', ...Array.from({ length: 3 }, () => '  - listitem: a')]
+    const list = ['- list:', ...Array.from({ length: 5 }, () => '  - listitem: a')]
     expect(shortened([...list, ...list])).toEqual([...list, ...list])
   })
 

@@ -2,8 +2,12 @@
 import type { Page } from '@playwright/test'
 
 /** Longer lists of these are cut, so that a further card, map or item changes nothing here. */
-const long = ['listitem', 'row', 'option', 'link', 'treeitem', 'article']
-const shown = 3
+const shown: { readonly [role: string]: number } = {
+  ...{ listitem: 5, row: 5, option: 5, link: 5, treeitem: 5, article: 5 },
+  ...{ cell: 8, columnheader: 8, gridcell: 8 },
+}
+/** Elements that are cut from these lists. */
+const late = ':is(li, tr, option, a, article):nth-of-type(n + 6), :is(td, th):nth-of-type(n + 9)'
 
 /** Text that differs from run to run. */
 const varying: readonly (readonly [RegExp, string])[] = [
@@ -12,19 +16,21 @@ const varying: readonly (readonly [RegExp, string])[] = [
     /\b\d{1,2} (January|February|March|April|May|June|July|August|September|October|November|December)( \d{4})?\b/g,
     'DATE',
   ],
-  [/\b\d{2}:\d{2}(:\d{2})?\b/g, 'TIME'],
+  [/\b\d{1,2}:\d{2}(:\d{2})?\b( [AP]M\b)?/g, 'TIME'],
 ]
 
 const indentOf = (line: string) => line.search(/\S/)
 const roleOf = (line: string) => /^ *- '?(\w+)/.exec(line)?.[1] ?? ''
 
-/** Lines without the blocks, which Blockly describes, and with three of the items of a long list. */
+/** Lines without the blocks, which Blockly describes, and with the first items of long lists. */
 export function shortened(lines: readonly string[]): string[] {
   const kept: string[] = []
   /** Indentation of a line whose lines below it are left out. */
   let above = Infinity
   const counts: Map<string, number>[] = []
   for (const line of lines) {
+    // A page that loads has no lines; the place for messages about the network comes three seconds later.
+    if (line === '' || line === '- status') continue
     const indent = indentOf(line)
     if (indent > above) continue
     above = Infinity
@@ -33,9 +39,10 @@ export function shortened(lines: readonly string[]): string[] {
     const role = roleOf(line)
     const count = ((counts[depth] ??= new Map()).get(role) ?? 0) + 1
     counts[depth].set(role, count)
-    if (long.includes(role) && count > shown) {
+    const most = shown[role] ?? Infinity
+    if (count > most) {
       above = indent
-      if (count === shown + 1) kept.push(`${' '.repeat(indent)}- more of ${role}`)
+      if (count === most + 1) kept.push(`${' '.repeat(indent)}- more of ${role}`)
     } else {
       if (/^ *- application "Blocks":$/.test(line)) above = indent
       kept.push(line)
@@ -44,26 +51,53 @@ export function shortened(lines: readonly string[]): string[] {
   return kept
 }
 
-/** Facts that a tree of Playwright's leaves out: values of sliders and pictures, the current item, descriptions. */
+/** Facts that a tree of Playwright's leaves out: values of sliders, bounds, the current item, descriptions, chosen options. */
 const detailsOf = (page: Page): Promise<readonly string[]> =>
-  page.evaluate(() => {
-    const names = ['aria-current', 'aria-valuetext', 'aria-valuenow', 'aria-disabled', 'title', 'placeholder']
+  page.evaluate((cut) => {
+    const aria = ['current', 'valuetext', 'valuenow', 'valuemin', 'valuemax', 'disabled', 'invalid', 'sort']
+    const names = [...aria.map((name) => `aria-${name}`), 'title', 'placeholder', 'min', 'max', 'step']
     const nameOf = (one: Element) =>
       (one.getAttribute('aria-label') ?? one.textContent).trim().replaceAll(/\s+/g, ' ').slice(0, 60)
-    return [...document.querySelectorAll(names.map((name) => `[${name}]`).join())]
-      .filter((one) => one.checkVisibility() && !one.closest('.injectionDiv'))
+    const isShown = (one: Element) => one.checkVisibility() && !one.closest(`.injectionDiv, ${cut}`)
+    const facts = [...document.querySelectorAll(names.map((name) => `[${name}]`).join())]
+      .filter(isShown)
       .flatMap((one) =>
         names
           .filter((name) => one.hasAttribute(name))
           .map((name) => `= ${nameOf(one)} ${name.replace('aria-', '')}: ${one.getAttribute(name)!}`),
       )
-  })
+    const chosen = [...document.querySelectorAll('select')]
+      .filter(isShown)
+      .map(
+        (one) =>
+          `= ${one.getAttribute('aria-label') ?? ''} chosen: ${one.selectedOptions[0]?.text.trim() ?? ''}`,
+      )
+    return [...facts, ...chosen]
+  }, late)
 
-/** The page's tree for a screen reader, a line for each element; text that differs from run to run is replaced. */
+/**
+ * Drawings, which a screen reader leaves out: how many elements of each tag with which attributes. Values of attributes are
+ * numbers of a layout, so they do not count; words in a drawing do.
+ */
+const drawnOn = (page: Page): Promise<readonly string[]> =>
+  page.evaluate((cut) => {
+    const isLook = /^(class|style|id|role|tabindex|xmlns|aria-.*|data-.*)$/
+    const counts = new Map<string, number>()
+    for (const one of document.querySelectorAll('svg, svg *, [aria-hidden="true"] *')) {
+      if (!one.checkVisibility() || one.closest(`.injectionDiv, ${cut}`)) continue
+      const names = [...one.attributes].map(({ name }) => name).filter((name) => !isLook.test(name))
+      const words = one.childElementCount === 0 ? one.textContent.trim() : ''
+      const line = `~ ${one.tagName.toLowerCase()}(${names.toSorted().join(' ')}) ${words}`.trim()
+      counts.set(line, (counts.get(line) ?? 0) + 1)
+    }
+    return [...counts].map(([line, count]) => `${line} × ${count}`).toSorted()
+  }, late)
+
+/** The page's tree for a screen reader and its drawings, as lines; text that differs from run to run is replaced. */
 export async function treeOf(page: Page, hidden?: RegExp): Promise<readonly string[]> {
   const tree = (await page.locator('body').ariaSnapshot()).split('\n')
-  const all = [...shortened(tree), ...(await detailsOf(page))]
-  const patterns = hidden ? [...varying, [hidden, '…'] as const] : varying
+  const all = [...shortened(tree), ...(await detailsOf(page)), ...(await drawnOn(page))]
+  const patterns = hidden ? [...varying, [new RegExp(hidden, 'g'), '…'] as const] : varying
   return all.map((line) => patterns.reduce((text, [pattern, by]) => text.replaceAll(pattern, by), line))
 }
 

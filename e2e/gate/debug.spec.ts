@@ -1,29 +1,7 @@
-import type { Project } from '@botgarten/programs'
-import { freeProgram } from '../projects.ts'
+import { countingProject } from '../projects.ts'
 import { expect, opensProject, test } from './gate.ts'
 
 test.use({ language: 'en' })
-
-/** x is 7, then 12; then Bo waits. `b6` waits first, `b10` last. */
-const counts = () => {
-  const text = freeProgram('Counts', (make) => {
-    const set = make.block('variables_set', {
-      fields: { VAR: 'x' },
-      mutation: { attrs: { datatype: 'Number' } },
-      values: { VALUE: make.number(12) },
-    })
-    return [make.wait(100), set, make.wait(200)]
-  })
-  const project = JSON.parse(text) as Project
-  const start = project.programs['main']!.stacks[0]!.blocks[0]!
-  const declared = {
-    ...{ id: 'x', type: 'robGlobalVariables_declare', fields: { TYPE: 'Number', VAR: 'x' } },
-    mutation: { attrs: { next: 'false', declaration_type: 'Number' } },
-    values: { VALUE: { id: 'seven', type: 'math_number', fields: { NUM: '7' } } },
-  }
-  Object.assign(start, { mutation: { attrs: { declare: 'true' } }, statements: { ST: [declared] } })
-  return JSON.stringify(project)
-}
 
 test(
   'a run stops where the child has said, shows what a variable holds, and goes on block by block',
@@ -31,7 +9,7 @@ test(
     tag: '@debug',
   },
   async ({ child, page }) => {
-    await opensProject(child, 'Counts', counts())
+    await opensProject(child, 'Counts', countingProject('Counts'))
     const waits = child.canvas.locator('.robControls_wait_time')
     const last = (await waits.last().getAttribute('data-id'))!
     await child.presses('lab.closely')

@@ -37,7 +37,7 @@ for (const language of languagesOf(import.meta.filename)) {
       await expect(fault).toBeVisible()
       await child.drags(tight, wide)
       await expect(fault).toHaveCount(0)
-      await maker.seesTried(6, 6)
+      await maker.seesTried(3, 3)
 
       await maker.takes('sign', tap)
       await touches(await maker.place(0.5, 0.78))

@@ -1,6 +1,6 @@
 import { emptyBrain, withWeight, type Brain } from '@botgarten/learning/neural-network/brain'
 import { addToHash, startHash, type Hash } from '@botgarten/numbers'
-import { runThread, type Raced } from '@botgarten/programs'
+import { learningIn, runThread, type LearningOutline, type Raced } from '@botgarten/programs'
 import { pressKey, rollsOn, TICKS_PER_SECOND, type Pose, type Simulation } from '@botgarten/simulation'
 import { goOnFrom } from './carry.ts'
 import { observe, watch, type Watch } from './checks/checks.ts'
@@ -36,6 +36,8 @@ export class Run {
   readonly trials: Trials
   /** What came of its project's last race of brains. */
   readonly raced: Raced | null
+  /** Roads that the first robot's program closes on its map. */
+  readonly closed: LearningOutline['closed']
   watches: Watch[]
   hash: Hash = startHash()
   tick = 0
@@ -63,6 +65,8 @@ export class Run {
     this.brains = brains
     this.trials = new Trials(simulation, tables)
     this.raced = raced ?? null
+    const program = programs[world.robots[0]!.program]
+    this.closed = (program && learningIn(program)?.closed) ?? []
     this.starts = Object.fromEntries(world.obstacles.map(({ id, pose }) => [id, pose]))
     this.checks = checks
     this.watches = watch(checks)

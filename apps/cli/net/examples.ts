@@ -89,6 +89,9 @@ function said(finding: ExampleFinding): string {
     case 'sleeping':
       return message('examples.sleeping', { count: finding.rows.length })
     case 'few':
-      return message('examples.few', { rows: finding.rows, knobs: finding.knobs })
+      return message(finding.isMirrored ? 'examples.fewMirrored' : 'examples.few', {
+        rows: finding.rows,
+        knobs: finding.knobs,
+      })
   }
 }

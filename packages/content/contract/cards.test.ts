@@ -8,7 +8,7 @@ import { TICKS_PER_SECOND } from '@botgarten/simulation'
 import { describe, expect, it } from 'vitest'
 import { content } from '../files.ts'
 import { cardDocument, cardProject } from '../index.ts'
-import { filesOf } from './there.ts'
+import { filesOf, wordsIn } from './there.ts'
 
 addBlocks(learning)
 
@@ -39,6 +39,14 @@ describe.each(content.cards)('the card $id', ({ id, title }) => {
 
   it('leads to a card that is there', () => {
     if (card.next !== null) expect(ids).toContain(card.next)
+  })
+
+  it('opens the tab of the network that its hints name first', () => {
+    if (card.chapter !== 'examples') return expect(card.opens).toBeUndefined()
+    const { showIt, letPractise } = wordsIn('en', 'network') as unknown as { [key: string]: string }
+    const hints = JSON.stringify(text['en']!.hints)
+    const at = (word?: string) => hints.indexOf(`"${word}"`) + 1 || Infinity
+    expect(card.opens).toBe(at(showIt) < at(letPractise) ? 'show' : 'practise')
   })
 
   it('a card beside it is its equal in blocks; its weights solve it, from where its robot starts', () => {

@@ -25,6 +25,7 @@ const card = v.strictObject({
   playground,
   group: v.exactOptional(v.picklist(['repair'])),
   chapter: v.exactOptional(v.picklist(['examples', 'trying'])),
+  opens: v.exactOptional(v.picklist(['show', 'practise'])),
   grades: v.tuple([v.number(), v.number()]),
   minutes: v.number(),
   starts: v.pipe(v.array(pose), v.minLength(1)),

@@ -13,6 +13,8 @@ export interface Card {
   readonly group?: Group
   /** Which part of its bed it lies in; absent: the first, by hand. */
   readonly chapter?: Chapter
+  /** Tab of the network that is open at first; absent: the knobs. */
+  readonly opens?: 'show' | 'practise'
   /** Youngest and oldest grade. */
   readonly grades: readonly [number, number]
   readonly minutes: number

@@ -23,7 +23,7 @@ function kindOf(check: Check): AnyKind {
 }
 
 type Sight = Pick<Simulation, 'world' | 'state' | 'read'> &
-  Partial<Pick<Moment, 'taught' | 'nextTurn' | 'trying' | 'table' | 'raced'>>
+  Partial<Pick<Moment, 'taught' | 'nextTurn' | 'trying' | 'table' | 'raced' | 'closed'>>
 
 const noTurn: Moment['nextTurn'] = () => null
 
@@ -34,9 +34,10 @@ const momentOf = (
   seen: Sight,
 ): Moment => {
   const { world, state, read, taught = null, nextTurn = noTurn, trying = false } = seen
-  const { table = null, raced = null } = seen
+  const { table = null, raced = null, closed = [] } = seen
   const passed = (id: string) => watches[checks.findIndex((check) => check.id === id)]?.passed ?? false
-  return { seconds, world, simulation: state, read, taught, nextTurn, trying, table, raced, passed }
+  const learned = { taught, trying, table, raced, closed }
+  return { seconds, world, simulation: state, read, nextTurn, ...learned, passed }
 }
 
 /** Every check looks at one tick. */

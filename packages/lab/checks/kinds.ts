@@ -1,5 +1,6 @@
 import { arrives } from './arrives.ts'
 import { clean } from './clean.ts'
+import { closed } from './closed.ts'
 import { cruises } from './cruises.ts'
 import { eyesDecide } from './eyesDecide.ts'
 import { judged } from './judged.ts'
@@ -30,6 +31,7 @@ import { visits } from './visits.ts'
 export const kinds: { readonly [kind: string]: AnyKind } = {
   arrives,
   clean,
+  closed,
   cruises,
   eyesDecide,
   judged,

@@ -1,7 +1,7 @@
 import type { Brain } from '@botgarten/learning/neural-network/brain'
 import type { TableBrain } from '@botgarten/learning/q-senses'
 import { cos, sin } from '@botgarten/numbers'
-import type { Raced } from '@botgarten/programs'
+import type { LearningOutline, Raced } from '@botgarten/programs'
 import {
   FRONT,
   type Cm,
@@ -38,6 +38,8 @@ export interface Moment {
   readonly table: TableBrain | null
   /** What came of the project's last race of brains; null: there was none. */
   readonly raced: Raced | null
+  /** Roads that the first robot's program closes on its map, from station to station. */
+  readonly closed: LearningOutline['closed']
   /** Has another check of the card passed? */
   passed(checkId: string): boolean
 }

@@ -8,7 +8,7 @@ import type { Moment } from './moment.ts'
 
 /** What checks see of a run, as it stands whenever they look. */
 export type Seen = Pick<Simulation, 'world' | 'state' | 'read'> &
-  Pick<Moment, 'taught' | 'nextTurn' | 'trying' | 'table' | 'raced'>
+  Pick<Moment, 'taught' | 'nextTurn' | 'trying' | 'table' | 'raced' | 'closed'>
 
 interface Watched {
   readonly simulation: Simulation
@@ -17,6 +17,7 @@ interface Watched {
   readonly seconds: number
   readonly trials: Trials
   readonly raced: Moment['raced']
+  readonly closed: Moment['closed']
 }
 
 /** Made once for a run: every tick looks through the same one. */
@@ -25,7 +26,7 @@ export function seenIn(run: Watched): Seen {
   const turn: Moment['nextTurn'] = (mirrored) =>
     nextTurn(run.robots[0]!, world.robots[0]!.config, run.seconds, mirrored)
   return {
-    ...{ world, state, read, nextTurn: turn, raced: run.raced },
+    ...{ world, state, read, nextTurn: turn, raced: run.raced, closed: run.closed },
     get taught() {
       return taughtIn(run)
     },

@@ -30,9 +30,19 @@ const idle: Program = {
   config: { stacks: [] },
 }
 
+/** The program does nothing, but has the map block, since checks read which roads are closed. */
+function idleOf({ stacks }: Program): Program {
+  const map = stacks
+    .flatMap(({ blocks }) => blocks)
+    .filter(({ type }) => type === 'ai_q_learning_states_and_actions_map')
+  return { ...idle, stacks: [...idle.stacks, ...map.map((block) => ({ x: 0, y: 200, blocks: [block] }))] }
+}
+
 /** A run whose first robot is driven from outside in place of its program. */
 export function drivenRun(document: Document, floor: Floor, checks: readonly Check[], seed: number) {
-  const programs = Object.fromEntries(Object.keys(document.programs).map((id) => [id, idle]))
+  const programs = Object.fromEntries(
+    Object.entries(document.programs).map(([id, program]) => [id, idleOf(program)]),
+  )
   const simulation = createSimulation(document.world, floor, seed)
   const run = new Run(simulation, { ...document, programs }, checks)
   const robot: Robot = run.robots[0]!.context.robot

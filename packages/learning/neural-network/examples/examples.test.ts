@@ -258,8 +258,13 @@ describe('questions about examples', () => {
 
   it('few: less than two examples for every knob, mirror images counted', () => {
     const three = good.slice(1, 4)
-    expect(findingsIn(table(three, { knobs: 4 }))).toContainEqual({ kind: 'few', rows: 3, knobs: 4 })
+    expect(findingsIn(table(three, { knobs: 4 }))).toContainEqual({
+      ...{ kind: 'few', rows: 3, isMirrored: false, knobs: 4 },
+    })
     const mirror = { inputs: [1, 0], outputs: [1, 0] }
+    expect(findingsIn(table(three, { knobs: 4, mirror }))).toContainEqual({
+      ...{ kind: 'few', rows: 3, isMirrored: true, knobs: 4 },
+    })
     expect(kindsIn(table(good.slice(1, 5), { knobs: 4, mirror }))).not.toContain('few')
   })
 

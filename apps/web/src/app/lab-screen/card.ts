@@ -26,7 +26,7 @@ export type NextStep =
   | { readonly kind: 'start'; readonly index: number }
   | { readonly kind: 'again'; readonly index: number | null }
   | { readonly kind: 'card'; readonly href: string; readonly name: string }
-  | { readonly kind: 'none' }
+  | { readonly kind: 'home'; readonly href: string }
 
 /** Another map than the card's, on which a child has its robot learn. */
 interface Elsewhere {
@@ -77,5 +77,5 @@ export function nextStep(card: LoadedCard, passedStarts: readonly number[]): Nex
   const { next } = card.card
   return next
     ? { kind: 'card', href: resolve('/lab/[card]', { card: next }), name: titleOf(next) }
-    : { kind: 'none' }
+    : { kind: 'home', href: resolve('/') }
 }

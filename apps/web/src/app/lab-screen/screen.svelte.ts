@@ -76,6 +76,7 @@ export class LabScreenState {
     )
     // A card about learning by trying begins where Bo learns, where one part is seen at a time.
     if (this.card?.card.playground === 'q-learning') this.ui.page = 'network'
+    if (this.card?.card.opens) void this.setWay(this.card.card.opens)
     this.session.settleBlocks = () => this.blocks?.settle() ?? true
     this.session.moveBlocks = (direction, program) => this.blocks?.moveBlocks(direction, program) ?? false
   }

@@ -52,6 +52,7 @@ export function sleeping({ pairs }: Table): readonly ExampleFinding[] {
 
 /** Fewer examples, mirror images counted, than two for every knob. */
 export function few({ pairs, mirror, knobs }: Table): readonly ExampleFinding[] {
-  const rows = mirror ? 2 * pairs.length : pairs.length
-  return rows < 2 * knobs ? [{ kind: 'few', rows, knobs }] : []
+  const rows = pairs.length
+  const isMirrored = Boolean(mirror)
+  return (isMirrored ? 2 * rows : rows) < 2 * knobs ? [{ kind: 'few', rows, isMirrored, knobs }] : []
 }

@@ -32,7 +32,8 @@ export type ExampleFinding =
   /** A column that is always about `value`. */
   | { readonly kind: 'allAlike'; readonly column: string; readonly isInput: boolean; readonly value: number }
   | { readonly kind: 'sleeping'; readonly rows: readonly number[] }
-  | { readonly kind: 'few'; readonly rows: number; readonly knobs: number }
+  /** `isMirrored`: the mirror image of each row is practised, too. */
+  | { readonly kind: 'few'; readonly rows: number; readonly isMirrored: boolean; readonly knobs: number }
 
 /** The largest difference of any column, in percent. */
 export function farApart(a: readonly number[], b: readonly number[]): number {

@@ -1,6 +1,6 @@
 import { readMap } from '@botgarten/maps'
-import { setDress, writeMap } from '@botgarten/maps/own'
-import type { RoadMap } from '@botgarten/programs'
+import { lineOf, setDress, writeMap } from '@botgarten/maps/own'
+import type { MapRoad, RoadMap } from '@botgarten/programs'
 import { newWorker } from './new-worker.ts'
 import type { Asked, Tried } from './tries-worker.ts'
 
@@ -10,32 +10,40 @@ const CALM = 600
 /** As many as the smallest computers of a school have cores. */
 const WORKERS = 2
 
+/** Lines of a road in the directions that are open. */
+function openLines(map: RoadMap, road: MapRoad): readonly string[] {
+  const { there, back } = lineOf(map, road)
+  const isOpen = (way: 'there' | 'back') => road.closed !== 'both' && road.closed !== way
+  return [...(isOpen('there') ? [there] : []), ...(!road.oneWay && isOpen('back') ? [back] : [])]
+}
+
 /** Bo tries all roads of a map, in both directions, in workers; after every change the roads that changed. */
 export class RoadTries {
   /** By the line of a road: did Bo get to its end? */
   #driven = $state.raw<{ readonly [line: string]: boolean }>({})
-  #lines: readonly string[] = $state.raw([])
+  /** By road that is open: its lines. */
+  #roads: readonly (readonly string[])[] = $state.raw([])
   #workers: readonly Worker[] = []
   #timer: ReturnType<typeof setTimeout> | undefined
 
-  /** How many roads there are, each direction for itself. */
+  /** How many roads are open, in one direction or both. */
   get all() {
-    return this.#lines.length
+    return this.#roads.length
   }
   get tried() {
-    return this.#lines.filter((line) => line in this.#driven).length
+    return this.#roads.filter((lines) => lines.every((line) => line in this.#driven)).length
   }
-  /** Roads that Bo drove to their end. */
+  /** Roads that Bo drove to their end in each direction that is open. */
   get driven() {
-    return this.#lines.filter((line) => this.#driven[line]).length
+    return this.#roads.filter((lines) => lines.every((line) => this.#driven[line])).length
   }
 
   follow(map: RoadMap): void {
-    const text = writeMap(setDress(map, 'paper'), 'tried')
-    this.#lines = [...text.matchAll(/<path id="path-\d+-\d+" d="([^"]*)"/g)].map(([, line]) => line!)
+    const onPaper = setDress(map, 'paper')
+    this.#roads = onPaper.roads.map((road) => openLines(onPaper, road)).filter(({ length }) => length > 0)
     clearTimeout(this.#timer)
-    if (this.#lines.every((line) => line in this.#driven)) return
-    this.#timer = setTimeout(() => this.#ask(text), CALM)
+    if (this.tried === this.all) return
+    this.#timer = setTimeout(() => this.#ask(writeMap(onPaper, 'tried')), CALM)
   }
 
   #ask(text: string): void {

@@ -1,4 +1,6 @@
 import {
+  bestReturn,
+  expectedReturn,
   greedyPath,
   planOf,
   policy,
@@ -29,6 +31,8 @@ export interface Shown {
   readonly firstOfEqual: readonly number[] | null
   /** Where moves are by chance: what Bo would do, and what that may expect. */
   readonly plan: Plan | null
+  /** Bo goes in a circle, has learned to its end, and nothing else would pay more. */
+  readonly isCircleBest: boolean
   readonly found: number | null
   /** The move at which it was found. */
   readonly foundAt: number | null
@@ -55,6 +59,7 @@ export function shownOf(course: Course): Shown {
     way,
     firstOfEqual: settings.rules === 'study' && !way.states ? greedyPath(learner).states : null,
     plan: world.isSlippery ? planOf(learner) : null,
+    isCircleBest: course.over !== null && way.reason === 'circle' && isBest(learner),
     found: course.foundIn(),
     foundAt: course.foundAt(),
     stars: {
@@ -62,6 +67,15 @@ export function shownOf(course: Course): Shown {
       after: trace ? starsOf(learner, trace.after) : 0,
     },
   }
+}
+
+/** Is the learned policy worth as much from the start as the best one? */
+function isBest(learner: Course['learner']): boolean {
+  const { world, settings } = learner
+  const best = bestReturn(world, settings.gamma)
+  const expected = expectedReturn(world, policy(learner), settings.gamma)
+  // Both are sums of the same rewards in another order.
+  return best !== null && expected !== null && expected >= best - 1e-9 * Math.abs(best)
 }
 
 /** All actions of a station. */

@@ -56,10 +56,29 @@ describe('why there is no way yet is said', () => {
     )
   })
 
-  test('of a circle that pays', () => {
-    const map = { actions: [[{ to: 1 }, { to: 2 }], [{ to: 0 }], []], rewards: { 1: 60 } }
-    const course = courseOf({ map, start: 0, goal: 2 }, 300, { gamma: 0.9, rho: 0.9 })
-    expect(reason(course)).toBe(m['q.circle']({ station: 0, circle: '0 → 1 → 0' }))
+  describe('of a circle', () => {
+    const actions = [[{ to: 1 }, { to: 2 }], [{ to: 0 }], [{ to: 3 }], [{ to: 4 }], []]
+    const learned = (paid: number, episodes: number) =>
+      courseOf({ map: { actions, rewards: { 1: paid } }, start: 0, goal: 4 }, episodes, {
+        ...{ gamma: 0.9, rho: 0.9 },
+      })
+    const endAfter = (course: Course, episodes: number) =>
+      endOf({ shown: shownOf(course), state: 'over', outline: { episodes } } as unknown as Learning)
+
+    test('that pays more than the goal: it is learned, and more tries change nothing', () => {
+      const course = learned(60, 300)
+      expect(reason(course)).toBe(m['q.circlePays']({ circle: '0 → 1 → 0' }))
+      expect(endAfter(course, 300)).toBe(`${m['q.byEpisodes']({ count: 300 })} ${m['q.circleEnd']()}`)
+    })
+
+    test('that pays less: the way is not learned yet', () => {
+      // After one episode the value of the goal has not come as far as the start.
+      const course = learned(4, 1)
+      const { way, isCircleBest } = shownOf(course)
+      expect({ way: way.reason, isCircleBest }).toEqual({ way: 'circle', isCircleBest: false })
+      expect(reason(course)).toBe(m['q.circle']({ station: 0, circle: '0 → 1 → 0' }))
+      expect(endAfter(course, 1)).toBe(`${m['q.byEpisodes']({ count: 1 })} ${m['q.notYet']()}`)
+    })
   })
 })
 

@@ -35,20 +35,24 @@ export const walk = (stations: readonly number[]) => stations.join(' → ')
 /** Why there is no best way yet: what has not been learned; where moves are by chance, what the plan is worth. */
 export function reasonOf({ shown, shortest }: Pick<Learning, 'shown' | 'shortest'>): string {
   if (!shown || shown.way.states) return ''
-  const { way, plan, firstOfEqual } = shown
+  const { way, plan, firstOfEqual, isCircleBest } = shown
   if (shortest === null) return m['q.noWay']()
   if (shown.t === 0) return m['q.nothingYet']()
   if (way.reason === 'neverReached') return m['q.neverReached']()
   if (plan) return planSentence(plan)
+  if (isCircleBest) return m['q.circlePays']({ circle: circleOf(way.walked) })
   const reason = whyNot(way.reason, way.walked)
   return firstOfEqual ? `${reason} ${m['q.firstOfEqual']({ way: walk(firstOfEqual) })}` : reason
 }
+
+/** The circle in a walk: from the first visit of its last station to its end. */
+const circleOf = (walked: readonly number[]) => walk(walked.slice(walked.indexOf(walked.at(-1)!)))
 
 function whyNot(reason: Shown['way']['reason'], walked: readonly number[]): string {
   const station = walked.at(-1)!
   switch (reason) {
     case 'circle':
-      return m['q.circle']({ station, circle: walk(walked.slice(walked.indexOf(station))) })
+      return m['q.circle']({ station, circle: circleOf(walked) })
     case 'alike':
       return m['q.alike']({ station })
     case 'unpaid':
@@ -81,7 +85,7 @@ export function endOf(learning: Learning): string {
         : m['q.byTime']({ count: outline.moves })
   const { states: stations } = shown.way
   if (!stations && shown.plan?.doubt === null) return by
-  if (!stations) return `${by} ${m['q.notYet']()}`
+  if (!stations) return `${by} ${shown.isCircleBest ? m['q.circleEnd']() : m['q.notYet']()}`
   const fault = learning.stage && wayFault(learning.stage.map, stations)
   if (fault?.kind === 'turn') return `${by} ${m['q.tightTurn']({ station: fault.station })}`
   if (fault?.kind === 'crosses') return `${by} ${m['q.wayCrosses']()}`

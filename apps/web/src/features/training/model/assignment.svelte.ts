@@ -56,6 +56,11 @@ export class Assignment {
     return obstacleTo(prepared.data)
   })
 
+  /** The mirror image of each example is practised, too. */
+  get isMirrored(): boolean {
+    return this.prepared !== null && this.prepared.data.practised.count > this.prepared.practised.length
+  }
+
   /** What would be practised with these weights as its start; null: there is nothing. */
   exercise(weights: Weights): Exercise | null {
     const { net, layers, examples } = this

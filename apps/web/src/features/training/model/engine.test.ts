@@ -66,7 +66,7 @@ test('a question about a table is answered by the page where the worker is kille
   const pairs = [{ row: 0, drive: 0, inputs: [20], outputs: [80] }]
   const table = { pairs, inputs: ['eye'], outputs: ['wheel'], wheels: null, mirror: null, knobs: 4 }
   engine.send({ kind: 'ask', number: 7, table })
-  const findings = [{ kind: 'few', rows: 1, knobs: 4 }]
+  const findings = [{ kind: 'few', rows: 1, isMirrored: false, knobs: 4 }]
   await vi.waitFor(() => expect(answers).toEqual([{ kind: 'answer', number: 7, findings }]))
   engine.close()
 })

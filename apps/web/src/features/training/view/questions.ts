@@ -45,6 +45,8 @@ export function questionOf(finding: ExampleFinding, { inputs, outputs }: Trainin
     case 'sleeping':
       return m['training.ask.sleeping']()
     case 'few':
-      return m['training.ask.few']({ rows: finding.rows, knobs: finding.knobs })
+      return finding.isMirrored
+        ? m['training.ask.fewMirrored']({ rows: finding.rows, knobs: finding.knobs })
+        : m['training.ask.few']({ rows: finding.rows, knobs: finding.knobs })
   }
 }
