@@ -2,7 +2,6 @@
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs'
 import { dirname, join } from 'node:path'
 import type { Child } from '../child.ts'
-import { drawnIn } from '../drawn.ts'
 import { expect, test } from './gate.ts'
 import { changesOf, treeOf } from '../tree.ts'
 
@@ -14,8 +13,6 @@ export interface Steps {
 interface Options {
   /** Matches text that differs from run to run: codes, random names. Written as `…`. */
   readonly hides?: RegExp
-  /** Selects drawings whose shapes are compared, too. */
-  readonly draws?: string
 }
 
 /** `npm run trees` writes the files instead of comparing with them. */
@@ -34,18 +31,12 @@ const parsed = (text: string): readonly (readonly [string, readonly string[]])[]
 const asText = (steps: readonly (readonly [string, readonly string[]])[]) =>
   steps.map(([step, changes]) => [`## ${step}`, ...changes].join('\n')).join('\n\n') + '\n'
 
-/** The tree, and the shapes of the selected drawings. */
-const seen = async ({ page }: Child, { hides, draws }: Options): Promise<readonly string[]> => [
-  ...(await treeOf(page, hides)),
-  ...(draws ? await drawnIn(page, draws) : []),
-]
-
 /** The tree once it has not changed for half a second: only for writing, where there is nothing to wait for. */
-async function settled(child: Child, options: Options): Promise<readonly string[]> {
-  let tree = await seen(child, options)
+async function settled(child: Child, hides?: RegExp): Promise<readonly string[]> {
+  let tree = await treeOf(child.page, hides)
   for (let alike = 0; alike < 5;) {
     await child.page.waitForTimeout(100)
-    const next = await seen(child, options)
+    const next = await treeOf(child.page, hides)
     alike = next.join('\n') === tree.join('\n') ? alike + 1 : 0
     tree = next
   }
@@ -53,7 +44,7 @@ async function settled(child: Child, options: Options): Promise<readonly string[
 }
 
 /** Goes through the steps. Each has to change something, and just as the file says. */
-export async function goesThrough(child: Child, name: string, steps: Steps, options: Options = {}) {
+export async function goesThrough(child: Child, name: string, steps: Steps, { hides }: Options = {}) {
   const file = fileOf(name)
   const writes = isWriting()
   const recorded = new Map(existsSync(file) ? parsed(readFileSync(file, 'utf8')) : [])
@@ -64,11 +55,11 @@ export async function goesThrough(child: Child, name: string, steps: Steps, opti
       await act(child)
       let after: readonly string[] = []
       if (writes) {
-        after = await settled(child, options)
+        after = await settled(child, hides)
         written.push([step, changesOf(before, after)])
         expect(written.at(-1)![1], `"${step}" changes something`).not.toEqual([])
       } else {
-        const look = async () => changesOf(before, (after = await seen(child, options)))
+        const look = async () => changesOf(before, (after = await treeOf(child.page, hides)))
         await expect
           .poll(look, { message: `after "${step}" (npm run trees writes ${name}.txt)`, timeout: 10_000 })
           .toEqual(recorded.get(step) ?? [])

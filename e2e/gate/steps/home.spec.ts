@@ -49,6 +49,6 @@ test('the page where all begins, step by step', { tag: '@home' }, async ({ child
         await child.opensHome()
       },
     },
-    { hides, draws: '.home .soil, .scenery, .tile, .next' },
+    { hides },
   )
 })

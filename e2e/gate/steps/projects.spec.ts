@@ -157,7 +157,6 @@ async function follows(child: Child) {
 test('my projects, step by step', { tag: '@projects' }, async ({ child }) => {
   await goesThrough(child, 'projects', listSteps(child, new ProjectList(child)), {
     hides,
-    draws: '.projects article .picture',
   })
 })
 

@@ -7,8 +7,6 @@ import { goesThrough, type Steps } from '../steps.ts'
 
 test.use({ language: 'en' })
 
-const draws = 'dialog[open] .picture, dialog[open] .port-list, .ghost, table, .brick'
-
 /** Steps in the dialog where a robot is built. */
 function buildSteps(child: Child, bo: RobotHands): Steps {
   const { page } = child
@@ -108,7 +106,7 @@ function buildSteps(child: Child, bo: RobotHands): Steps {
 }
 
 test('a robot is built, step by step', { tag: '@robot' }, async ({ child }) => {
-  await goesThrough(child, 'robot-build', buildSteps(child, new RobotHands(child)), { draws })
+  await goesThrough(child, 'robot-build', buildSteps(child, new RobotHands(child)))
 })
 
 /** Green lamp while the middle key is down, else red; a number on the display. */
@@ -126,48 +124,43 @@ const keys = freeProgram('Keys', (make) => {
 test('the keys of a robot, step by step', { tag: '@robot' }, async ({ child, page }) => {
   const bo = new RobotHands(child)
   const lit = (colour: 'green' | 'red') => expect(bo.lamp(colour)).toBeVisible()
-  await goesThrough(
-    child,
-    'robot-panel',
-    {
-      'its keys and lamp': async () => {
-        await opensProject(child, 'Keys', keys)
-        await bo.opens('panel')
-        await child.types('Escape')
-      },
-      'a program runs': async () => {
-        await child.pressesStart()
-        await lit('red')
-      },
-      'the key is down': async () => {
-        const { x, y } = await child.middleOf(bo.key('enter'))
-        await page.mouse.move(x, y)
-        await page.mouse.down()
-        await lit('green')
-      },
-      'the key is up': async () => {
-        await page.mouse.up()
-        await lit('red')
-      },
-      'the key is down by keys': async () => {
-        await bo.key('enter').focus()
-        await page.keyboard.down('Enter')
-        await lit('green')
-      },
-      'the key is up by keys': async () => {
-        await page.keyboard.up('Enter')
-        await lit('red')
-      },
-      'the focus goes while it is down': async () => {
-        await page.keyboard.down(' ')
-        await lit('green')
-        await bo.key('up').focus()
-        await lit('red')
-        await page.keyboard.up(' ')
-        await child.pressesStop()
-      },
-      'the drawer is closed': () => child.presses('robot.close', { what: bo.word('panel') }),
+  await goesThrough(child, 'robot-panel', {
+    'its keys and lamp': async () => {
+      await opensProject(child, 'Keys', keys)
+      await bo.opens('panel')
+      await child.types('Escape')
     },
-    { draws },
-  )
+    'a program runs': async () => {
+      await child.pressesStart()
+      await lit('red')
+    },
+    'the key is down': async () => {
+      const { x, y } = await child.middleOf(bo.key('enter'))
+      await page.mouse.move(x, y)
+      await page.mouse.down()
+      await lit('green')
+    },
+    'the key is up': async () => {
+      await page.mouse.up()
+      await lit('red')
+    },
+    'the key is down by keys': async () => {
+      await bo.key('enter').focus()
+      await page.keyboard.down('Enter')
+      await lit('green')
+    },
+    'the key is up by keys': async () => {
+      await page.keyboard.up('Enter')
+      await lit('red')
+    },
+    'the focus goes while it is down': async () => {
+      await page.keyboard.down(' ')
+      await lit('green')
+      await bo.key('up').focus()
+      await lit('red')
+      await page.keyboard.up(' ')
+      await child.pressesStop()
+    },
+    'the drawer is closed': () => child.presses('robot.close', { what: bo.word('panel') }),
+  })
 })
