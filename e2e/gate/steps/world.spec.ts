@@ -249,6 +249,17 @@ const stuck = freeProgram('Stuck', (make) => [make.drive(60, -50_000)])
 function runSteps(child: Child, time: TimeHands): Steps {
   const { page } = child
   const { world } = new Builder(child)
+  const width = () => child.painted.wheelsApart()
+  const grows = async (act: () => Promise<void>) => {
+    const before = await width()
+    await act()
+    await expect.poll(width).toBeGreaterThan(before * 1.02)
+  }
+  const shrinks = async (act: () => Promise<void>) => {
+    const before = await width()
+    await act()
+    await expect.poll(width).toBeLessThan(before * 0.98)
+  }
   const drag = async (from: number, to: number) => {
     const { x, y, width, height } = (await time.slider.boundingBox())!
     const at = (share: number) => ({ x: x + width * share, y: y + height / 2 })
@@ -289,35 +300,32 @@ function runSteps(child: Child, time: TimeHands): Steps {
       await expect(page.getByText(child.word('world.bumped'))).toBeAttached()
     },
     'it is brought back': () => child.presses('world.bringBack'),
-    'the floor is nearer': async () => {
+    'the floor nearer and farther, and Bo driven and turned by keys': async () => {
       await child.presses('time.close')
       await child.pressesStop()
       await child.presses('lab.resetWorld')
-      await child.presses('world.nearer')
-      await child.presses('world.nearer')
-    },
-    'the floor is farther': () => child.presses('world.farther'),
-    'all of the floor': () => child.presses('world.all'),
-    'nearer by the wheel': async () => {
+      await child.presses('world.all')
+      const whole = await width()
+      await grows(() => child.presses('world.nearer'))
+      await grows(() => child.presses('world.nearer'))
+      await shrinks(() => child.presses('world.farther'))
+      await child.presses('world.all')
+      await expect.poll(width).toBeCloseTo(whole, 0)
       const { x, y } = await child.middleOf(world)
       await page.mouse.move(x, y)
-      await page.mouse.wheel(0, -200)
-    },
-    'all by keys': () => world.press('0'),
-    'nearer by keys': async () => {
+      await grows(() => page.mouse.wheel(0, -200))
+      await shrinks(() => world.press('0'))
+      await grows(() => world.press('+'))
+      await child.presses('world.all')
       await world.focus()
-      await child.types('+', '+', '-')
-    },
-    'Bo drives by keys': async () => {
       await page.keyboard.down('ArrowUp')
       await child.seesDriving()
       await page.keyboard.up('ArrowUp')
       await child.seesStanding()
       await child.presses('lab.resetWorld')
-      await page.keyboard.down('ArrowUp')
-      await page.keyboard.up('ArrowUp')
-      await child.presses('lab.resetWorld')
+      const before = await child.boStands()
       await child.bo.press(',')
+      await expect.poll(() => child.boStands()).not.toBe(before)
     },
     'Bo is turned by its handle': async () => {
       await child.bo.press('Enter')
