@@ -156,3 +156,23 @@ for (const language of languagesOf(import.meta.filename)) {
     })
   })
 }
+
+test.describe('a code that no class has', () => {
+  test.use({ complaints: [/404 \(Not Found\)/] })
+
+  test('is looked up at once by Enter, and again', async ({ child, page }) => {
+    await child.opensHome()
+    await page.getByRole('link', { name: child.word('home.joinClass') }).click()
+    const asked = () => page.waitForResponse((answer) => answer.url().endsWith('/look'), { timeout: 5000 })
+    await expect(page.getByLabel(child.word('class.codeWord', { number: 1 }))).toBeFocused()
+    // Without Enter the page waits six seconds, since a fourth word may follow.
+    await page.keyboard.type('abend adler apfel')
+    const first = asked()
+    await page.keyboard.press('Enter')
+    await first
+    await expect(child.words('class.refused.noOpenClass')).toBeVisible()
+    const second = asked()
+    await page.keyboard.press('Enter')
+    await second
+  })
+})
