@@ -156,6 +156,8 @@ test('a study is planned by keys alone, saved as a file, and opened again; slips
   await child.presses('study.slips')
   await expect(page.getByText('0101D').first()).toBeVisible()
   await expect(page.getByRole('listitem')).toHaveCount(30)
+  await child.presses('study.back')
+  await expect(page.getByLabel(child.word('study.titleOf'))).toHaveValue('Winter')
   await hands.comes()
   await page.locator('input[type=file]').setInputFiles(await download.path())
   await expect(page.getByRole('heading', { name: 'Winter' })).toBeVisible()
