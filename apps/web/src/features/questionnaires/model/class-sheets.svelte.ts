@@ -28,14 +28,19 @@ export class ClassSheets implements Source {
   readonly #ask: AskClass
   #askings = $state.raw<readonly ClassAsking[]>([])
   #results = $state.raw<ClassResults>(nothing)
-  /** Why the last request was not done; null where it was. */
-  refused = $state<string | null>(null)
+  /** Why a teacher's last action was refused; null if it was done. */
+  #refused = $state<string | null>(null)
+  /** Why the class could not be loaded; null if it was. */
+  #unread = $state<string | null>(null)
   loaded = $state(false)
 
   constructor(ask: AskClass) {
     this.#ask = ask
   }
 
+  get refused(): string | null {
+    return this.#refused ?? this.#unread
+  }
   get askings(): readonly ClassAsking[] {
     return this.#askings
   }
@@ -68,7 +73,7 @@ export class ClassSheets implements Source {
   }
 
   async load(): Promise<void> {
-    await this.#try(async () => {
+    this.#unread = await codeOfFailure(async () => {
       const found = v.parse(askings, await this.#ask('GET', '/questionnaires'))
       this.#askings = found.askings
         .map(({ form, text, ...rest }) => ({ ...rest, loaded: formIn({ form, text }) }))
@@ -118,17 +123,17 @@ export class ClassSheets implements Source {
   }
 
   async #do(act: () => Promise<unknown>): Promise<void> {
-    if (await this.#try(act)) await this.load()
+    this.#refused = await codeOfFailure(act)
+    if (this.#refused === null) await this.load()
   }
+}
 
-  async #try(act: () => Promise<unknown>): Promise<boolean> {
-    try {
-      await act()
-      this.refused = null
-      return true
-    } catch (error) {
-      this.refused = codeOf(error)
-      return false
-    }
+/** Code of the error that an action ends with; null: it succeeds. */
+async function codeOfFailure(act: () => Promise<unknown>): Promise<string | null> {
+  try {
+    await act()
+    return null
+  } catch (error) {
+    return codeOf(error)
   }
 }

@@ -48,6 +48,9 @@ test('a class is asked, counted, and has results once it is closed', async () =>
   expect(sheets.tallies(after)).toEqual([])
   await sheets.open(before)
   expect(sheets.refused).toBe('otherFormOpen')
+  // The page looks every five seconds: the sentence stays until the teacher does something that succeeds.
+  await sheets.load()
+  expect(sheets.refused).toBe('otherFormOpen')
   sheets.close('after')
   await expect.poll(() => sheets.of('after')?.state).toBe('closing')
   server.later(2)
