@@ -9,7 +9,7 @@ import {
 } from '@botgarten/programs/project'
 import { loadFreeLab, placeOf } from '#content/cards.ts'
 import { shownName } from '#content/names.ts'
-import { m } from '#words/message.ts'
+import { fetchWords, m } from '#words/message.ts'
 import { nameOfCopy } from './messages.ts'
 import { storageErrorOf } from './database.ts'
 import { isOpenRoberta, handOut } from './handout.ts'
@@ -163,6 +163,8 @@ export async function homeFiles(day = new Date()): Promise<readonly HomeFile[]> 
   const [{ projects }, { thrown }, settings] = [await listWhole(), await listBin(), settingsIn(deviceDrawer)]
   if (projects.length + thrown.length === 0 && !settings.sorting) return []
   const texts = packHome(projects, thrown, settings)
+  // The page of projects has these words; a sheet on another page does not.
+  await fetchWords('files')
   const name = `${m['projects.homeFile']()} ${day.toISOString().slice(0, 10)}`
   return texts.map((text, at) => {
     const own = texts.length === 1 ? name : `${name} ${at + 1}-${texts.length}`
