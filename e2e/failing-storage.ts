@@ -8,7 +8,8 @@ declare global {
 export const refusesToKeep = (page: Page, refuses: boolean) =>
   page.evaluate((no) => {
     const store = IDBObjectStore.prototype
-    const put = (globalThis.keeps ??= store.put)
+    const put = (globalThis.keeps ??= Object.getOwnPropertyDescriptor(store, 'put')!
+      .value as IDBObjectStore['put'])
     store.put = no
       ? () => {
           throw new DOMException('Refused for a test.', 'QuotaExceededError')

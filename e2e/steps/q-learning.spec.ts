@@ -337,7 +337,7 @@ const lacking: Steps = {
 /** The railway's program without the block that sets the learner. */
 const bare = (name: string) =>
   JSON.stringify(JSON.parse(learningProject(name, {})), (_, value: unknown) =>
-    Array.isArray(value) ? value.filter((one) => !(one?.id === 'behaviour')) : value,
+    Array.isArray(value) ? value.filter((one: { id?: string } | null) => one?.id !== 'behaviour') : value,
   )
 
 test('a map is chosen, changed and paid', { tag: '@q-learning' }, ({ child }) =>

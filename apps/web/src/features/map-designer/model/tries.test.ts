@@ -33,7 +33,7 @@ const allTried = (count: number) =>
 function drivable(map: RoadMap): number {
   const file = readMap(writeMap(setDress(map, 'paper'), 'tried')).map!
   const driven = roadsToTry(file).filter((road) => drivesRoad(file, road))
-  const isDriven = (from: number, to: number) => driven.some((road) => `${road}` === `${from},${to}`)
+  const isDriven = (from: number, to: number) => driven.some(([a, b]) => a === from && b === to)
   return map.roads.filter(({ from, to }) => isDriven(from, to) && isDriven(to, from)).length
 }
 
