@@ -12,6 +12,7 @@ const facts: Missing['facts'] = {
   ...{ away: 120, seconds: 2.5, needed: 5, colour: '#F7D117', other: '#B30006', shone: 'red', lamp: 'green' },
   ...{ thing: 'square', seen: 2, all: 4, passed: 3, speed: 60, least: 50, most: 45, light: 80, words: 2 },
   ...{ animal: 'gazer', told: 1, kinds: 3, hertz: 50, bumps: 2, off: 12.5, word: 'yellow' },
+  ...{ from: 4, to: 6 },
 }
 
 afterAll(() => language.speak('en'))
