@@ -42,7 +42,9 @@ describe.each(content.cards)('the card $id', ({ id, title }) => {
   })
 
   it('opens the tab of the network that its hints name first', () => {
-    if (card.chapter !== 'examples') return expect(card.opens).toBeUndefined()
+    // Next to the curve the network of this card is 63 px too high for a window of 1366 by 768.
+    const isTooHigh = id === 'either-or-2'
+    if (card.chapter !== 'examples' || isTooHigh) return expect(card.opens).toBeUndefined()
     const { showIt, letPractise } = wordsIn('en', 'network') as unknown as { [key: string]: string }
     const hints = JSON.stringify(text['en']!.hints)
     const at = (word?: string) => hints.indexOf(`"${word}"`) + 1 || Infinity
