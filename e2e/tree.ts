@@ -117,9 +117,10 @@ function moreIn(after: readonly string[], before: readonly string[]): string[] {
 const mostGone = 12
 
 function goneLines(gone: readonly string[]): readonly string[] {
-  if (gone.length <= mostGone) return gone.map((line) => `- ${line.trim().replace(/^- /, '')}`)
-  const hash = createHash('sha256').update(gone.join('\n')).digest('hex').slice(0, 8)
-  return [`- ${gone.length} lines (${hash})`]
+  const lines = gone.map((line) => `- ${line.trim().replace(/^- /, '')}`)
+  if (lines.length <= mostGone) return lines
+  const hash = createHash('sha256').update(lines.join('\n')).digest('hex').slice(0, 8)
+  return [`- ${lines.length} lines (${hash})`]
 }
 
 /** Lines that went and lines that came. */
