@@ -53,7 +53,7 @@ for (const language of languagesOf(import.meta.filename)) {
       await learner.hurries()
       await child.presses('lab.start')
       await learner.seesEnd()
-      const circle = child.word('q.circle', { station: '\\d', circle: '.+' })
+      const circle = child.word('q.circlePays', { circle: '.+' })
       await expect(page.getByText(new RegExp(circle)).first()).toBeVisible()
       await learner.station(2).click()
       const reward = page.getByRole('textbox', { name: child.word('q.pay.here'), exact: true })

@@ -12,7 +12,7 @@ import { languages } from '../words.ts'
 const chance = ['q.chance', { value: '.+', best: '.+', rides: '\\d+' }] as const
 const withoutWay: { readonly [map: string]: readonly [key: string, facts: Facts] } = {
   ...{ bandit: chance, lake: chance, 'lake-8': chance },
-  roundabout: ['q.circle', { station: '\\d+', circle: '.+' }],
+  roundabout: ['q.circlePays', { circle: '.+' }],
 }
 
 /** cm from the middle of the goal's station at which Bo may stop. */
