@@ -27,7 +27,8 @@ test('the page of the machine that serves, step by step', { tag: '@here' }, asyn
         await expect(code).toHaveAttribute('viewBox', /\d/)
         await expect(code.locator('path')).toHaveAttribute('d', /M/)
       },
-      'somebody has come': () => opens({ ...here, announced: 'http://garden.example:4173', otherDevice: 1 }),
+      'another device is connected': () =>
+        opens({ ...here, announced: 'http://garden.example:4173', otherDevice: 1 }),
       'another machine': () => opens(null),
     },
     { hides: /(?<=port )\d+/g },

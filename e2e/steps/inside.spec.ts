@@ -8,7 +8,7 @@ test.use({ language: 'en' })
 
 const press = (key: string) => (child: Child) => child.presses(key)
 
-test('a network is asked, step by step', { tag: '@inside' }, async ({ child, page }) => {
+test('questions to a network, step by step', { tag: '@inside' }, async ({ child, page }) => {
   const asker = new Asker(child)
   const net = new NetHands(child)
   const list = (key: string) => page.getByRole('combobox', { name: child.word(key), exact: true })

@@ -9,7 +9,7 @@ test.use({ language: 'en' })
 
 const five = [0, 1, 2, 3, 4]
 
-test('a form is asked in grade 3, step by step', { tag: '@questionnaires' }, async ({ child, page }) => {
+test('a form for grade 3, step by step', { tag: '@questionnaires' }, async ({ child, page }) => {
   await givesVoice(page, ['en-GB'])
   const asker = new Asker(child)
   const { items } = asker.form('after').form
@@ -73,7 +73,7 @@ test('a form is asked in grade 3, step by step', { tag: '@questionnaires' }, asy
   })
 })
 
-test('a form is asked in grade 5, step by step', { tag: '@questionnaires' }, async ({ child, page }) => {
+test('a form for grade 5, step by step', { tag: '@questionnaires' }, async ({ child, page }) => {
   await givesVoice(page, ['fr-FR'])
   const asker = new Asker(child)
   const { items } = asker.form('after').form
@@ -284,7 +284,7 @@ test(
   },
 )
 
-test('a pupil is asked, step by step', { tag: '@questionnaires' }, async ({ child, page, school }) => {
+test('a pupil answers a form, step by step', { tag: '@questionnaires' }, async ({ child, page, school }) => {
   const asker = new Asker(child)
   await opensForm(school, 'after')
   await signsIn(page, school, await joins(school, 'Kiwi'))

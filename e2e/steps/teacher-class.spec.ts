@@ -15,7 +15,7 @@ async function prints({ page }: Child, press: () => Promise<void>) {
   await expect(page).toHaveTitle('printed')
 }
 
-test('what is kept of a class, step by step', { tag: '@teacher' }, async ({ child, page, school }) => {
+test('the data of a class, step by step', { tag: '@teacher' }, async ({ child, page, school }) => {
   const dialog = page.getByRole('dialog')
   const endsOn = page.getByLabel(child.word('teacher.endsOn'), { exact: true })
   await saves(await joins(school, 'Ada'))
