@@ -1,6 +1,6 @@
 import { content } from '@botgarten/content/files'
 import { expect } from '@playwright/test'
-import { knobOf, node } from './child-cards.ts'
+import { colourInput, knobOf, node } from './child-cards.ts'
 import { Learner } from './child-learning.ts'
 import { SortingHands } from './child-sorting.ts'
 import { leftEye, leftWheel, rightEye, rightWheel, type Child, type Motor, type Sensor } from './child.ts'
@@ -23,36 +23,32 @@ async function friendship(child: Child, way: Way) {
   await turns(child, way, rightEye, rightWheel, 0.8)
 }
 
+/** Adds a neuron by the plus of the network. */
+async function adds(child: Child, way: Way, layer: 'addSensor' | 'addMotor' | 'addOutput', name: string) {
+  await way.press(child.plus(layer))
+  await way.press(child.offered.and(child.page.getByRole('button', { name, exact: true })))
+}
+
 async function incognito(child: Child, way: Way) {
-  await way.press(child.button('network.addMotor'))
+  await adds(child, way, 'addMotor', child.nameOf(rightWheel))
   await turns(child, way, light, leftWheel, 0.6)
   await turns(child, way, light, rightWheel, 0.6)
 }
 
-/** The neurons that the plus has added get the colours of the leaves. */
+const leaves = [
+  ['green', 'green'],
+  ['yellow', 'orange'],
+  ['red', 'red'],
+] as const
+
 async function chameleon(child: Child, way: Way) {
-  const colours = ['green', 'yellow', 'red']
-  const inputs = child.block('inputs').locator('.blocklyDraggable')
-  const inNetwork = child.page.getByRole('region', { name: child.word('lab.network'), exact: true })
-  for (const press of ['network.addSensor', 'network.addOutput'])
-    for (const _ of [1, 2])
-      await way.press(inNetwork.getByRole('button', { name: child.word(press), exact: true }))
-  await expect(inputs).toHaveCount(3)
-  const all = ['black', 'blue', 'green', 'yellow', 'red', 'white', 'brown', 'grey']
-  for (const [index, colour] of colours.entries()) {
-    const words = await inputs.nth(index).locator('text').allTextContents()
-    const now = all.find((one) => words.some((word) => word.trim() === child.word(`choice.${one}`)))!
-    if (now !== colour)
-      await way.pick(inputs.nth(index), child.word(`choice.${now}`), child.word(`choice.${colour}`))
+  const lamp = (colour: string) => child.word('neuron.lamp', { OUTPUTNODE: child.word(`choice.${colour}`) })
+  for (const [colour, shines] of leaves.slice(1)) {
+    await adds(child, way, 'addSensor', colourInput(child, 'colour', colour))
+    await adds(child, way, 'addOutput', lamp(shines))
   }
-  for (const [colour, shines] of [
-    ['green', 'green'],
-    ['yellow', 'orange'],
-    ['red', 'red'],
-  ] as const) {
-    const label = child.word('neuron.colour', { COLOUR: child.word(`choice.${colour}`), SENSORPORT: '1' })
-    const from = child.word('network.name', { label, place: child.word('network.place.front') })
-    const to = child.word('neuron.lamp', { OUTPUTNODE: child.word(`choice.${shines}`) })
+  for (const [colour, shines] of leaves) {
+    const [from, to] = [colourInput(child, 'colour', colour), lamp(shines)]
     await way.turn(knobOf(child, from, to), node(child, 'showSum', to), 1)
   }
 }

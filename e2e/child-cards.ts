@@ -38,3 +38,10 @@ export async function opensSettings(child: Child, where: 'lab' | 'home') {
 /** A switch of the settings. */
 export const option = (child: Child, name: 'projector' | 'quiet' | 'letters' | 'aloud'): Locator =>
   child.page.getByRole('switch', { name: child.word(`comfort.${name}`), exact: true })
+
+/** The name of an input that sees a colour, or how much of it there is, with the sensor at the front. */
+export const colourInput = (child: Child, kind: 'colour' | 'channel', colour: string): string =>
+  child.word('network.name', {
+    label: child.word(`neuron.${kind}`, { COLOUR: child.word(`choice.${colour}`), SENSORPORT: '1' }),
+    place: child.word('network.place.front'),
+  })

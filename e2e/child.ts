@@ -101,6 +101,29 @@ export class Child {
     await this.button(key, facts).first().click()
   }
 
+  /** The plus of the network that adds neurons to a layer. */
+  plus(layer: 'addSensor' | 'addMotor' | 'addOutput'): Locator {
+    return this.page
+      .getByRole('region', { name: this.word('lab.network'), exact: true })
+      .getByRole('button', { name: this.word(`network.${layer}`), exact: true })
+  }
+
+  /** The neurons in the menu of an open plus, from the top. */
+  get offered(): Locator {
+    return this.page.locator('.menu .sheet').getByRole('button')
+  }
+
+  /** Adds a neuron by the plus of the network: the one of this name, else the first that is offered. */
+  async addsNeuron(layer: 'addSensor' | 'addMotor' | 'addOutput', name?: string) {
+    await this.plus(layer).click()
+    const choice =
+      name === undefined
+        ? this.offered.first()
+        : this.offered.and(this.page.getByRole('button', { name, exact: true }))
+    await choice.click()
+    await expect(this.offered).toHaveCount(0)
+  }
+
   async pressesStart() {
     await this.presses('lab.start')
     await expect(this.button('lab.stop').first()).toBeVisible()

@@ -84,8 +84,8 @@ test('knobs and neurons, step by step', { tag: '@network' }, async ({ child, pag
         .selectOption('tanh'),
     'no layer': press('net.removeLayer', { layer: 1 }),
     'it does something else': () => does.selectOption('threshold'),
-    'a sensor more': press('network.addSensor'),
-    'a motor more': press('network.addMotor'),
+    'a sensor more': () => child.addsNeuron('addSensor'),
+    'a motor more': () => child.addsNeuron('addMotor'),
     'a low screen': () => page.setViewportSize({ width: 1366, height: 560 }),
   })
 })

@@ -1,17 +1,11 @@
 // Rooms: content, network
-import { setsKnob } from '../child-cards.ts'
+import { colourInput, setsKnob } from '../child-cards.ts'
 import { BlockHands } from '../child-blocks.ts'
 import { NetHands } from '../child-network.ts'
 import { TimeHands } from '../child-time.ts'
 import { leftWheel, rightWheel, type Child } from '../child.ts'
 import { expect, test } from '../house.ts'
 import { languagesOf } from '../words.ts'
-
-const part = (child: Child, colour: string) =>
-  child.word('network.name', {
-    label: child.word('neuron.channel', { COLOUR: child.word(`choice.${colour}`), SENSORPORT: '1' }),
-    place: child.word('network.place.front'),
-  })
 
 /** Weights as a child of this language types them. */
 const typed = (child: Child, weight: number) => weight.toLocaleString(child.language)
@@ -57,10 +51,10 @@ for (const language of languagesOf(import.meta.filename)) {
       await expect(child.knobs).toHaveCount(6)
       const hidden = (neuron: number) => child.word('net.hidden', { layer: 1, neuron })
       for (const [from, to, weight] of [
-        [part(child, 'red'), hidden(1), 0.6],
-        [part(child, 'blue'), hidden(1), -1],
-        [part(child, 'red'), hidden(2), -1],
-        [part(child, 'blue'), hidden(2), 0.6],
+        [colourInput(child, 'channel', 'red'), hidden(1), 0.6],
+        [colourInput(child, 'channel', 'blue'), hidden(1), -1],
+        [colourInput(child, 'channel', 'red'), hidden(2), -1],
+        [colourInput(child, 'channel', 'blue'), hidden(2), 0.6],
         [hidden(1), lamp, 1],
         [hidden(2), lamp, 1],
       ] as const)
@@ -70,7 +64,59 @@ for (const language of languagesOf(import.meta.filename)) {
       await expect(page.getByText(child.word('lab.successTitle')).first()).toBeVisible()
     })
 
-    test('rally: a network of its own drives a whole lap', async ({ child, page }) => {
+    test('interest: the network comes with the colours and words of the card, below the drive', async ({
+      child,
+      page,
+    }) => {
+      await child.opensLab('interest')
+      // Five actions: the network, a knob for each colour, Start.
+      await child.presses('network.putOne')
+      await expect(child.block('repeat').locator('.ai_neural_network')).toBeVisible()
+      await expect(child.knobs).toHaveCount(9)
+      for (const [colour, word] of [
+        ['red', 'A'],
+        ['yellow', 'B'],
+        ['green', 'C'],
+      ] as const)
+        await setsKnob(
+          child,
+          colourInput(child, 'colour', colour),
+          child.word('neuron.text', { OUTPUTNODE: word }),
+          '1',
+        )
+      await hurries(child)
+      for (const colour of ['red', 'yellow', 'green']) await child.seesCheck('interest', colour, true, 60_000)
+      await expect(page.getByText(child.word('lab.successTitle')).first()).toBeVisible()
+    })
+
+    test('rally: the network comes with the parts of the floor, and drives a whole lap', async ({
+      child,
+      page,
+    }) => {
+      await child.opensLab('rally')
+      // Six actions: the network, four knobs, Start.
+      await child.presses('network.putOne')
+      await expect(child.block('forever').locator('.ai_neural_network')).toBeVisible()
+      await expect(child.knobs).toHaveCount(6)
+      for (const [colour, wheel, weight] of [
+        ['red', leftWheel, 1],
+        ['blue', rightWheel, 1],
+        ['green', leftWheel, 0.5],
+        ['green', rightWheel, 0.5],
+      ] as const)
+        await setsKnob(
+          child,
+          colourInput(child, 'channel', colour),
+          child.nameOf(wheel),
+          typed(child, weight),
+        )
+      await hurries(child)
+      await child.seesCheck('rally', 'lap')
+      await child.seesCheck('rally', 'stays')
+      await expect(page.getByText(child.word('lab.successTitle')).first()).toBeVisible()
+    })
+
+    test('a network from the toolbox gets the parts of the floor by its plus', async ({ child }) => {
       const hands = new BlockHands(child)
       await child.opensLab('rally')
       await hands.searches(child.word('block.ai_neural_network.name'))
@@ -78,36 +124,15 @@ for (const language of languagesOf(import.meta.filename)) {
       await hands.pulls(hands.hits.first(), { x: loop.x + 30, y: loop.y + 50 })
       await expect(child.block('forever').locator('.ai_neural_network')).toBeVisible()
       await expect(child.knobs).toHaveCount(4)
-
-      await test.step('three parts of the floor in place of the two distances', async () => {
-        // Blockly draws last what was chosen last.
-        const lists = child.block('forever').locator('.ai_easy_list')
-        const inputs = lists.filter({ hasNot: page.locator('.ai_nn_output_node') })
-        await inputs.locator('.editor-minus').first().click()
-        await expect(child.knobs).toHaveCount(2)
-        await inputs.locator('.editor-minus').first().click()
-        const row = (await inputs.boundingBox())!
-        await hands.searches(child.word('choice.red'))
-        const hit = hands.hits.filter({
-          hasText: child.word('block.ai_nn_input_node_coloursensor_rgb_channel.row0').split(' ')[0]!,
-        })
-        await hands.pulls(hit.first(), { x: row.x + 40, y: row.y + 28 })
-        await expect(child.knobs).toHaveCount(2)
-        await child.presses('network.addSensor')
-        await child.presses('network.addSensor')
-        await expect(child.knobs).toHaveCount(6)
-      })
-      for (const [colour, wheel, weight] of [
-        ['red', leftWheel, 1],
-        ['blue', rightWheel, 1],
-        ['green', leftWheel, 0.5],
-        ['green', rightWheel, 0.5],
-      ] as const)
-        await setsKnob(child, part(child, colour), child.nameOf(wheel), typed(child, weight))
-      await hurries(child)
-      await child.seesCheck('rally', 'lap')
-      await child.seesCheck('rally', 'stays')
-      await expect(page.getByText(child.word('lab.successTitle')).first()).toBeVisible()
+      for (const [index, colour] of ['red', 'green', 'blue'].entries()) {
+        await child.addsNeuron('addSensor', colourInput(child, 'channel', colour))
+        await expect(child.knobs).toHaveCount(6 + 2 * index)
+      }
+      await child.plus('addSensor').click()
+      const grey = colourInput(child, 'colour', 'grey')
+      await expect(child.offered.filter({ hasText: grey })).toHaveCount(1)
+      // The network has all parts of the floor now.
+      await expect(child.offered.filter({ hasText: colourInput(child, 'channel', 'red') })).toHaveCount(0)
     })
   })
 }

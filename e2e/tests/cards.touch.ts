@@ -34,7 +34,8 @@ for (const language of languagesOf(import.meta.filename)) {
       page,
     }) => {
       await child.opensLab('incognito')
-      await child.button('network.addMotor').tap()
+      await child.plus('addMotor').tap()
+      await child.offered.first().tap()
       await expect(child.knobs).toHaveCount(2)
       await child.dragsKnob(light, leftWheel, 0.6)
       await child.dragsKnob(light, rightWheel, 0.6)

@@ -1,6 +1,6 @@
 // Rooms: content, network
 import type { Locator } from '@playwright/test'
-import { chooses, setsKnob } from '../child-cards.ts'
+import { colourInput, setsKnob } from '../child-cards.ts'
 import type { Child } from '../child.ts'
 import { TimeHands } from '../child-time.ts'
 import { expect, test } from '../house.ts'
@@ -53,23 +53,11 @@ for (const language of languagesOf(import.meta.filename)) {
 
     test('a net that grows lights up on all three leaves', async ({ child, page }) => {
       await child.opensLab('chameleon')
-      for (const press of ['network.addSensor', 'network.addOutput']) {
-        await child.presses(press)
-        await child.presses(press)
-      }
-      // New neurons take the next colours; a child sets them to what is missing.
-      const inputs = child.block('inputs').locator('.blocklyDraggable')
-      const outputs = child.block('outputs').locator('.blocklyDraggable')
-      await expect(inputs).toHaveCount(3)
-      await expect(outputs).toHaveCount(3)
       const colours = ['green', 'yellow', 'red']
-      for (const [index, colour] of colours.entries()) {
-        if (index === 0) continue
-        const words = await inputs.nth(index).locator('text').allTextContents()
-        const all = ['black', 'blue', 'green', 'yellow', 'red', 'white', 'brown', 'grey']
-        const now = all.find((one) => words.some((word) => word.trim() === child.word(`choice.${one}`)))!
-        if (now !== colour) await chooses(child, inputs.nth(index), now, colour)
-      }
+      for (const colour of ['yellow', 'red'])
+        await child.addsNeuron('addSensor', colourInput(child, 'colour', colour))
+      for (const colour of ['orange', 'red']) await child.addsNeuron('addOutput', lamp(child, colour))
+      await expect(child.knobs).toHaveCount(9)
       for (const [from, to] of [
         ['green', 'green'],
         ['yellow', 'orange'],

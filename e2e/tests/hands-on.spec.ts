@@ -86,7 +86,7 @@ for (const language of languagesOf(import.meta.filename)) {
       child,
     }) => {
       await drivesOff(child)
-      await child.presses('network.addMotor')
+      await child.addsNeuron('addMotor')
       await expect(child.knobs).toHaveCount(6)
       const other = language === 'de' ? 'en' : 'de'
       await child.speaks(other)

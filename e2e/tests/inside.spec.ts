@@ -111,7 +111,7 @@ for (const language of languagesOf(import.meta.filename)) {
       await asker.seesSharesAddUp()
       // A motor more: the answer follows the program.
       await child.presses('inside.close')
-      await child.presses('network.addMotor')
+      await child.addsNeuron('addMotor')
       await asker.asksWhy()
       await asker.seesSharesAddUp()
     })

@@ -90,7 +90,7 @@ for (const language of languagesOf(import.meta.filename)) {
       await child.opensLab('friendship')
       await child.presses('lab.hint')
       await child.typesWeight(leftEye, leftWheel, 0.35)
-      await child.presses('network.addMotor')
+      await child.addsNeuron('addMotor')
       await expect(child.knobs).toHaveCount(6)
       await child.seesSaved()
       const words = await child.blockWords()

@@ -21,7 +21,7 @@ for (const language of languagesOf(import.meta.filename)) {
       await child.opensLab('friendship')
       await child.typesWeight(leftEye, leftWheel, 0.45)
       await child.presses('lab.hint')
-      await child.presses('network.addMotor')
+      await child.addsNeuron('addMotor')
       await expect(child.knobs).toHaveCount(6)
       await child.seesSaved()
       const [words, file] = [await child.blockWords(), await child.savesFile()]

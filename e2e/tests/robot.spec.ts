@@ -1,6 +1,6 @@
 // Rooms: robot
 import type { Project } from '@botgarten/programs'
-import type { Child } from '../child.ts'
+import { leftEye, type Child } from '../child.ts'
 import { RobotHands } from '../child-robot.ts'
 import { expect, test } from '../house.ts'
 import { freeProgram, projectFile } from '../projects.ts'
@@ -203,27 +203,25 @@ for (const language of languagesOf(import.meta.filename)) {
       await expect(bo.lamp('red')).toBeVisible()
     })
 
-    test('a sensor added to the net is plugged in with it, as one step', async ({ child }) => {
+    test('the plus of the network offers what is plugged in, and plugs in nothing', async ({ child }) => {
       const bo = new RobotHands(child)
       await child.opensLab('friendship')
       const links = child.knobs
       await expect(links).toHaveCount(4)
-      // In German the plus on the block has the same name; the playground's comes after it.
-      await child.button('network.addSensor').last().click()
+      const light = child.nameOf({ sensor: 'light', port: '1', place: 'front' })
+      await child.plus('addSensor').click()
+      await expect(child.offered.filter({ hasText: light })).toHaveCount(1)
+      // Both distance sensors are in the network already.
+      await expect(child.offered.filter({ hasText: child.nameOf(leftEye).split(',')[0]! })).toHaveCount(0)
+      await child.page.keyboard.press('Escape')
+      await expect(child.offered).toHaveCount(0)
+      await child.addsNeuron('addSensor', light)
       await expect(links).toHaveCount(6)
-      await bo.opens('build')
-      await bo.seesAtPort('4', 'ultrasonic')
-      await bo.closes()
-      await expect(said(child, 'noDistanceSensorEmpty', { port: '4' })).toBeHidden()
-      await child.presses('lab.undo')
-      await expect(links).toHaveCount(4)
       await bo.opens('build')
       await bo.seesAtPort('4', null)
       await bo.closes()
-      await child.presses('lab.redo')
-      await expect(links).toHaveCount(6)
-      await bo.opens('build')
-      await bo.seesAtPort('4', 'ultrasonic')
+      await child.presses('lab.undo')
+      await expect(links).toHaveCount(4)
     })
 
     test('two neurons for one motor get a hint at the lower one, and drive', async ({ child }) => {

@@ -50,7 +50,7 @@ for (const language of languagesOf(import.meta.filename)) {
       await robots.adds('own')
       await expect(child.canvas.locator('[data-id^="bo2-"]').first()).toBeVisible()
       await expect(child.knobs).toHaveCount(4)
-      await child.presses('network.addMotor')
+      await child.addsNeuron('addMotor')
       await expect(child.knobs).toHaveCount(6)
       await robots.chip(1).click()
       await expect(child.knobs).toHaveCount(4)

@@ -23,7 +23,7 @@ const state = async (child: Child) => ({
 async function changesFourThings(child: Child) {
   await child.seesBlocks()
   const states = [await state(child)]
-  await child.presses('network.addMotor')
+  await child.addsNeuron('addMotor')
   await expect(child.knobs).toHaveCount(6)
   states.push(await state(child))
   await child.dragsKnob(leftEye, leftWheel, 0.5)

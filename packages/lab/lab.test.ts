@@ -280,6 +280,38 @@ describe('a lab', () => {
       lab.start()
       expect(robotIn(lab).pose).toEqual(pose)
     })
+
+    it('where goals count, a program that was stopped begins at its start, unless a hand has moved or driven the robot', () => {
+      const goal = {
+        id: 'stays',
+        kind: 'stays',
+        numbers: { obstacle: 'box', cm: 400, percent: 3 },
+        seconds: 5,
+      }
+      const lab = labWith(program(drive('far', 60, 30)), [goal])
+      const stopped = () => {
+        lab.start()
+        lab.advance(20)
+        lab.stop()
+        return robotIn(lab).pose
+      }
+      expect(stopped().y).toBeGreaterThan(101)
+      lab.setWeight('net', 'eyeLeft', 'wheelLeft', 0.5)
+      lab.start()
+      expect(robotIn(lab).pose).toEqual({ x: 200, y: 100, heading: 90 })
+      stopped()
+      const came = lab.place('bo', { x: 60, y: 60, heading: 0 })
+      lab.start()
+      expect(robotIn(lab).pose).toEqual(came)
+      stopped()
+      lab.press('up', true)
+      lab.advance(30)
+      lab.press('up', false)
+      lab.advance(5)
+      const driven = robotIn(lab).pose
+      lab.start()
+      expect(robotIn(lab).pose).toEqual(driven)
+    })
   })
 
   it('a robot that was set down by hand starts from there, one that was moved while it ran does not', () => {

@@ -115,7 +115,9 @@ class OneLab implements Lab {
 
   start(): void {
     this.#run.toNow()
-    if (this.#phase === 'ended' && !this.#hands.drove) this.#simulation = this.#atStart()
+    // Goals count from a start pose, so where there are goals every run begins there, as after a run that ended.
+    const fromStart = this.#phase === 'ended' || this.#options.checks.length > 0
+    if (fromStart && !this.#hands.drove) this.#simulation = this.#atStart()
     for (const robot of this.#simulation.state.robots) freshRobot(robot)
     this.#phase = 'running'
     this.#begin()

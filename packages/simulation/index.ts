@@ -31,6 +31,7 @@ export {
 } from './body/verbs.ts'
 export { cardConfig, defaultConfig } from './configs.ts'
 export { COLOURS, colourOf } from './floor/colours.ts'
+export { coloursOn } from './floor/on-floor.ts'
 export { paintFloor } from './floor/paint.ts'
 export type { Picture } from './floor/picture.ts'
 export { FRONT, HALF_WIDTH, REAR } from './geometry/parts.ts'

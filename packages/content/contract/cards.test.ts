@@ -3,7 +3,7 @@ import { learning } from '@botgarten/blocks/packs/learning'
 import { createLab, type CheckResult } from '@botgarten/lab'
 import { withLearnedWay } from '@botgarten/maps'
 import { languagesOf } from '@botgarten/messages/folder'
-import { check, parseProject } from '@botgarten/programs'
+import { check, networks, parseProject } from '@botgarten/programs'
 import { TICKS_PER_SECOND } from '@botgarten/simulation'
 import { describe, expect, it } from 'vitest'
 import { content } from '../files.ts'
@@ -49,6 +49,19 @@ describe.each(content.cards)('the card $id', ({ id, title }) => {
     const hints = JSON.stringify(text['en']!.hints)
     const at = (word?: string) => hints.indexOf(`"${word}"`) + 1 || Infinity
     expect(card.opens).toBe(at(showIt) < at(letPractise) ? 'show' : 'practise')
+  })
+
+  it('brings the network of its solution, put where it is there, if it starts without one', () => {
+    const [begin, end] = ['start', 'solution'].map((file) => content.program(id, file)!)
+    const [before, after] = [begin!, end!].map(({ programs }) => networks(programs['main']!)[0])
+    const bring = card.network
+    if (before || !after) return expect(bring).toBeUndefined()
+    const blocks = (layer: typeof after.inputs) => layer.map(({ type, fields }) => ({ type, fields }))
+    expect(bring).toMatchObject({ inputs: blocks(after.inputs), outputs: blocks(after.outputs) })
+    const solution = JSON.stringify(end!.programs)
+    const above = bring!.below === undefined ? '"DO":[{"id":"net"' : `"id":"${bring!.below}"`
+    expect(solution.indexOf(above)).toBeGreaterThan(-1)
+    if (bring!.below !== undefined) expect(JSON.stringify(begin!.programs)).toContain(above)
   })
 
   it('a card beside it is its equal in blocks; its weights solve it, from where its robot starts', () => {

@@ -17,6 +17,11 @@ const check: v.GenericSchema<unknown, Check> = v.pipe(
   ),
 )
 
+const neurons = v.pipe(
+  v.array(v.strictObject({ type: v.string(), fields: v.record(v.string(), v.string()) })),
+  v.minLength(1),
+)
+
 const playground = v.picklist(['network', 'drive', 'q-learning', 'sorting'])
 
 const card = v.strictObject({
@@ -45,6 +50,9 @@ const card = v.strictObject({
   world: v.string(),
   checks: v.pipe(v.array(check), v.minLength(1)),
   next: v.nullable(v.string()),
+  network: v.exactOptional(
+    v.strictObject({ inputs: neurons, outputs: neurons, below: v.exactOptional(v.string()) }),
+  ),
   beside: v.exactOptional(
     v.strictObject({
       card: v.string(),

@@ -27,8 +27,23 @@ export interface Card {
   readonly checks: readonly Check[]
   /** Id of the card that comes next. */
   readonly next: string | null
+  /** The network that "Put a network in" makes; absent: one of two distances and two motors, at the end of the loop. */
+  readonly network?: CardNetwork
   /** The same blocks with the weights of another card, as a second robot beside the first. */
   readonly beside?: Beside
+}
+
+/** The neurons of a network in the order of its layers, and the id of the block below which it is put. */
+export interface CardNetwork {
+  readonly inputs: readonly CardNeuron[]
+  readonly outputs: readonly CardNeuron[]
+  readonly below?: string
+}
+
+/** The block of a neuron. */
+export interface CardNeuron {
+  readonly type: string
+  readonly fields: { readonly [name: string]: string }
 }
 
 /** Weights that solve another card with the same blocks, and where its robot starts. */

@@ -1,3 +1,5 @@
+import type { CardNetwork } from '@botgarten/content'
+import type { Template } from '@botgarten/blocks'
 import type { Activation } from '@botgarten/learning/neural-network/brain'
 
 /** What the parts of the lab ask of the blocks. Blocks are named by their ids. */
@@ -10,9 +12,10 @@ export interface Blocks {
   /** Brings a block into sight. */
   reveal(block: string, focus?: boolean): void
   putIn(block: string): void
-  putNetworkIn(): void
+  /** @param wanted the network of the card; absent: the one of the toolbox */
+  putNetworkIn(wanted?: CardNetwork): void
   switchOn(block: string): void
-  addNeuron(network: string, layer: 'input' | 'output'): string | null
+  addNeuron(network: string, layer: 'input' | 'output', neuron: Template): string | null
   /** A hidden layer before the outputs. */
   addLayer(network: string, neurons: number): void
   /** So many neurons in a hidden layer; with none the layer goes. */

@@ -15,7 +15,7 @@ export class LastRun {
   #missed = $state.raw<Missing | null>(null)
   #phase: Phase = 'ready'
   #changed = false
-  /** Ids of goals that were reached from this place, in whatever run. */
+  /** Ids of goals that were reached from this start pose, in whatever run. */
   #earned = $state.raw<readonly string[]>([])
   #tried = $state(false)
 
@@ -27,8 +27,12 @@ export class LastRun {
   get earned() {
     return this.#earned
   }
-  /** @param green ids of the goals that are reached now */
+  /**
+   * A run from elsewhere than the card's start poses earns nothing.
+   * @param green ids of the goals that are reached now
+   */
   earns(green: readonly string[]): void {
+    if (this.#session.beganElsewhere) return
     const more = green.filter((id) => !this.#earned.includes(id))
     if (more.length > 0) this.#earned = [...this.#earned, ...more]
   }

@@ -57,3 +57,15 @@ test('a run that ends short of the goal has missed it; one that was not on has m
   last.turns('running')
   expect(last.missed).toBeNull()
 })
+
+test('goals that a run from elsewhere reaches light no leaf, those from a start pose do', () => {
+  const { session, last } = opened()
+  session.apply({ kind: 'place', id: 'bo', after: { x: 111, y: 300, heading: 0 } })
+  session.start()
+  last.earns(['near'])
+  expect(last.earned).toEqual([])
+  session.toStart()
+  session.start()
+  last.earns(['near'])
+  expect(last.earned).toEqual(['near'])
+})

@@ -64,6 +64,8 @@ export class LabSession {
   readonly #findings: Findings
   #settlers: readonly ((change: Change | null) => void)[] = []
   #listeners: readonly ((event: LabEvent) => void)[] = []
+  /** Index of the card's start pose that was chosen last. */
+  #lastStart = 0
   /** Takes the pull back that a hand is in the middle of. */
   #pulled: Change | null = null
 
@@ -256,8 +258,19 @@ export class LabSession {
     const pose = this.opened.card?.card.starts[index]
     const robot = this.lab.view.robots[0]
     if (!pose || !robot) return
+    this.#lastStart = index
     this.lab.reset()
     this.apply({ kind: 'place', id: robot.id, after: pose })
+  }
+
+  /**
+   * Puts everything back. On a card the robot comes to a start pose that counts, even if it was
+   * moved by hand before; on a map it starts where the way does.
+   */
+  toStart(): void {
+    this.lab.reset()
+    const isOnMap = this.opened.card?.card.playground === 'q-learning'
+    if (!isOnMap && this.chosenStart < 0) this.chooseStart(this.#lastStart)
   }
 
   /** Index of the start pose the robot is set on, −1 for another place. */

@@ -1,5 +1,5 @@
 import { parseProject, sceneOf, type Program } from '@botgarten/programs'
-import type { Pose } from '@botgarten/simulation'
+import { samePose, type Pose } from '@botgarten/simulation'
 import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest'
 import { PAUSE } from '#storage/autosave.ts'
 import { load, save } from '#storage/projects.ts'
@@ -426,6 +426,41 @@ describe('how far a child has come', () => {
     session.start()
     expect(session.beganElsewhere).toBe(true)
     expect(session.noteSuccess()).toBe(false)
+  })
+
+  test('after a stop and a turned knob the next run begins where it counts', () => {
+    const { session } = sessionOf()
+    runs(session, 60)
+    session.lab.stop()
+    expect(bo(session)).not.toEqual(card.starts[0])
+    turn(session, 0.5)
+    session.start()
+    expect(samePose(bo(session), card.starts[0]!)).toBe(true)
+    expect([session.beganElsewhere, session.noteSuccess()]).toEqual([false, true])
+  })
+
+  test('back to the start is a place that counts: the one chosen last, the first one, or in a free lab where a hand put Bo', () => {
+    const { session } = sessionOf()
+    session.learnFirst = () => false
+    const away = () => session.apply({ kind: 'place', id: 'bo', after: pose(333) })
+    away()
+    session.toStart()
+    expect([session.chosenStart, samePose(bo(session), card.starts[0]!)]).toEqual([0, true])
+    session.chooseStart(2)
+    away()
+    session.toStart()
+    expect(samePose(bo(session), card.starts[2]!)).toBe(true)
+    session.start()
+    expect(session.noteSuccess()).toBe(true)
+    session.lab.stop()
+    away()
+    session.toStart()
+    session.undo.undo()
+    expect(bo(session)).toEqual(pose(333))
+    const free = sessionOf(friendship, { isCard: false }).session
+    free.apply({ kind: 'place', id: 'bo', after: pose(333) })
+    free.toStart()
+    expect(bo(free)).toEqual(pose(333))
   })
 
   test('hints that were asked for are never fewer', () => {

@@ -244,6 +244,13 @@ export class LabUi {
     this.#session.chooseStart(index)
   }
 
+  /** Puts everything back; on a card Bo comes to a place that counts. */
+  toStart(): void {
+    this.notice = null
+    this.#success = null
+    this.#session.toStart()
+  }
+
   step(kind: StepKind): void {
     this.speaker.wake()
     void told().then(() => {

@@ -156,6 +156,17 @@ describe('a run', () => {
     expect(ui.notice).toBeNull()
   })
 
+  test('can begin where it counts again by one press', async () => {
+    const { session, ui } = opened()
+    session.apply(place(111))
+    ui.start()
+    await told()
+    expect(ui.notice).toBe('elsewhere')
+    ui.toStart()
+    expect([ui.notice, ui.success, session.chosenStart]).toEqual([null, null, 0])
+    expect(session.lab.view.phase).toBe('ready')
+  })
+
   test('that cannot begin shows why, and steps nowhere', async () => {
     const { session, ui } = opened()
     session.apply({ kind: 'config', id: 'bo', after: { ...session.config, sensors: {} } })

@@ -8,7 +8,7 @@ import { inside } from '#features/inside/feature.ts'
 import type { Together } from '#features/class/feature.ts'
 import type { Code } from '#features/python/feature.ts'
 import type { Learner } from '#features/q-learning/feature.ts'
-import { addNeuron, applyFix } from '#features/robot/feature.ts'
+import { applyFix } from '#features/robot/feature.ts'
 import { training } from '#features/training/feature.ts'
 import { Guide, sightOf } from '#features/tour/feature.ts'
 import { BuildMode, world } from '#features/world/feature.ts'
@@ -236,10 +236,6 @@ export class LabScreenState {
   putIn(block: string): void {
     this.blocks?.putIn(block)
     this.ui.show(null)
-  }
-
-  addNeuron(layer: 'input' | 'output'): void {
-    if (this.net && this.blocks) void addNeuron(this.session, this.blocks, this.net.id, layer)
   }
 
   resetWeights(): void {

@@ -1,6 +1,6 @@
 import type { Feature } from '#parts/feature.ts'
 
-export { addNeuron, applyFix } from './plug.ts'
+export { applyFix } from './plug.ts'
 
 /** One robot: building it, what it senses, its panel. Several in one world: `features/robots`. */
 export const robot = {

@@ -1,4 +1,5 @@
-import { cardConfig, withoutSensor } from '@botgarten/simulation'
+import { cardConfig, COLOURS, withoutSensor } from '@botgarten/simulation'
+import type { Block } from '@botgarten/blocks'
 import { afterEach, describe, expect, it } from 'vitest'
 import { knowRobot } from './fresh.ts'
 import { addLine } from './list.ts'
@@ -36,6 +37,20 @@ describe('a new neuron', () => {
   it('looks for the first sensor where one is', () => {
     bench = new Bench(network([], [motor('m', 'C')]))
     expect(added('input', withoutSensor(cardConfig, '2'))).toBe('3')
+  })
+
+  it('sees a colour that lies on the floor before one that does not', () => {
+    const colour = (id: string, value: string): Block => ({
+      ...{ id, type: 'ai_nn_input_node_coloursensor_color' },
+      fields: { COLOUR: value, SENSORPORT: '1' },
+    })
+    bench = new Bench(network([colour('a', COLOURS.white)], [motor('m', 'C')]))
+    knowRobot(bench.workspace, cardConfig, () => [COLOURS.white, COLOURS.yellow])
+    const added = () =>
+      String(bench.block(addNeuron(bench.workspace, 'net', 'input')!).getFieldValue('COLOUR'))
+    expect(added()).toBe(COLOURS.yellow)
+    // White and yellow are in use: another colour rather than one of them twice.
+    expect(added()).toBe(COLOURS.red)
   })
 
   it('drives a wheel before another motor', () => {

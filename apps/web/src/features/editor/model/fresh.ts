@@ -7,14 +7,25 @@ import {
   type NeuronLook,
   type Template,
 } from '@botgarten/blocks'
-import type { RobotConfig, SensorPort } from '@botgarten/simulation'
+import { COLOURS, type Colour, type RobotConfig, type SensorPort } from '@botgarten/simulation'
 import { faceOf, isBotBlock, type BotBlock } from './bot-block.ts'
 
-// What is plugged into the robot that a workspace's program drives: new neurons take ports that fit.
-const robots = new WeakMap<Blockly.Workspace, RobotConfig>()
+interface Surroundings {
+  readonly config: RobotConfig
+  readonly onFloor: () => readonly Colour[]
+}
 
-export const knowRobot = (workspace: Blockly.Workspace, config: RobotConfig): void => {
-  robots.set(workspace, config)
+// The parts of the robot that a workspace's program drives, and the floor under it: new neurons take ports and colours that
+// fit.
+const surroundings = new WeakMap<Blockly.Workspace, Surroundings>()
+
+/** @param onFloor colours of the floor, read when a neuron is added */
+export const knowRobot = (
+  workspace: Blockly.Workspace,
+  config: RobotConfig,
+  onFloor: () => readonly Colour[] = () => [],
+): void => {
+  surroundings.set(workspace, { config, onFloor })
 }
 
 type Choice = Extract<FieldLook, { kind: 'choice' }>
@@ -30,8 +41,8 @@ export function freshNeuron(list: BotBlock): Template | null {
   const told = definition && tellingField(definition.look, definition.neuron)
   if (!told) return one
   const used = neurons.filter(({ type }) => type === one.type).map((neuron) => fieldOf(neuron, told.name))
-  const robot = robots.get(list.workspace)
-  const fits = robot && told.name === definition.neuron?.port ? fit(definition.neuron, robot) : anyFits
+  const around = surroundings.get(list.workspace)
+  const fits = around ? fitIn(around, told.name, definition.neuron) : anyFits
   return { ...one, fields: { ...one.fields, [told.name]: best(told, one.fields?.[told.name], used, fits) } }
 }
 
@@ -50,9 +61,20 @@ function tellingField({ fields }: Look, neuron: NeuronLook | undefined): Choice 
   return choices.find((choice) => choice.name === name) ?? choices[0]
 }
 
-/** How well a port fits: 0 what the neuron needs sits there, 1 it is free, 2 something else sits there. */
+/**
+ * How well a value fits. A port: 0 its sensor or motor is plugged in, 1 it is free, 2 it has another sensor. A colour that
+ * the sensor names: 0 the floor has it, 1 the floor does not.
+ */
 type Fit = (value: string) => 0 | 1 | 2
 const anyFits: Fit = () => 0
+
+function fitIn({ config, onFloor }: Surroundings, field: string, neuron: NeuronLook | undefined): Fit {
+  if (neuron && field === neuron.port) return fit(neuron, config)
+  if (neuron?.layer !== 'input') return anyFits
+  const here = onFloor()
+  const named = Object.values<string>(COLOURS)
+  return (value) => (!named.includes(value) || here.some((colour) => colour === value) ? 0 : 1)
+}
 
 /** Values end with their port: `ULTRASONIC_PORT_2`, `MOTORPORT_C`. */
 function fit({ sensor }: NeuronLook, { sensors, drive }: RobotConfig): Fit {

@@ -121,6 +121,39 @@ describe('a network from the toolbox', () => {
   })
 })
 
+describe('the network of a card', () => {
+  const wanted = {
+    inputs: [{ type: 'ai_nn_input_node_coloursensor_light', fields: { SENSORPORT: '1' } }],
+    outputs: ['A', 'B'].map((word) => ({ type: 'ai_nn_output_node_text', fields: { OUTPUTNODE: word } })),
+  }
+  const neurons = () => {
+    const { inputs, outputs } = networksByUse(bench.program())[0]!
+    return [inputs, outputs].map((layer) => layer.map(({ type, fields }) => ({ type, fields })))
+  }
+
+  it('is made below the block that the card names, with its neurons, and gone with one step of undo', () => {
+    benchOf([start, forever('loop', forever('inner', wait('drive'), wait('more')), wait('turn'))])
+    const before = bench.program()
+    putNetworkIn(bench.workspace, before, { ...wanted, below: 'drive' })
+    bench.settle()
+    expect(stacks()).toEqual(['start loop(inner(drive ai_neural_network more) turn)'])
+    expect(neurons()).toEqual([wanted.inputs, wanted.outputs])
+    bench.undo()
+    expect(bench.program()).toEqual(before)
+  })
+
+  it('is made in the loop where that block is gone or runs no more, or the card names none', () => {
+    for (const below of ['gone', 'aside', undefined]) {
+      benchOf([start, forever('loop', wait('drive'))], [wait('aside')])
+      putNetworkIn(bench.workspace, bench.program(), { ...wanted, ...(below && { below }) })
+      bench.settle()
+      expect(stacks()[0]).toBe('start loop(drive ai_neural_network)')
+      expect(neurons()).toEqual([wanted.inputs, wanted.outputs])
+      if (below) bench.dispose()
+    }
+  })
+})
+
 it('a network is switched on with what it stands in', () => {
   benchOf([start, { ...forever('loop', { ...net(), disabled: true }), disabled: true }])
   const before = bench.program()

@@ -1,5 +1,6 @@
 import * as Blockly from 'blockly/core'
-import { toolbox } from '@botgarten/blocks'
+import { toolbox, type Template } from '@botgarten/blocks'
+import type { CardNetwork, CardNeuron } from '@botgarten/content'
 import { reachedIn, spotIn, type Program } from '@botgarten/programs'
 import { grouped } from './list.ts'
 import { toProgram } from './program.ts'
@@ -43,14 +44,31 @@ export function putIn(workspace: Blockly.Workspace, base: Program, id: string): 
   })
 }
 
-/** A network of the toolbox, put into the loop. Its id. */
-export function putNetworkIn(workspace: Blockly.Workspace, base: Program): string {
+/**
+ * Makes a network and puts it below the block that a card names, else into the loop. One step of undo.
+ * @param wanted the network of the card; absent: the one of the toolbox
+ * @returns the id of its block
+ */
+export function putNetworkIn(workspace: Blockly.Workspace, base: Program, wanted?: CardNetwork): string {
   return grouped(() => {
-    const { id } = make(workspace, networkType)
-    putIn(workspace, base, id)
-    return id
+    const made = wanted ? append(workspace, templateOf(wanted)) : make(workspace, networkType)
+    const { below = '' } = wanted ?? {}
+    if (reachedIn(base).has(below)) hang(made, workspace.getBlockById(below)?.nextConnection ?? null)
+    else putIn(workspace, base, made.id)
+    return made.id
   })
 }
+
+const templateOf = ({ inputs, outputs }: CardNetwork): Template => ({
+  type: networkType,
+  values: { INPUT_LAYER: layerOf('InputNode', inputs), OUTPUT_LAYER: layerOf('OutputNode', outputs) },
+})
+
+const layerOf = (kind: 'InputNode' | 'OutputNode', neurons: readonly CardNeuron[]): Template => ({
+  type: 'ai_easy_list',
+  mutation: { attrs: { items: String(neurons.length), list_type: kind } },
+  values: Object.fromEntries(neurons.map((neuron, index) => [`ADD${index}`, neuron])),
+})
 
 /** Switches a block on, and what it stands in. One step of undo. */
 export function switchOn(workspace: Blockly.Workspace, id: string): void {
@@ -78,8 +96,11 @@ function makeStart(workspace: Blockly.Workspace, block: Blockly.Block): void {
 
 function make(workspace: Blockly.Workspace, type: string): Blockly.Block {
   const template = toolbox.flatMap(({ blocks }) => blocks).find((block) => block.type === type) ?? { type }
-  return Blockly.serialization.blocks.append(stateOfTemplate(template), workspace, { recordUndo: true })
+  return append(workspace, template)
 }
+
+const append = (workspace: Blockly.Workspace, template: Template): Blockly.Block =>
+  Blockly.serialization.blocks.append(stateOfTemplate(template), workspace, { recordUndo: true })
 
 const bodyOf = (loop: Blockly.Block | null): Blockly.Connection | null =>
   loop?.inputList.find(({ type }) => type === Blockly.inputs.inputTypes.STATEMENT)?.connection ?? null

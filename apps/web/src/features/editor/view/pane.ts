@@ -1,7 +1,8 @@
 import * as Blockly from 'blockly/core'
 import type { Template } from '@botgarten/blocks'
 import type { Program } from '@botgarten/programs'
-import type { RobotConfig } from '@botgarten/simulation'
+import type { CardNetwork } from '@botgarten/content'
+import type { Colour, RobotConfig } from '@botgarten/simulation'
 import { setClosed } from '../model/closed-roads.ts'
 import { inject } from './audio.ts'
 import { keepEscape, listen, type Reports } from './events.ts'
@@ -210,9 +211,9 @@ export class Pane {
     this.#seen(id)
   }
 
-  /** A network of the toolbox, put into the loop. */
-  putNetworkIn(): void {
-    this.#seen(putNetworkIn(this.#whole, this.#program))
+  /** Puts in the network of the card, or the one of the toolbox. */
+  putNetworkIn(wanted?: CardNetwork): void {
+    this.#seen(putNetworkIn(this.#whole, this.#program, wanted))
   }
 
   switchOn(id: string): void {
@@ -251,9 +252,9 @@ export class Pane {
     this.#place()
   }
 
-  /** What is plugged into the robot: new neurons take ports that fit. */
-  setRobot(config: RobotConfig): void {
-    knowRobot(this.#workspace, config)
+  /** Tells the robot's plugged-in parts and the colours of its floor: new neurons take ports and colours that fit. */
+  setRobot(config: RobotConfig, onFloor?: () => readonly Colour[]): void {
+    knowRobot(this.#workspace, config, onFloor)
   }
 
   /** Several fields of a block, as one step. */
