@@ -46,7 +46,7 @@ export default async function tryPage(): Promise<Table> {
       for (const { speed, all } of watched) all.push(await trying(browser, server.url, speed))
     return {
       title: 'Learning by trying with the robot’s own sensors, on the screen',
-      how: `Card TRY 1 with its solution's blocks, from nothing learned; 1366 × 768, processor at a ${throttle}th. ${rounds} rounds of ${seconds} s each, in turn.`,
+      how: `Card NN 24 with its solution's blocks, from nothing learned; 1366 × 768, processor at a ${throttle}th. ${rounds} rounds of ${seconds} s each, in turn.`,
       columns: ['speed', ...frameColumns],
       rows: watched.map(({ speed, all }) => [`× ${speed}`, ...frameCells(all)]),
       notes: frameNotes,

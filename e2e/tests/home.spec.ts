@@ -55,6 +55,31 @@ for (const viewport of sizes)
   test.describe(`at ${viewport.width} px`, () => {
     test.use({ hasTouch: true, viewport })
 
+    test('no card of any chapter cuts off its dots, its number or its picture', async ({ child, page }) => {
+      await child.opensHome()
+      for (const language of ['de', 'en'] as const) {
+        await child.speaks(language)
+        const title = page.getByRole('heading', { name: child.word('home.networkTitle'), exact: true })
+        const bed = page.getByRole('article').filter({ has: title })
+        for (const chapter of ['home.byHand', 'home.fromExamples', 'home.byTrying']) {
+          await child.presses(chapter)
+          const cards = bed.getByRole('listitem')
+          await expect(cards.first()).toBeVisible()
+          const faults = await cards.evaluateAll((all) =>
+            all.flatMap((card) => {
+              const foot = card.querySelector('.foot')!
+              const [dots, number] = [...foot.children].map((one) => one.getBoundingClientRect())
+              const picture = card.querySelector('.picture')!
+              const isCut = foot.scrollWidth > foot.clientWidth || dots!.right + 2 > number!.left
+              const isStretched = picture.clientHeight > 1.2 * picture.clientWidth
+              return isCut || isStretched ? [card.textContent] : []
+            }),
+          )
+          expect(faults, `${language} ${chapter}`).toEqual([])
+        }
+      }
+    })
+
     const ways = viewport.width === 1366 ? (['finger', 'keys'] as const) : (['finger'] as const)
     test(`maps, races, the zoo and sorting are reached by ${ways.join(' and by ')}`, async ({
       child,

@@ -7,7 +7,7 @@ for (const language of languagesOf(import.meta.filename))
   test.describe(`what Bo learns with its own sensors, in ${language}`, () => {
     test.use({ language })
 
-    test('card TRY 1 opens with it, and says before trying why nothing can be learned', async ({ child }) => {
+    test('card NN 24 opens with it, and says before trying why nothing can be learned', async ({ child }) => {
       const bo = new TryHands(child)
       await child.opensLab('try-dodge')
       await bo.sees()

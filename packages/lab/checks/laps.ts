@@ -1,18 +1,32 @@
 import type { Check } from '../types.ts'
 import { nameOf, numberOf, type Kind } from './kind.ts'
-import { awayFrom, robotIn, type Moment } from './moment.ts'
+import { awayFrom, colourUnder, robotIn, speedIn, type Moment } from './moment.ts'
+
+interface Memory {
+  next: number | null
+  passed: number
+  /** Has a wheel turned in this run? */
+  drove: boolean
+  /**
+   * The robot drove and stands now, on an edge between two colours where its sensor names neither: inputs that wait for a
+   * colour are all 0 there.
+   */
+  blind: boolean
+}
 
 /**
  * The middle of the robot's axle has come within `cm` of every gate of `gates` ("x y, x y, …") in this order, `laps` times
  * over, from the gate after the one where the run began; it stays passed.
  */
-export const laps: Kind<{ next: number | null; passed: number }> = {
+export const laps: Kind<Memory> = {
   needs: ['gates', 'cm', 'laps'],
-  lacks: ['some'],
-  begin: () => ({ next: null, passed: 0 }),
+  lacks: ['some', 'blind'],
+  begin: () => ({ next: null, passed: 0, drove: false, blind: false }),
   observe(check, moment, memory) {
     const away = gatesOf(check).map(([x, y]) => awayFrom(moment, x, y))
     memory.next ??= nextGate(away)
+    memory.drove ||= speedIn(moment) > 0
+    memory.blind = memory.drove && speedIn(moment) === 0 && colourUnder(moment) === ''
     const all = away.length * numberOf(check, 'laps')
     if (memory.passed < all && away[memory.next]! <= numberOf(check, 'cm')) {
       memory.passed += 1
@@ -20,11 +34,15 @@ export const laps: Kind<{ next: number | null; passed: number }> = {
     }
     return memory.passed === all
   },
-  missing(check, { passed, next }, moment) {
+  missing(check, { passed, next, blind }, moment) {
     const gates = gatesOf(check)
     const [x, y] = gates[next ?? nextGate(gates.map(([x, y]) => awayFrom(moment, x, y)))]!
     const all = gates.length * numberOf(check, 'laps')
-    return { what: 'some', facts: { passed, all }, gap: { from: placeOf(moment), to: { x, y } } }
+    return {
+      what: blind ? 'blind' : 'some',
+      facts: { passed, all },
+      gap: { from: placeOf(moment), to: { x, y } },
+    }
   },
 }
 

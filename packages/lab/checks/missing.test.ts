@@ -14,6 +14,12 @@ const world: World = {
       pose: { x: 200, y: 120, heading: 0 },
       colour: '#00642E',
     },
+    {
+      id: 'unnamed',
+      shape: { kind: 'rectangle', width: 40, height: 40 },
+      pose: { x: 40, y: 340, heading: 0 },
+      colour: '#FF99CC',
+    },
   ],
   lines: [],
   obstacles: [
@@ -105,6 +111,23 @@ describe('what is missing', () => {
     expect(one!.facts['away']).toBeCloseTo(105, 6)
     expect(one!.gap!.from.y).toBeCloseTo(70, 6)
     expect(one!.gap!.to.y).toBeCloseTo(175, 6)
+  })
+
+  it('laps: stands where the sensor names no colour, after it has driven', () => {
+    const simulation = createSimulation(world, paintFloor(world), 1)
+    const checks = [checkOf('laps')]
+    const watches = watch(checks)
+    const { motors } = simulation.state.robots[0]!
+    let tick = 0
+    const missed = (x: number, percent: number) => {
+      simulation.place('bo', { x, y: 340, heading: 90 })
+      motors.B.percent = motors.C.percent = percent
+      observe(checks, watches, ++tick / 60, simulation)
+      return missing(checks, watches, tick / 60, simulation)[0]!.what
+    }
+    expect([missed(40, 0), missed(40, 30), missed(40, 0), missed(200, 0), missed(40, 30)]).toEqual([
+      ...['some', 'some', 'blind', 'some', 'some'],
+    ])
   })
 
   it('near: the nearest it ever came', () => {

@@ -18,6 +18,7 @@ const stage = { x: 0, y: 0, width: 400, height: 200 }
 const track = freeLine({ x: 50, y: 100 }, { x: 350, y: 100 }, 40, { least: -1, most: 1, unit: 1 })
 const link = (weight: number, more: Partial<LinkLook> = {}): LinkLook => ({
   track,
+  at: knobPlace(track, weight),
   weight,
   idle: false,
   marked: false,

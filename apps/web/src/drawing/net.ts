@@ -3,13 +3,15 @@ import type { Command, Group, Stripes } from './commands.ts'
 import { labelOffsets, type Side } from './labels.ts'
 import { ringFill } from './network.ts'
 import { between, type Point, type Size } from './points.ts'
-import { knobPlace, linkWidth, type Track } from './track.ts'
+import { linkWidth, type Track } from './track.ts'
 
 // A network, in px of its stage: x to the right, y down from its upper left corner.
 
 /** A weighted link and the knob on it. */
 export interface LinkLook {
   readonly track: Track
+  /** Middle of its knob. */
+  readonly at: Point
   readonly weight: number
   /** Its knob sets nothing that runs now. */
   readonly idle: boolean
@@ -107,17 +109,13 @@ export const drawSignal = (signal: Signal): Group => ({
 })
 
 /** A knob where its weight is, with the number. */
-function drawKnob(
-  { track, weight, idle, marked, grip, label }: LinkLook,
-  held: boolean,
-  theme: Theme,
-): Group {
+function drawKnob({ at, weight, idle, marked, grip, label }: LinkLook, held: boolean, theme: Theme): Group {
   const radius = weight === 0 ? 11 : 14
   const disc = (r: number, fill: string): Command => ({ kind: 'circle', x: 0, y: 0, r, fill })
   const tick = (x: number): Command => ({ kind: 'rect', x, y: -4, width: 2, height: 8, fill: '#fff' })
   return {
     kind: 'group',
-    ...knobPlace(track, weight),
+    ...at,
     shapes: [
       ...(held || marked ? [around(grip, held, theme)] : []),
       disc(radius + 2, idle ? edgeOf(theme) : line),

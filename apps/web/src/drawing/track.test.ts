@@ -1,12 +1,13 @@
 import fc from 'fast-check'
 import { describe, expect, test } from 'vitest'
 import { layoutNetwork } from './network.ts'
-import { between, distance, type Point } from './points.ts'
+import { between, distance, distanceToSegment, type Point } from './points.ts'
 import {
   alongMovement,
   freeLine,
   gripsOf,
   knobPlace,
+  knobPlaces,
   linksAt,
   linkWidth,
   stagger,
@@ -169,7 +170,7 @@ describe('a finger', () => {
         (gap, turn, far) => {
           const beside = { x: level.from.x, y: level.from.y + gap }
           const tracks = [level, { ...level, from: beside, to: { x: level.to.x, y: level.to.y + gap } }]
-          const knob = knobPlace(tracks[0]!, 0)
+          const knob = knobPlaces(tracks, [0, 0])[0]!
           // Nearer to this knob than to the other by more than a finger trembles.
           const reach = far % Math.floor(gap / 2 - 3)
           const at = {
@@ -194,6 +195,49 @@ describe('a finger', () => {
     expect([...both].sort()).toEqual([0, 1])
     expect(alongMovement(cross, both, { x: 5, y: 3 })).toBe(0)
     expect(alongMovement(cross, both, { x: 5, y: -3 })).toBe(1)
+  })
+})
+
+describe('knobs that meet', () => {
+  const [down, up] = [
+    freeLine({ x: 0, y: 0 }, { x: 400, y: 200 }, 20),
+    freeLine({ x: 0, y: 200 }, { x: 400, y: 0 }, 20),
+  ] as const
+  const crossing = (0.5 - 0.12) / 0.7
+
+  test('are told apart, on their own links, whichever weights and links they have', () => {
+    const weight = fc.integer({ min: 0, max: 100 }).map((part) => part / 100)
+    const height = fc.integer({ min: 40, max: 400 })
+    fc.assert(
+      fc.property(weight, weight, height, (one, other, y) => {
+        const tracks = [
+          freeLine({ x: 0, y: 0 }, { x: 400, y }, 20),
+          freeLine({ x: 0, y }, { x: 400, y: 0 }, 20),
+        ]
+        const places = knobPlaces(tracks, [one, other])
+        expect(distance(places[0]!, places[1]!)).toBeGreaterThanOrEqual(22)
+        for (const [i, place] of places.entries()) {
+          expect(distanceToSegment(tracks[i]!.from, tracks[i]!.to, place)).toBeLessThan(0.01)
+          expect(distance(place, knobPlace(tracks[i]!, [one, other][i]!))).toBeLessThanOrEqual(24)
+        }
+      }),
+    )
+  })
+
+  test('stay where their weights are while they can be told apart', () => {
+    expect(knobPlaces([down, up], [0.2, 0.9])).toEqual([knobPlace(down, 0.2), knobPlace(up, 0.9)])
+  })
+
+  test('make room for the one that is held', () => {
+    const places = knobPlaces([down, up], [crossing, crossing], 1)
+    expect(places[1]).toEqual(knobPlace(up, crossing))
+    expect(distance(places[0]!, places[1]!)).toBeGreaterThanOrEqual(22)
+  })
+
+  test('each answer to a finger on them', () => {
+    const places = knobPlaces([down, up], [crossing, crossing])
+    for (const [i, place] of places.entries())
+      expect(linksAt([down, up], [crossing, crossing], place)).toEqual([i])
   })
 })
 

@@ -115,6 +115,52 @@ function roomiest(track: Track, others: readonly Point[]): number {
 /** Drawn width of a link: 3 + 13·|w| px. */
 export const linkWidth = (weight: number): number => 3 + 13 * Math.min(1, Math.abs(weight))
 
+/**
+ * Two knobs are told apart from this gap between their middles, and one moves this far along its link for it at most, in
+ * px. In networks with more links knobs cover each other anyway.
+ */
+const apart = { gap: 2 * smallestGrip, farthest: 24, links: 36 }
+
+/**
+ * Knobs at the places of their weights; where one would cover another, both move along their links until they can be told
+ * apart. Knob `still` is held by a pointer and does not move.
+ */
+export function knobPlaces(
+  tracks: readonly Track[],
+  weights: readonly number[],
+  still: number | null = null,
+): readonly Point[] {
+  const places = tracks.map((track, i) => knobPlace(track, weights[i] ?? 0))
+  if (places.length > apart.links) return places
+  for (let i = 0; i < places.length; i++)
+    for (let j = i + 1; j < places.length; j++) {
+      if (distance(places[i]!, places[j]!) >= apart.gap) continue
+      const both = [i, j].map((k) => moved(tracks[k]!, places[k]!, k === still))
+      const found = nearestPair(both[0]!, both[1]!)
+      if (found) [places[i], places[j]] = found
+    }
+  return places
+}
+
+/** The places that a knob can move to along its link, by the px of the way: none, one forth and one back, … */
+function moved({ from, to }: Track, at: Point, stays: boolean): readonly (readonly Point[])[] {
+  const [share, length] = [shareAlong(from, to, at), distance(from, to) || 1]
+  const steps = Array.from({ length: apart.farthest + 1 }, (_, px) => px)
+  return steps.map((px) =>
+    (stays || px === 0 ? [0] : [px, -px]).map((by) => between(from, to, clamp(share + by / length, 0, 1))),
+  )
+}
+
+/** The two places after the shortest way at which the knobs can be told apart; undefined: there is none. */
+function nearestPair(
+  one: readonly (readonly Point[])[],
+  other: readonly (readonly Point[])[],
+): readonly [Point, Point] | undefined {
+  for (const [px, places] of one.entries())
+    for (const a of places) for (const b of other[px]!) if (distance(a, b) >= apart.gap) return [a, b]
+  return undefined
+}
+
 /** Radii within which knobs answer to a pointer: they touch at most, so that a press belongs to the nearest. */
 export function gripsOf(knobs: readonly Point[]): readonly number[] {
   const radii = knobs.map(() => grabWithin.knob)
@@ -139,7 +185,7 @@ export function linksAt(tracks: readonly Track[], weights: readonly number[], at
   }
   const knobs = within(
     grabWithin.knob,
-    tracks.map((track, i) => distance(knobPlace(track, weights[i] ?? 0), at)),
+    knobPlaces(tracks, weights).map((place) => distance(place, at)),
   )
   if (knobs.length > 0) return knobs
   return within(

@@ -20,7 +20,7 @@ import type { NetworkLayout } from '#drawing/network.ts'
 import { formatNumber } from '#drawing/numbers.ts'
 import { distance, type Point, type Size } from '#drawing/points.ts'
 import { Remembered, sameOnes, steady } from '#drawing/remembered.ts'
-import { freeLine, gripsOf, knobPlace, linksAt, stagger, type Scale, type Track } from '#drawing/track.ts'
+import { freeLine, gripsOf, knobPlaces, linksAt, stagger, type Scale, type Track } from '#drawing/track.ts'
 import { letters } from '#figures/letters.svelte.ts'
 import { comfort } from '#storage/comfort.svelte.ts'
 import { language } from '#words/language.svelte.ts'
@@ -147,7 +147,12 @@ export class NetFigure {
   #knobsBefore: readonly KnobPlace[] = []
   /** Knobs of the links that are drawn. One that stays where it is stays the same object. */
   readonly knobs: readonly KnobPlace[] = $derived.by(() => {
-    const places = this.seen.map((i) => knobPlace(this.tracks[i]!, this.values[i]!))
+    const { held } = this.#use()
+    const places = knobPlaces(
+      this.seen.map((i) => this.tracks[i]!),
+      this.seen.map((i) => this.values[i]!),
+      held === null ? null : this.seen.indexOf(held),
+    )
     const grips = gripsOf(places)
     const next = this.seen.map((index, n) => ({ index, at: places[n]!, grip: grips[n]! }))
     this.#knobsBefore = sameOnes(this.#knobsBefore, next, ({ index }) => index, isSamePlace)
@@ -162,12 +167,13 @@ export class NetFigure {
       this.seen.map((i) => this.values[i]!),
       layout.stage,
     )
-    return this.knobs.map(({ index, grip }, n) => {
+    return this.knobs.map(({ index, at, grip }, n) => {
       const { id, from, to } = this.links[index]!
       const [track, weight] = [this.tracks[index]!, this.values[index]!]
       const text = formatNumber(weight * track.unit, language.locale)
       return {
         track,
+        at,
         weight,
         idle: idle || from.missing || to.missing,
         marked: marked === id,

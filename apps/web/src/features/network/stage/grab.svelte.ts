@@ -1,6 +1,6 @@
 import type { Phase } from '#drawing/nudge.ts'
 import { distance, type Point } from '#drawing/points.ts'
-import { alongMovement, knobPlace, linksAt, weightAt, type Track } from '#drawing/track.ts'
+import { alongMovement, knobPlace, knobPlaces, linksAt, weightAt, type Track } from '#drawing/track.ts'
 
 interface Hold {
   readonly pointer: number
@@ -37,7 +37,7 @@ export class Grab {
     const first = candidates[0]
     if (first === undefined) return false
     const knob = knobPlace(tracks[first]!, weights[first] ?? 0)
-    const onKnob = distance(knob, at) <= 24
+    const onKnob = distance(knobPlaces(tracks, weights)[first]!, at) <= 24
     const offset = onKnob ? { x: knob.x - at.x, y: knob.y - at.y } : { x: 0, y: 0 }
     this.#hold = { pointer, down: at, candidates, offset, moving: false }
     this.#weight = weights[first] ?? 0
