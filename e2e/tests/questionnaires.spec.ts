@@ -1,6 +1,8 @@
 // Rooms: questionnaires, content
 import { readFileSync } from 'node:fs'
 import { unzipSync } from 'fflate'
+import { study2020 } from '@botgarten/answers'
+import { topics } from '@botgarten/content/questionnaires'
 import { Asker, nth } from '../child-questionnaires.ts'
 import { expect, test } from '../house.ts'
 import { languagesOf } from '../words.ts'
@@ -141,4 +143,30 @@ test('a teacher copies a form, leaves questions out, adds one and asks it', asyn
   await page.getByRole('textbox', { name: 'What was funny?' }).fill('Bo danced')
   await child.presses('form.done')
   await expect(child.words('form.thanks')).toBeVisible()
+})
+
+test('the tables of 2020 are shown without a single answer', async ({ child, page }) => {
+  const asker = new Asker(child)
+  await asker.comes()
+  await page.getByRole('link', { name: child.word('form.study2020Show'), exact: true }).click()
+  const decimal = (value: number) =>
+    value.toLocaleString(child.language, { minimumFractionDigits: 1, maximumFractionDigits: 2 })
+  const tables = page.getByRole('table')
+  await expect(tables).toHaveCount(3)
+  for (const [index, scale] of (['interest', 'ease'] as const).entries())
+    for (const [row, group] of study2020.entries()) {
+      const cells = tables
+        .nth(index)
+        .getByRole('row')
+        .nth(row + 1)
+        .getByRole('cell')
+      const { supervised, unsupervised, reinforcement } = group[scale]
+      const means = topics.map((topic) => decimal({ supervised, unsupervised, reinforcement }[topic]))
+      await expect(cells).toHaveText([...means, String(group.n)])
+    }
+  const percent = (share: number) => share.toLocaleString(child.language, { style: 'percent' })
+  await expect(tables.nth(2).getByRole('row').last().getByRole('cell')).toHaveText([
+    ...[percent(0.75), percent(0.25), percent(0)],
+    '24',
+  ])
 })

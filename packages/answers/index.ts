@@ -7,6 +7,6 @@ export { birds, merged, readAnswer, readAnswersFile, readPaper, writeAnswersFile
 export { growthOf, type Growth } from './growth.ts'
 export { nothingReleased, released, type Comparison, type Release } from './release.ts'
 export { shuffled } from './shuffle.ts'
-export { study2020, type StudyGroup } from './study-2020.ts'
+export { goOn2020, study2020, type StudyGroup } from './study-2020.ts'
 export { mixed, talliesOf, total, type PaperCounts, type Published, type Tally } from './tally.ts'
 export { signedRank, type SignedRank } from './wilcoxon.ts'

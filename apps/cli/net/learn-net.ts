@@ -1,3 +1,4 @@
+import { pruneWeights } from '@botgarten/learning/neural-network/brain'
 import { beginExercise, practiceChoice, type Exercise } from '@botgarten/learning/neural-network/examples'
 import { percentOff, type Settings } from '@botgarten/learning/neural-network/train'
 import { netProof, type Proof } from '@botgarten/learning/proof'
@@ -33,13 +34,15 @@ function learnNet(args: string[]): string {
   return several(source, values)
 }
 
-/** The source with the hidden layers that the call asks for. */
+/** The source with the hidden layers of the call, and no weights of links that it had without them. */
 function shaped(source: Source, { hidden }: Values): Source {
   if (hidden === undefined) return source
   const { project, program, network, card } = source
   const changed = withHidden(project.programs[program]!, network.id, hiddenOf(hidden))
   const programs = { ...project.programs, [program]: changed }
-  return { ...networkIn({ ...project, programs }, network.id), card }
+  const found = networkIn({ ...project, programs }, network.id)
+  const brain = { ...found.brain, weights: pruneWeights(found.brain, found.brain.weights) }
+  return { ...found, brain, card }
 }
 
 function exerciseOf(source: Source, values: Values & { readonly examples?: string }, seed: number): Exercise {

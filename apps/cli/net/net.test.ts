@@ -95,6 +95,18 @@ describe('botgarten learn net', () => {
     expect(table.json()).toMatchObject({ rows: 6, on: 6, drives: 6 })
   })
 
+  it('gives the weights of the links that its hidden layers have, and running takes them', async () => {
+    const out = join(folder, 'hidden.json')
+    const { json } = await friendship('--hidden', '4:tanh', '--rounds', '5', '--out', out, '--json')
+    const { weights } = json()
+    const hidden = [1, 2, 3, 4].map((k) => `net.hidden1#${k}`)
+    expect(Object.keys(weights['eyeLeft']!).sort()).toEqual(hidden)
+    expect(Object.keys(weights[hidden[0]!]!).sort()).toEqual(['wheelLeft', 'wheelRight'])
+    const given = file(JSON.stringify(weights), 'json')
+    const run = await botgarten('run', out, '--weights', given, '--json')
+    expect([run.status, run.stderr]).toEqual([0, ''])
+  })
+
   it('says when its steps were too big', async () => {
     const { json, stderr } = await friendship('--rate', '5', '--momentum', '0.9', '--json')
     expect(json().ended).toBe('ranAway')

@@ -1,7 +1,8 @@
 import { beforeAll, describe, expect, test } from 'vitest'
 import { fetchMaterials, offeredItems } from '../library.ts'
+import { language } from '#words/language.svelte.ts'
 import { anything } from './choice.ts'
-import { countWith, foundBy, marked } from './find.ts'
+import { countWith, foundBy, marked, pagesFor } from './find.ts'
 
 beforeAll(async () => {
   await fetchMaterials()
@@ -26,6 +27,45 @@ describe('the library finds', () => {
     expect(kinds('presentation')).toContain('slides')
     expect(kinds('handout')).toContain('worksheet')
     expect(kinds('no computer')).toContain('kit')
+  })
+
+  // Words of the thesis for its cards, sheets and settings.
+  test.each([
+    ['en', 'learning cards', 'network-cards'],
+    ['en', 'flowchart', 'q-flow'],
+    ['en', 'Q&A', 'q-questions'],
+    ['en', 'Raspberry Pi', 'running-a-class'],
+    ['de', 'Lernkarten', 'network-cards'],
+    ['de', 'Flussdiagramm', 'q-flow'],
+    ['de', 'Q&A', 'q-questions'],
+    ['de', 'Raspberry', 'running-a-class'],
+  ] as const)('in "%s" by %j among the first three %s', async (locale, words, id) => {
+    await language.speakForNow(locale)
+    await fetchMaterials()
+    expect(
+      foundBy(words)
+        .slice(0, 3)
+        .map(({ item }) => item.id),
+    ).toContain(id)
+    await language.speakForNow('en')
+  })
+
+  test.each([
+    ['en', 'hyperparameters'],
+    ['de', 'Hyperparameter'],
+  ] as const)('in "%s" by %j the materials about the settings of learning', async (locale, words) => {
+    await language.speakForNow(locale)
+    await fetchMaterials()
+    const ids = foundBy(words).map(({ item }) => item.id)
+    expect(ids).toEqual(expect.arrayContaining(['q-program', 'learn-from-experience']))
+    await language.speakForNow('en')
+  })
+
+  test('the page of the questionnaires by their names, and no page for no words', () => {
+    for (const words of ['questionnaire', 'survey', 'evaluation'])
+      expect(pagesFor(words).map(({ href }) => href)).toContain('/questionnaires')
+    expect(pagesFor('')).toEqual([])
+    expect(pagesFor('friendship')).toEqual([])
   })
 
   test('everything, where nothing is looked for', () => {

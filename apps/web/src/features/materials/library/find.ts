@@ -1,3 +1,4 @@
+import { resolve } from '$app/paths'
 import { passagesOf, scoreOf, search, type Hit, type Item, type Passage } from '@botgarten/content/items'
 import { titleOf } from '#content/names.ts'
 import { language } from '#words/language.svelte.ts'
@@ -36,6 +37,33 @@ export function foundBy(words: string): readonly Found[] {
     .map((item) => ({ item, hits: search(all.get(targetOf(item))!, words, groups) }))
     .filter(({ hits }) => hits.length > 0)
     .sort((a, b) => scoreOf(b.hits) - scoreOf(a.hits))
+}
+
+/** A page of the lab that the library leads to. */
+export interface FoundPage {
+  readonly href: string
+  readonly title: string
+  readonly text: string
+}
+
+/** Pages that are no materials: questionnaires and studies. */
+export const otherPages = (): readonly FoundPage[] => [
+  {
+    href: resolve('/questionnaires'),
+    title: message('materials.questionnaires'),
+    text: message('materials.questionnairesText'),
+  },
+  { href: resolve('/study'), title: message('materials.study'), text: message('materials.studyText') },
+]
+
+/** The pages that have the words of a query; none for an empty query. */
+export function pagesFor(words: string): readonly FoundPage[] {
+  if (words.trim() === '') return []
+  const groups = synonyms()
+  return otherPages().filter(({ title, text }) => {
+    const lines = [title, text].map((line) => ({ place: 'title' as const, words: line, section: 0 }))
+    return search(lines, words, groups).length > 0
+  })
 }
 
 /** How many of what was found would be there if a filter had this value alone. */
