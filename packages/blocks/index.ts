@@ -15,6 +15,7 @@ export { nearestOption, optionFor } from './parts/options.ts'
 export {
   knowMaps,
   knowOwnMaps,
+  mapEnds,
   knownMaps,
   mapField,
   mapIn,

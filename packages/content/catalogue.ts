@@ -66,6 +66,8 @@ export interface Maps {
   readonly maps: readonly string[]
   /** How many stations each map has. */
   readonly stations: { readonly [map: string]: number }
+  /** Where a way begins and ends on each map. */
+  readonly ends: { readonly [map: string]: readonly [start: number, goal: number] }
   /** Those that have roads and no rooms. */
   readonly drawn: readonly string[]
   /** The drawing of a map, as SVG. */

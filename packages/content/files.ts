@@ -78,6 +78,15 @@ export function contentIn(root: string): ContentFiles {
   const stations = once(() =>
     Object.fromEntries(maps().map((id) => [id, mapFile(id)?.map.actions.length ?? 0])),
   )
+  const ends = once(() =>
+    Object.fromEntries(
+      maps().map((id) => {
+        const map = mapFile(id)
+        const { start = 0, goal = (map?.stations.length ?? 1) - 1 } = map ?? {}
+        return [id, [start, goal] as const]
+      }),
+    ),
+  )
   const setFolders = once(() => folder.foldersWith('things/*/things.json'))
   const sets = once(() => setFolders().map((one) => named(one, readThings(folder.json(one, 'things.json')))))
 
@@ -96,6 +105,9 @@ export function contentIn(root: string): ContentFiles {
     },
     get stations() {
       return stations()
+    },
+    get ends() {
+      return ends()
     },
     get drawn() {
       return maps().filter((id) => !mapFile(id)?.grid)

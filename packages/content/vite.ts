@@ -89,6 +89,7 @@ const modules: Parts = {
       export default {
         maps: ${data(content.maps)},
         stations: ${data(content.stations)},
+        ends: ${data(content.ends)},
         drawn: ${data(content.drawn)},
         map: async (id) => (Object.hasOwn(drawings, id) ? (await fetch(drawings[id])).text() : null),
       }`

@@ -6,6 +6,8 @@ export interface KnownMaps {
   readonly maps: readonly string[]
   /** How many stations each has. */
   readonly stations: { readonly [map: string]: number }
+  /** Where a way begins and ends on each. */
+  readonly ends?: { readonly [map: string]: readonly [start: number, goal: number] }
 }
 
 let known: KnownMaps | null = null
@@ -54,6 +56,10 @@ export function stationsOf(name: string, mine: { readonly [id: string]: number }
   const id = ownMapIn(name)
   return id === null ? countOf(mapIn(name)) : Object.hasOwn(mine, id) ? mine[id]! : 0
 }
+
+/** Where a way begins and ends on the map of a block's field; null for a map of the project, or an unknown one. */
+export const mapEnds = (name: string): readonly [start: number, goal: number] | null =>
+  known?.ends?.[mapIn(name)] ?? null
 
 /** The maps that everybody has and that are open, small ones first. */
 export const knownMaps = (): readonly string[] =>

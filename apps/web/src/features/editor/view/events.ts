@@ -1,6 +1,7 @@
 import * as Blockly from 'blockly/core'
 import type { Finding } from '@botgarten/blocks'
 import type { Program } from '@botgarten/programs'
+import { followMap } from '../model/map-ends.ts'
 import { watchCopies, type Copy } from '../model/copies.ts'
 import { followNeurons } from './follow.ts'
 import { followGrowth } from './growth.ts'
@@ -23,6 +24,7 @@ export function listen(workspace: Blockly.WorkspaceSvg, reports: Reports, emit: 
   const copiesIn = watchCopies(workspace)
   const follow = followNeurons(workspace, () => workspace.isDragging())
   const grow = followGrowth(workspace)
+  const ends = followMap(workspace)
   let group: string | null = null
   let waiting: ReturnType<typeof setTimeout> | undefined
   /** A block in the hand has changed something: that is told once it is put down. */
@@ -40,6 +42,7 @@ export function listen(workspace: Blockly.WorkspaceSvg, reports: Reports, emit: 
     if (event instanceof Blockly.Events.Selected) reports.select(event.newElementId ?? null)
     follow(event)
     grow(event)
+    ends(event)
     if (event instanceof Blockly.Events.BlockDrag && event.isStart === false && inHand) soon()
     // What is still being typed is no number yet.
     if (event.isUiEvent || event instanceof Blockly.Events.BlockFieldIntermediateChange) return

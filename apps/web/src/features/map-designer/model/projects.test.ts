@@ -9,7 +9,17 @@ import { assetsFromDisk } from '#lab/testing/assets.ts'
 import { load, save } from '#storage/projects.ts'
 import { fillDisk, freshDevice } from '#storage/testing/device.ts'
 import { friendship } from '#storage/testing/sample.ts'
-import { begin, learningOn, openDrawing, openMapOf, ownMaps, startFrom, withMap } from './projects.ts'
+import maps from 'content:maps'
+import {
+  begin,
+  learnOnGiven,
+  learningOn,
+  openDrawing,
+  openMapOf,
+  ownMaps,
+  startFrom,
+  withMap,
+} from './projects.ts'
 import { drawn, openedWith, row } from './testing/opened.ts'
 
 beforeAll(() => addBlocks(learning))
@@ -30,6 +40,19 @@ describe('a project that begins with a map', () => {
     expect(outlineOf(project)).toMatchObject({ map: 'own:map', start: 2, goal: 0 })
     expect(project).toMatchObject({ name: 'Pond', botgarten: 2 })
     expect(await ownMaps()).toEqual([{ id, mapId: 'map', map: { ...row, start: 2, goals: [0, 1] } }])
+  })
+
+  test('learns at once on each world of rooms, from its start to its goal', async () => {
+    const grids = maps.maps.filter((id) => !maps.drawn.includes(id))
+    expect(grids).toEqual(expect.arrayContaining(['cliff', 'lake', 'windy', 'errand']))
+    for (const map of grids) {
+      const { project } = (await load((await learnOnGiven(map, 'World'))!.id))!
+      const [start, goal] = maps.ends[map]!
+      expect(outlineOf(project)).toMatchObject({ map, start, goal, closed: [] })
+    }
+    const makeRoom = fillDisk()
+    expect(await learnOnGiven('lake', 'World')).toBeNull()
+    makeRoom()
   })
 
   test('is none where the device has no room', async () => {

@@ -1,5 +1,5 @@
 import maps from 'content:maps'
-import { knowMaps, type Block } from '@botgarten/blocks'
+import { knowMaps, mapField, type Block } from '@botgarten/blocks'
 import type { MapProblem } from '@botgarten/maps'
 import { emptyMap, endsOf, openMap, ownId } from '@botgarten/maps/own'
 import { stationsOf, versionOf, type MapDocument, type Program, type Project } from '@botgarten/programs'
@@ -44,6 +44,20 @@ export async function begin(map: MapDocument): Promise<string | null> {
   const project = learningOn(withMap(await newProject(map.name, 'railway'), 'map', map), 'map')
   const saved = await save(id, project, 0)
   return saved.kind === 'saved' ? `p=${encodeURIComponent(id)}&m=map` : null
+}
+
+/** A new project that learns on one of the given maps. Null if this device saves nothing. */
+export async function learnOnGiven(
+  map: string,
+  name: string,
+): Promise<{ readonly id: string; readonly project: Project } | null> {
+  const id = freshId('map')
+  const [start, goal] = maps.ends[map]!
+  const fields = { MAP: mapField(map), START: String(start), FINISH: String(goal) }
+  const tries = String(Math.max(100, 20 * maps.stations[map]!))
+  const project = learningWith(await newProject(name, 'railway'), fields, tries)
+  const saved = await save(id, project, 0)
+  return saved.kind === 'saved' ? { id, project } : null
 }
 
 /** Maps that everybody has and that can be drawn on. */
@@ -95,7 +109,11 @@ export function learningOn(project: Project, id: string): Project {
   const { start, goals } = map.kind === 'rooms' ? endsOf(map) : map
   const fields = { MAP: ownId(id), START: String(start), FINISH: String(goals[0]) }
   const places = stationsOf({ maps: { [id]: map } })[id]!
-  const tries = String(Math.max(100, 20 * places))
+  return learningWith(project, fields, String(Math.max(100, 20 * places)))
+}
+
+/** The project with these fields in its map blocks and this number of tries; closed roads and rewards are left out. */
+function learningWith(project: Project, fields: { readonly [name: string]: string }, tries: string): Project {
   const changed = (block: Block): Block => {
     if (block.type === mapBlock) {
       const { OBSTACLE: _, ...values } = block.values ?? {}
