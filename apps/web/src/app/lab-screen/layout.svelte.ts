@@ -67,13 +67,9 @@ export class Layout {
   readonly above = $derived.by(
     () => this.pages || (this.#ui.filled !== null && this.#ui.filled !== 'program'),
   )
-  /** On a phone a small world stands above the network; a hint has its place while it is open. */
+  /** On a phone a small world stands above the network. */
   readonly compactWorld = $derived.by(
-    () =>
-      this.pages &&
-      this.#ui.page === 'network' &&
-      !this.#screen.session.learns &&
-      !(this.#ui.hintOpen && this.stripSize === 'phone'),
+    () => this.pages && this.#ui.page === 'network' && !this.#screen.session.learns,
   )
 
   seen(pane: PaneName): boolean {
