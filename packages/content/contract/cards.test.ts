@@ -33,7 +33,7 @@ function runOf(id: string, file: string, start: number): readonly CheckResult[] 
   return lab.view().checks
 }
 
-/** A hint has the place of one or two lines, in the strip of the task. */
+/** A hint fits into one or two lines of the strip of the task. */
 const mostInHint = 25
 const wordCount = (hint: Parameters<typeof lines>[0]) =>
   lines(hint)
