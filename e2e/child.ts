@@ -386,7 +386,10 @@ export class Child {
   /** The lab stands. On a phone the blocks are a page of their own. */
   async seesLab() {
     // Where Bo has learned a way already, the first button says what it starts.
-    const begins = this.button('lab.start').or(this.button('q.letDrive')).or(this.button('q.playNew'))
+    const begins = this.button('lab.start')
+      .or(this.button('q.play'))
+      .or(this.button('q.letDrive'))
+      .or(this.button('q.playNew'))
     await expect(begins.first()).toBeVisible({ timeout: 30_000 })
     if ((this.page.viewportSize()?.width ?? 0) >= 640) await this.seesBlocks()
   }

@@ -20,9 +20,9 @@ const explained: readonly (readonly [selector: string, side: Side])[] = [
   ['.statistics > :nth-child(1)', 'top'],
   ['.statistics > :nth-child(2)', 'top'],
   ['.statistics > :nth-child(3)', 'top'],
-  ['.statistics .decision', 'top'],
-  ['.statistics .stars', 'top'],
-  ['.drawer .tabs', 'top'],
+  ['.statistics .decision', 'right'],
+  ['.statistics .stars', 'right'],
+  ['.drawer .tabs', 'right'],
   ['.drawer .table', 'right'],
   ['.drawer .lens', 'right'],
   ['.rail .ends', 'left'],
@@ -30,7 +30,7 @@ const explained: readonly (readonly [selector: string, side: Side])[] = [
   ['.bar > button:nth-child(2)', 'bottom'],
   ['.bar .tabs', 'bottom'],
   ['.bar .time', 'bottom'],
-  ['section.best', 'bottom'],
+  ['.screen > .line', 'right'],
 ]
 
 /** The card Railway with one move made: from then on nothing on the screen changes its place. */
@@ -44,7 +44,7 @@ export async function showsExplained(child: Child) {
 export async function learnsABit(child: Child) {
   await child.presses('q.times', { speed: 3 })
   await child.presses('lab.start')
-  await expect(child.page.locator('section.best ol')).toBeVisible({ timeout: 120_000 })
+  await expect(child.page.locator('.line .way')).toBeVisible({ timeout: 120_000 })
   await child.presses('q.pause')
   await child.seesSaved()
 }

@@ -17,7 +17,7 @@ test(
     await learner.seesClosedRoads(2)
     await child.presses('q.step')
     await expect.poll(async () => (await learner.moves()).made).toBe(1)
-    const facts = { move: 1, from: '\\d', to: '\\d', how: '.+', stars: '\\d' }
+    const facts = { move: 1, from: '\\d', to: '\\d', how: '.+', stars: '[\\d½]+' }
     await expect(page.locator('.q > [aria-live]')).toHaveText(new RegExp(child.word('q.said.move', facts)))
     // The road into the goal has the value 0 before the first visit.
     const last = (value: string, tries: number) => child.word('q.cell', { from: 0, to: 1, value, tries })

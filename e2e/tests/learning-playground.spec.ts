@@ -182,7 +182,7 @@ for (const language of languagesOf(import.meta.filename)) {
       await learner.opens('railway')
       const heard = await learner.listens()
       await learner.learns()
-      const facts = (move: number) => ({ move, from: '\\d', to: '\\d', how: '.+', stars: '\\d' })
+      const facts = (move: number) => ({ move, from: '\\d', to: '\\d', how: '.+', stars: '[\\d½]+' })
       for (const move of [1, 2, 3])
         await expect
           .poll(heard)
@@ -225,7 +225,7 @@ for (const language of languagesOf(import.meta.filename)) {
       const places = await learner.places(2500)
       expect(places.size).toBeLessThanOrEqual(4)
       await expect.poll(() => page.evaluate(() => document.getAnimations().map(({ id }) => id))).toEqual([])
-      const facts = { move: 1, from: '\\d', to: '\\d', how: '.+', stars: '\\d' }
+      const facts = { move: 1, from: '\\d', to: '\\d', how: '.+', stars: '[\\d½]+' }
       await expect
         .poll(heard)
         .toContainEqual(expect.stringMatching(new RegExp(child.word('q.said.move', facts))))

@@ -93,7 +93,7 @@ for (const language of languagesOf(import.meta.filename)) {
       const learner = new Learner(child)
       await learner.opens('railway')
       await child.presses('q.step')
-      const facts = { move: 1, from: '\\d', to: '\\d', how: '.+', stars: '\\d' }
+      const facts = { move: 1, from: '\\d', to: '\\d', how: '.+', stars: '[\\d½]+' }
       await expect(page.locator('.q > [aria-live]')).toHaveText(new RegExp(child.word('q.said.move', facts)))
       await learner.learnsToTheEnd()
       await child.presses('lab.stop')

@@ -8,6 +8,7 @@ import { TICKS_PER_SECOND } from '@botgarten/simulation'
 import { describe, expect, it } from 'vitest'
 import { content } from '../files.ts'
 import { cardDocument, cardProject } from '../index.ts'
+import { lines } from '../items/cardWords.ts'
 import { filesOf, wordsIn } from './there.ts'
 
 addBlocks(learning)
@@ -31,6 +32,13 @@ function runOf(id: string, file: string, start: number): readonly CheckResult[] 
   lab.advance(seconds * TICKS_PER_SECOND)
   return lab.view().checks
 }
+
+/** A hint fits into one or two lines of the strip of the task. */
+const mostInHint = 25
+const wordCount = (hint: Parameters<typeof lines>[0]) =>
+  lines(hint)
+    .split(/\s+/)
+    .filter((word) => /[\p{L}\d]/u.test(word)).length
 
 describe.each(content.cards)('the card $id', ({ id, title }) => {
   const { card, world, text } = content.card(id)!
@@ -80,6 +88,7 @@ describe.each(content.cards)('the card $id', ({ id, title }) => {
     expect(words.title).toMatch(/\S/)
     expect(title[language]).toBe(words.title)
     expect(hints).toHaveLength(3)
+    expect(hints.map(wordCount).filter((count) => count > mostInHint)).toEqual([])
     expect(Object.keys(checks)).toEqual(card.checks.map(({ id }) => id))
   })
 

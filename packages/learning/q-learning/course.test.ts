@@ -124,14 +124,15 @@ describe('a course', () => {
   })
 })
 
-test('stars compare with what the goal pays: half of it is not all of it, and what has paid has one', () => {
+test('stars compare with what the goal pays: half of it is not all of it, and what has paid has half of one', () => {
   const stars = (value: number, highest = 0) => starsOf({ world, q: Float64Array.of(0, highest) }, value)
-  expect([0, 0.2, 5, 25, 50].map((value) => stars(value, 25))).toEqual([0, 1, 1, 3, 5])
+  expect([0, 0.2, 5, 25, 50].map((value) => stars(value, 25))).toEqual([0, 0.5, 0.5, 2.5, 5])
   expect(stars(-3)).toBe(0)
 })
 
 test('where more is paid than at the goal, stars compare with the highest value', () => {
-  expect([50, 125, 250].map((value) => starsOf({ world, q: Float64Array.of(250) }, value))).toEqual([1, 3, 5])
+  const stars = [50, 125, 250].map((value) => starsOf({ world, q: Float64Array.of(250) }, value))
+  expect(stars).toEqual([1, 2.5, 5])
 })
 
 test('stations that it has been to are known by their roads', () => {

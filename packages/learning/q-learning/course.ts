@@ -175,13 +175,13 @@ export class Course {
 const nameOf = ({ states }: LearnedPath) => states?.join('-') ?? null
 
 /**
- * 0..5: how good an action is beside the best there can be: what the goal pays, or the highest value where that is more. So
- * half of the goal's reward is not as good as all of it, and what has paid at all has a star.
+ * 0..5 in halves: an action's value as a share of the reward of the goal, or of the highest value if that is more. An action
+ * that has paid at all has half a star.
  */
 export function starsOf({ q, world }: Pick<QLearner, 'q' | 'world'>, value: number): number {
   let most = world.task.goalReward ?? 50
   for (const other of q) if (other > most) most = other
-  return most > 0 && value > 0 ? Math.min(5, Math.max(1, Math.round((5 * value) / most))) : 0
+  return most > 0 && value > 0 ? Math.min(5, Math.max(1, Math.round((10 * value) / most)) / 2) : 0
 }
 
 /** Has the robot been there? */

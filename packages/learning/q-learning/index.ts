@@ -6,7 +6,7 @@ export { Course, courseStream, starsOf, visited, type Episode, type Limits } fro
 export { episodeLog, runEpisodes, type EpisodeLog } from './episodes.ts'
 export { gridMap, type Grid, type GridOptions } from './grid.ts'
 export { greedyAction, greedyPath, policy, type GreedyPath } from './greedy-path.ts'
-export { doubtAt, learnedPath, type Doubt, type LearnedPath } from './learned.ts'
+export { bestActions, doubtAt, learnedPath, type Doubt, type LearnedPath } from './learned.ts'
 export { bestReturn, expectedReturn, planOf, reachesGoal, type Plan } from './plan.ts'
 export { optimumOf, type Optimum } from './optimal.ts'
 export { learnWatching, shortestPath } from './shortest-path.ts'

@@ -2,6 +2,7 @@ import { stream } from '@botgarten/numbers'
 import fc from 'fast-check'
 import { describe, expect, test } from 'vitest'
 import {
+  bestActions,
   greedyPath,
   Course,
   createLearner,
@@ -52,6 +53,20 @@ describe('a way is learned', () => {
     const learner = knows(learnerOf({ ...railway, closed: [[3, 2], [2, 3]] }), { '3-4': [0, 1], '3-5': [0, 2], '4-3': [0, 1] }) // prettier-ignore
     expect(greedyPath(learner)).toMatchObject({ reason: 'circle' })
     expect(learnedPath(learner)).toEqual({ states: null, reason: 'alike', walked: [3] })
+  })
+
+  test('where the first of two equal roads leads in a circle and the other one to the goal', () => {
+    const learner = knows(learnerOf(railway), { '3-2': [20, 1], '2-1': [20, 1], '2-3': [20, 1] })
+    const tied = knows(learnerOf(railway), { '3-4': [20, 1], '4-3': [20, 1], '3-5': [20, 1], '5-0': [20, 1], '0-1': [20, 1] }) // prettier-ignore
+    expect(learnedPath(learner)).toEqual({ states: [3, 2, 1], reason: 'found' })
+    expect(greedyPath(tied)).toMatchObject({ reason: 'circle' })
+    expect(learnedPath(tied)).toEqual({ states: [3, 5, 0, 1], reason: 'found' })
+    expect(bestActions(tied, 3).map((action) => tied.world.names[action])).toEqual(['3-4', '3-5'])
+  })
+
+  test('not where the only best road leads in a circle', () => {
+    const learner = knows(learnerOf(railway), { '3-4': [20, 1], '4-3': [20, 1], '3-5': [19, 1], '5-0': [20, 1], '0-1': [20, 1] }) // prettier-ignore
+    expect(learnedPath(learner)).toMatchObject({ states: null, reason: 'circle' })
   })
 
   test('not where every road that was tried costs and one was never tried', () => {

@@ -38,11 +38,13 @@ export function doubtAt({ world: { first }, q, tries }: QLearner, state: number)
 
 /**
  * The best way, if it counts as learned. `greedyPath` takes the first of equal actions, so that it may show a way where
- * nothing but their numbers has decided: after one try all actions of the start are still worth 0.
+ * nothing but their numbers has decided: after one try all actions of the start are still worth 0. If the first of equal
+ * actions leads into a circle and another one to the goal, the way to the goal is learned.
  */
 export function learnedPath(learner: QLearner): LearnedPath {
-  const way = greedyPath(learner)
-  if (way.reason === 'neverReached' || way.reason === 'startIsGoal') return way
+  const first = greedyPath(learner)
+  if (first.reason === 'neverReached' || first.reason === 'startIsGoal') return first
+  const way = first.states === null && !learner.world.isSlippery ? (tiedPath(learner) ?? first) : first
   const walked = way.states ?? way.walked
   for (const [index, state] of walked.entries()) {
     if (learner.world.isGoal[state] === 1) break
@@ -56,4 +58,31 @@ function isByChance(learner: QLearner, state: number): boolean {
   const { outcome } = learner.world
   const action = greedyAction(learner, state)
   return action >= 0 && outcome[action + 1]! - outcome[action]! > 1
+}
+
+/** The actions of a state that are worth as much as its best one and were tried. */
+export function bestActions({ world: { first }, q, tries }: QLearner, state: number): readonly number[] {
+  const all = Array.from({ length: first[state + 1]! - first[state]! }, (_, k) => first[state]! + k)
+  const most = all.reduce((best, action) => Math.max(best, q[action]!), -Infinity)
+  return all.filter((action) => q[action] === most && tries[action]! > 0)
+}
+
+/** The shortest path to a goal by actions that are all among the best of their state; null if no such path exists. */
+function tiedPath(learner: QLearner): GreedyPath | null {
+  const { start, leads, isGoal } = learner.world
+  const before = new Map<number, number | null>([[start, null]])
+  for (const state of before.keys()) {
+    if (isGoal[state] === 1) return { states: pathTo(state, before), reason: 'found' }
+    for (const action of bestActions(learner, state)) {
+      const to = leads[action]!
+      if (!before.has(to)) before.set(to, state)
+    }
+  }
+  return null
+}
+
+function pathTo(goal: number, before: ReadonlyMap<number, number | null>): readonly number[] {
+  const path: number[] = []
+  for (let state: number | null = goal; state !== null; state = before.get(state)!) path.unshift(state)
+  return path
 }

@@ -169,7 +169,8 @@ export class LabUi {
   }
 
   #press(event: KeyboardEvent): void {
-    if (event.key === 'Escape') this.#session.lab.stop()
+    if (event.key === 'Escape' && this.hintOpen) this.hintOpen = false
+    else if (event.key === 'Escape') this.#session.lab.stop()
     const direction = undoKey(event)
     if (direction === null || isTyping(event.target)) return
     event.preventDefault()
@@ -197,6 +198,7 @@ export class LabUi {
   #succeed(): void {
     if (this.#succeeded) return
     this.#succeeded = true
+    this.hintOpen = false
     this.#success = this.#session.noteSuccess() ? 'counts' : 'uncounted'
   }
 

@@ -100,6 +100,17 @@ describe('keys', () => {
     expect(session.lab.view.phase).not.toBe('running')
   })
 
+  test('Escape closes an open hint first, and stops with the next press', async () => {
+    const { session, ui } = opened()
+    ui.start()
+    await told()
+    ui.hintOpen = true
+    press('Escape')
+    expect([ui.hintOpen, session.lab.view.phase]).toEqual([false, 'running'])
+    press('Escape')
+    expect(session.lab.view.phase).not.toBe('running')
+  })
+
   test('Ctrl+Z takes back once Blockly has told of everything, Ctrl+Y does it again', async () => {
     const { session } = opened()
     session.apply(place(100))

@@ -29,9 +29,11 @@ const least = {
 /** visual.md 3: what the designed screens give the panes, in px of the lab without its sides. */
 const designed = { free: 1330, program: 452, world: 396, network: 482, programMost: 560, worldMost: 760 }
 
+export const isLow = ({ height }: Area): boolean => height < 520
+
 /** Of the whole window, in px. A low window (a turned phone, 200 % zoom) shows one pane at a time too. */
 export function arrangementOf(window: Area): Arrangement {
-  if (window.width < 640 || window.height < 520) return 'pages'
+  if (window.width < 640 || isLow(window)) return 'pages'
   if (window.width < 1000) return 'rows'
   return window.width < 1280 ? 'stacked' : 'columns'
 }

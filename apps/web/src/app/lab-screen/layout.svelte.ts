@@ -1,7 +1,7 @@
 import { tick } from 'svelte'
 import type { PaneName } from '#lab/panes.ts'
 import { focusOn } from '#parts/page/focus.ts'
-import { arrangementOf, nextPane, scrollsAsPage } from './arrangement.ts'
+import { arrangementOf, isLow, nextPane, scrollsAsPage } from './arrangement.ts'
 import type { LabScreenState } from './screen.svelte.ts'
 
 /** How the lab lies in the window: which panes are seen, and where their bars are. */
@@ -23,7 +23,15 @@ export class Layout {
   readonly arrangement = $derived.by(() => arrangementOf({ width: this.width, height: this.height }))
   /** One pane at a time, as on a phone. */
   readonly pages = $derived(this.arrangement === 'pages')
-  readonly scrolls = $derived.by(() => scrollsAsPage({ width: this.width, height: this.height }))
+  /** A map would have no room in a low window: then the page scrolls, too. */
+  readonly scrolls = $derived.by(() => {
+    const window = { width: this.width, height: this.height }
+    return scrollsAsPage(window) || (this.pages && isLow(window) && this.mapIsOpen)
+  })
+  /** On a phone the page that learns on a map. */
+  readonly mapIsOpen = $derived.by(
+    () => this.pages && this.#ui.page === 'network' && this.#screen.session.learns,
+  )
   readonly panes = $derived.by<readonly PaneName[]>(() =>
     this.learning
       ? ['program', 'network']
@@ -39,6 +47,8 @@ export class Layout {
   readonly learning = $derived.by(() => this.#screen.session.learns && !this.#screen.codeOpen && !this.pages)
   /** px of the folded program: what stands beside the map begins below it. */
   foldedHeight = $state(0)
+  /** px of the folded program's width: that of the column at the left of the map. */
+  rail = $state(150)
   #unfolded = $state<boolean | null>(null)
   /** Is the program open over the map? In a project of one's own it is, until a hand folds it; not over a map of one's own. */
   get unfolded() {
@@ -57,13 +67,9 @@ export class Layout {
   readonly above = $derived.by(
     () => this.pages || (this.#ui.filled !== null && this.#ui.filled !== 'program'),
   )
-  /** On a phone a small world stands above the network; a hint has its place while it is open. */
+  /** On a phone a small world stands above the network. */
   readonly compactWorld = $derived.by(
-    () =>
-      this.pages &&
-      this.#ui.page === 'network' &&
-      !this.#screen.session.learns &&
-      !(this.#ui.hintOpen && this.stripSize === 'phone'),
+    () => this.pages && this.#ui.page === 'network' && !this.#screen.session.learns,
   )
 
   seen(pane: PaneName): boolean {

@@ -165,7 +165,17 @@ export class LabScreenState {
     this.ui.hintOpen = !this.ui.hintOpen
     if (!this.ui.hintOpen) return
     this.#hintOpener = document.activeElement as HTMLElement | null
-    if (this.hints?.shown === 0) this.session.askHint(1)
+    this.#askDue()
+  }
+  /** The miss that the newest hint has followed. */
+  #answered: LabUi['missed'] = null
+  /** The first hint; after a further run that missed something the next one. The last one not before something was tried. */
+  #askDue(): void {
+    const { missed, tried } = this.ui
+    const { shown = 0, list = [] } = this.hints ?? {}
+    const isDue = missed !== null && missed !== this.#answered && (tried || shown + 1 < list.length)
+    if (shown === 0 || isDue) this.session.askHint(Math.min(shown + 1, list.length))
+    this.#answered = missed
   }
   /** The focus goes back to where the hint was opened. */
   closeHint = (): void => {

@@ -14,6 +14,7 @@ import { Player } from './player.svelte.ts'
 import { Records, rowOf } from './records.svelte.ts'
 import { Screen } from './screen.svelte.ts'
 import { Task } from './task.svelte.ts'
+import { Watch } from './watch.svelte.ts'
 
 /** `over`: a limit stopped it · `stopped`: a hand did. */
 export type State = 'ready' | 'playing' | 'paused' | 'over' | 'stopped'
@@ -29,6 +30,8 @@ export class Learning {
   /** What the child thinks before Bo learns. */
   readonly guess = new Guessing()
   readonly drive: Drive
+  /** Bo walks on the map as it has learned. */
+  readonly watch = new Watch()
   readonly player = new Player({
     screen: this.screen,
     course: () => this.#course!,
@@ -120,6 +123,7 @@ export class Learning {
       stop()
       leave()
       this.pause()
+      this.watch.stop()
       this.session.learnFirst = () => this.session.learns
       this.drive.showMap(null)
     }
@@ -172,7 +176,21 @@ export class Learning {
   }
 
   #show(progress: number): void {
+    this.watch.stop()
     if (this.#course) this.player.show(progress)
+  }
+
+  /** Where nothing drives, Bo walks on the map instead: a circle, rides on ice, a way that is half learned. */
+  get walks() {
+    const { shown, outline } = this
+    if (!this.ended || !shown || shown.t === 0 || shown.way.reason === 'neverReached') return false
+    return shown.way.states === null || outline?.blocks.drive === undefined
+  }
+
+  walk(): void {
+    if (!this.#course) return
+    this.drive.front = 'map'
+    this.watch.start(this.#course, this.#seed)
   }
 
   // ---- the guess ----
@@ -221,6 +239,7 @@ export class Learning {
   }
 
   #begin(single: boolean): void {
+    this.watch.stop()
     this.session.lab.stop()
     this.guess.close()
     this.drive.front = 'map'
@@ -236,6 +255,7 @@ export class Learning {
 
   goTo(move: number): void {
     if (!this.#course) return
+    this.watch.stop()
     const { state } = this
     const ends = state === 'ready' || state === 'stopped'
     if (!ends) this.#halt('paused')
@@ -275,6 +295,7 @@ export class Learning {
     this.#keep()
     // With a guess there is something to compare before.
     void this.drive.draw(!this.guess.isDone)
+    if (this.walks) this.walk()
   }
 
   /** Start was pressed: what a program wants learned comes first. Returns whether there is something to learn. */

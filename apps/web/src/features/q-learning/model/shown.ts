@@ -13,6 +13,8 @@ import {
   type QWorld,
 } from '@botgarten/learning/q-learning'
 
+import { tieOn } from './rides.ts'
+
 /** What the screen shows of a course at the move that is shown. Made again for every move, never written to. */
 export interface Shown {
   readonly world: QWorld
@@ -33,6 +35,8 @@ export interface Shown {
   readonly plan: Plan | null
   /** Bo goes in a circle, has learned to its end, and nothing else would pay more. */
   readonly isCircleBest: boolean
+  /** Where several moves of the way are worth the same. */
+  readonly tie: ReturnType<typeof tieOn>
   readonly found: number | null
   /** The move at which it was found. */
   readonly foundAt: number | null
@@ -60,6 +64,7 @@ export function shownOf(course: Course): Shown {
     firstOfEqual: settings.rules === 'study' && !way.states ? greedyPath(learner).states : null,
     plan: world.isSlippery ? planOf(learner) : null,
     isCircleBest: course.over !== null && way.reason === 'circle' && isBest(learner),
+    tie: way.states ? tieOn(course, way.states) : null,
     found: course.foundIn(),
     foundAt: course.foundAt(),
     stars: {

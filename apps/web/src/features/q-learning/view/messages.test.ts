@@ -2,6 +2,7 @@ import { Course, gridMap, layOutWorld, type Settings, type Task } from '@botgart
 import { describe, expect, test } from 'vitest'
 import { m } from '#words/message.ts'
 import { shownOf } from '../model/shown.ts'
+import type { Level } from '../model/choices.svelte.ts'
 import type { Learning } from '../model/learning.svelte.ts'
 import { endOf, placesOf, reasonOf } from './messages.ts'
 
@@ -16,7 +17,8 @@ function courseOf(task: Task, episodes: number, settings: Partial<Settings> = {}
   course.advance(1e6)
   return course
 }
-const reason = (course: Course, shortest: number | null = 2) => reasonOf({ shown: shownOf(course), shortest })
+const reason = (course: Course, shortest: number | null = 2, level?: Level) =>
+  reasonOf({ shown: shownOf(course), shortest }, level)
 
 describe('why there is no way yet is said', () => {
   test('after one try: where all roads are still alike, and no try is named in which it was found', () => {
@@ -96,7 +98,9 @@ test('on the slippery lake what Bo would do is judged by what it is worth: no ci
   expect(way).toMatchObject({ states: null, reason: 'chance' })
   // Gymnasium's FrozenLake-v1 with γ = 0.95: value iteration gives 0.1805, and 32 of 41 rides get to the goal.
   expect(plan!.best).toBeCloseTo(0.180471578397, 9)
-  expect(reason(course, 6)).toBe(m['q.chance']({ value: '0.18', best: '0.18', rides: '78' }))
+  const chance = m['q.chance']({ rides: '78' })
+  expect(reason(course, 6)).toBe(`${chance} ${m['q.chanceWorth']({ value: '0.18', best: '0.18' })}`)
+  expect(reason(course, 6, 'starter')).toBe(chance)
 })
 
 test('where the goal pays a single star, as on the lake, values are said to a hundredth', () => {

@@ -29,17 +29,24 @@ export function placesOf(level: Level, { task: { goalReward = 50 } }: Pick<QWorl
 export const rounded = (value: number, places: number): number =>
   Math.round(value * 10 ** places) / 10 ** places
 
+/** Stars in halves: `½`, `4½`. */
+export const starText = (stars: number): string =>
+  `${stars >= 1 || stars === 0 ? Math.floor(stars) : ''}${stars % 1 > 0 ? '½' : ''}`
+
 /** The stations of a circle, or of a walk: `4 → 6 → 4`. */
 export const walk = (stations: readonly number[]) => stations.join(' → ')
 
 /** Why there is no best way yet: what has not been learned; where moves are by chance, what the plan is worth. */
-export function reasonOf({ shown, shortest }: Pick<Learning, 'shown' | 'shortest'>): string {
+export function reasonOf(
+  { shown, shortest }: Pick<Learning, 'shown' | 'shortest'>,
+  level: Level = 'explorer',
+): string {
   if (!shown || shown.way.states) return ''
   const { way, plan, firstOfEqual, isCircleBest } = shown
   if (shortest === null) return m['q.noWay']()
   if (shown.t === 0) return m['q.nothingYet']()
   if (way.reason === 'neverReached') return m['q.neverReached']()
-  if (plan) return planSentence(plan)
+  if (plan) return planSentence(plan, level)
   if (isCircleBest) return m['q.circlePays']({ circle: circleOf(way.walked) })
   const reason = whyNot(way.reason, way.walked)
   return firstOfEqual ? `${reason} ${m['q.firstOfEqual']({ way: walk(firstOfEqual) })}` : reason
@@ -66,11 +73,26 @@ function whyNot(reason: Shown['way']['reason'], walked: readonly number[]): stri
   }
 }
 
-function planSentence({ doubt, expected, best, reaches }: Plan): string {
+function planSentence({ doubt, expected, best, reaches }: Plan, level: Level): string {
   const worth = (value: number | null) => (value === null ? '–' : number(value, 3))
-  const facts = { value: worth(expected), best: worth(best), rides: number(100 * reaches) }
+  const values =
+    level === 'starter' ? '' : ` ${m['q.chanceWorth']({ value: worth(expected), best: worth(best) })}`
   const sure = doubt === null ? '' : ` ${m['q.chanceDoubt']({ station: doubt })}`
-  return m['q.chance'](facts) + sure
+  return m['q.chance']({ rides: number(100 * reaches) }) + values + sure
+}
+
+/** Several moves of the way are worth the same; '' if none are. */
+export function tieOf({ shown }: Pick<Learning, 'shown'>): string {
+  const tie = shown?.tie
+  if (!tie) return ''
+  const stations = new Intl.ListFormat(language.locale).format(tie.to.map(String))
+  return ` · ${m['q.tie']({ station: tie.station, stations })}`
+}
+
+/** The rides that are watched, and how many have arrived. */
+export function watchedOf({ watch }: Pick<Learning, 'watch'>): string {
+  const { ride, count, arrived, done } = watch
+  return done ? m['q.watch.done']({ count, arrived }) : m['q.watch.now']({ ride: ride + 1, count, arrived })
 }
 
 /** Which limit stopped it and what came of it; '' while it goes on. */
@@ -89,7 +111,8 @@ export function endOf(learning: Learning): string {
   const fault = learning.stage && wayFault(learning.stage.map, stations)
   if (fault?.kind === 'turn') return `${by} ${m['q.tightTurn']({ station: fault.station })}`
   if (fault?.kind === 'crosses') return `${by} ${m['q.wayCrosses']()}`
-  return learning.isShortest(stations) ? `${by} ${m['q.isShortest']()}` : `${by} ${m['q.isLonger']()}`
+  const counts = outline.pay?.length ? 'Length' : ''
+  return `${by} ${m[`q.${learning.isShortest(stations) ? 'isShortest' : 'isLonger'}${counts}`]()}`
 }
 
 /** A move as a sentence, for whoever does not see it. */
@@ -98,7 +121,13 @@ function moveSentence({ shown }: Learning): string {
   if (!shown || !trace) return ''
   if (trace.decision === null) return m['q.said.stuck']({ from: trace.from })
   const how = trace.decision === 'explore' ? m['q.said.explored']() : m['q.said.exploited']()
-  const facts = { move: number(trace.t), from: trace.from, to: trace.to, how, stars: shown.stars.after }
+  const facts = {
+    move: number(trace.t),
+    from: trace.from,
+    to: trace.to,
+    how,
+    stars: starText(shown.stars.after),
+  }
   const jump = trace.teleported ? `${m['q.said.teleported']({ from: trace.from })} ` : ''
   const goal = trace.ends === 'goal' ? ` ${m['q.said.goal']()}` : ''
   return jump + m['q.said.move'](facts) + goal

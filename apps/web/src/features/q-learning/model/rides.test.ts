@@ -1,0 +1,58 @@
+import { Course, gridMap, layOutWorld, type Settings, type Task } from '@botgarten/learning/q-learning'
+import { describe, expect, test } from 'vitest'
+import { RIDES, ridesOf, tieOn } from './rides.ts'
+
+const settings: Settings = { rules: 'standard', algorithm: 'q', alpha: 0.5, gamma: 0.8, nu: 0.1, rho: 0.5 }
+const roads = [[1, 5], [0, 2], [1, 3], [2, 4, 5], [3, 5], [0, 3, 4]] // prettier-ignore
+const railway: Task = {
+  ...{ map: { actions: roads.map((list) => list.map((to) => ({ to }))) }, start: 3, goal: 1 },
+}
+const courseOn = (task: Task) => new Course(layOutWorld(task), settings, 1, { episodes: 300, steps: 100_000 })
+
+function knows(values: { readonly [road: string]: number }): Course {
+  const course = courseOn(railway)
+  const { learner } = course
+  for (const [road, value] of Object.entries(values)) {
+    const action = learner.world.names.indexOf(road)
+    learner.q[action] = value
+    learner.tries[action] = 1
+  }
+  learner.goals = 1
+  return course
+}
+
+describe('what Bo has learned is walked', () => {
+  test('a circle three times', () => {
+    const [ride] = ridesOf(knows({ '3-4': 20, '4-3': 20 }), 1)
+    expect(ride).toEqual({ states: [3, 4, 3, 4, 3, 4, 3], end: 'circle' })
+  })
+
+  test('a way that is half learned as far as it goes', () => {
+    const [ride] = ridesOf(knows({ '3-5': 20 }), 1)
+    expect(ride).toEqual({ states: [3, 5], end: 'stuck' })
+  })
+
+  test('on ice ten rides, the same for the same dice; each move leads where the ice allows', () => {
+    const course = courseOn(gridMap(['SFFF', 'FHFH', 'FFFH', 'HFFG'], { surefooted: 1 / 3 }))
+    course.advance(100_000)
+    const rides = ridesOf(course, 5)
+    expect(rides).toHaveLength(RIDES)
+    expect(ridesOf(course, 5)).toEqual(rides)
+    const { world } = course.learner
+    for (const { states, end } of rides) {
+      expect(end === 'goal').toBe(states.at(-1) === 15)
+      for (const [at, to] of states.slice(1).entries()) {
+        const from = states[at]!
+        const [first, end] = [world.first[from]!, world.first[from + 1]!]
+        const ends = Array.from(world.to.subarray(world.outcome[first], world.outcome[end]))
+        expect(ends).toContain(to)
+      }
+    }
+  })
+
+  test('two moves of the same worth are told, the first on the way', () => {
+    const course = knows({ '3-2': 20, '3-5': 20, '2-1': 25, '5-0': 25, '0-1': 30 })
+    expect(tieOn(course, [3, 2, 1])).toEqual({ station: 3, to: [2, 5] })
+    expect(tieOn(knows({ '3-2': 20, '2-1': 25 }), [3, 2, 1])).toBeNull()
+  })
+})
