@@ -17,6 +17,7 @@ import type { World } from '@botgarten/simulation'
 import type { LaneKind } from './lanes.ts'
 import type { MapDocument } from './map-document.ts'
 import type { OwnCard } from './own-card.ts'
+import type { SortingDocument } from './sorting/document.ts'
 
 export interface Stack {
   readonly x: number
@@ -237,7 +238,7 @@ export interface Project {
   /** By program: what its robot has learned by trying. */
   readonly q?: { readonly [program: string]: Learned }
   /** The sorting playground as it was left. It is not checked here: the playground that opens it validates it. */
-  readonly sorting?: { readonly [part: string]: unknown }
+  readonly sorting?: SortingDocument | { readonly [part: string]: unknown }
   readonly assets: { readonly [sha256: string]: { readonly type: 'image/png'; readonly base64: string } }
   readonly progress?: Progress
   readonly effort?: Effort

@@ -2,7 +2,7 @@ import { cluster, plusPlusStart } from '@botgarten/learning/k-means'
 import { stream } from '@botgarten/numbers'
 import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest'
 import { Playground } from './playground.svelte.ts'
-import type { Kept } from './kept.ts'
+import type { SortingDocument } from '@botgarten/programs/sorting'
 import { traps } from './traps.ts'
 import { pointsIn } from './work.ts'
 
@@ -119,7 +119,7 @@ describe('the sorting playground', () => {
   test('never has more flags than points, and none without points', () => {
     const playground = new Playground()
     playground.turnTo('points')
-    playground.clearPoints()
+    playground.takeOwn()
     expect(playground.work.state).toBeNull()
     playground.stepAll()
     playground.addPoint(1, 1)
@@ -232,9 +232,9 @@ describe('the sorting playground', () => {
   })
 
   test('a playground that is left while it plays saves its flags, plays no more, and closes its project', () => {
-    const saved: Kept[] = []
+    const saved: SortingDocument[] = []
     const close = vi.fn()
-    const keep = (now: () => Kept) => saved.push(now())
+    const keep = (now: () => SortingDocument) => saved.push(now())
     const playground = new Playground({ kept: null, keep, flush: () => {}, project: null, close })
     playground.play()
     vi.advanceTimersByTime(700)
@@ -260,6 +260,56 @@ describe('the sorting playground', () => {
     expect(playground.work.set).toBe('moons')
     playground.goTo(playground.at - 1)
     expect(playground.work.set).toBe('leaves')
+  })
+
+  test('own points and an own table are there after a look at another data set, and both stay apart', () => {
+    const playground = new Playground()
+    playground.turnTo('points')
+    playground.takeOwn()
+    for (const at of [1, 3, 5]) playground.addPoint(at, at)
+    playground.name(0, 'Mine')
+    playground.takeTable(['a', 'b', 'c'], [[1, 2, 3], [4, 5, 6]]) // prettier-ignore
+    playground.takeTrap('heaps')
+    playground.removePoint(0)
+    playground.takeOwn()
+    expect(playground.work.table.rows).toEqual([[1, 1], [3, 3], [5, 5]]) // prettier-ignore
+    expect(playground.nameOf(0)).toBe('Mine')
+    playground.takeOwnTable()
+    expect(playground.work.table.columns.map(({ feature }) => feature)).toEqual(['a', 'b', 'c'])
+    playground.turnTo('things')
+    playground.turnTo('points')
+    expect([playground.work.set, playground.hasTable]).toEqual(['table', true])
+  })
+
+  test('drawn points are thrown away by their own button alone, and that can be taken back', () => {
+    const playground = new Playground()
+    playground.takeOwn()
+    playground.addPoint(1, 1)
+    playground.resetPoints()
+    expect(playground.work.table.rows).toEqual([])
+    playground.goTo(playground.at - 1)
+    expect(playground.work.table.rows).toHaveLength(1)
+    playground.takeTrap('heaps')
+    playground.removePoint(0)
+    playground.resetPoints()
+    expect(playground.work).toMatchObject({ set: 'heaps', table: { rows: { length: 42 } } })
+  })
+
+  test('each set of things and points is found again with its result', () => {
+    const playground = new Playground()
+    const ends = [
+      ['leaves', (on: Playground) => on.takeSet('leaves')],
+      ['buttons', (on: Playground) => on.takeSet('buttons')],
+      ['moons', (on: Playground) => on.takeTrap('moons')],
+      ['outlier', (on: Playground) => on.takeTrap('outlier')],
+    ] as const
+    const results = ends.map(([, take]) => {
+      take(playground)
+      for (let step = 0; step < 100 && !playground.done; step++) playground.stepAll()
+      return playground.work.state
+    })
+    for (const on of [playground, new Playground()])
+      expect(ends.map(([, take]) => (take(on), on.work.state))).toEqual(results)
   })
 
   test('what changed while it plays is saved when the page is hidden', () => {

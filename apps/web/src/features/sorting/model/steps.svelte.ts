@@ -1,9 +1,10 @@
 import type { Project } from '@botgarten/programs'
+import type { SortingDocument } from '@botgarten/programs/sorting'
 import { placeOf } from '#content/cards.ts'
 import { ProjectAutosave } from '#lab/autosave.svelte.ts'
 import { readSetting, writeSetting } from '#storage/settings.ts'
-import { firstWork, othersIn, read, written, type Kept } from './kept.ts'
-import { isFresh, type Source, type Work } from './work.ts'
+import { firstWork, othersIn, read, written } from './kept.ts'
+import { isFresh, isSame, type Source, type Work } from './work.ts'
 
 /** So many steps lead back. */
 const LONGEST = 400
@@ -12,7 +13,7 @@ const LONGEST = 400
 export interface Store {
   /** What lay there when it was opened; not to be trusted. */
   readonly kept: unknown
-  keep(kept: () => Kept): void
+  keep(kept: () => SortingDocument): void
   /** Saves what waits, now. */
   flush(): void
   /** Whose it is; null on the page that belongs to no project. */
@@ -64,8 +65,8 @@ export class Steps {
   readonly unread: boolean
   #line = $state.raw<readonly Work[]>([])
   #at = $state(0)
-  /** What was left on the pages that are not shown. */
-  #left: { readonly [source in Source]?: Work }
+  /** The data sets that are not displayed; the last displayed one is the last. */
+  #left = $state.raw<readonly Work[]>([])
   #unkept = false
   /** What the step that is shown is still open for: a drag, letters of a name, readings of a drive. */
   #open: string | null = null
@@ -75,7 +76,7 @@ export class Steps {
     const work = read(store.kept)
     this.unread = work === null && store.kept !== null
     this.#line = [work ?? firstWork()]
-    this.#left = Object.fromEntries(othersIn(store.kept).map((one) => [one.source, one]))
+    this.#left = othersIn(store.kept)
   }
 
   get work(): Work {
@@ -94,11 +95,6 @@ export class Steps {
   get sortedFrom(): Work | null {
     const before = this.#line[this.#at - 1]
     return before?.table === this.work.table && !isFresh(this.work) ? before : null
-  }
-
-  /** Where the flags had last been placed, before the step that is shown; none: that was before the page was opened. */
-  get fresh(): Work | undefined {
-    return this.#line.slice(0, this.#at + 1).findLast(isFresh)
   }
 
   add(work: Work): void {
@@ -134,13 +130,14 @@ export class Steps {
     this.#at = Math.max(0, Math.min(this.last, at))
   }
 
-  /** The page that is shown is found again as it is. */
+  /** The data set that is shown is found again as it is. */
   leave(): void {
-    this.#left = { ...this.#left, [this.work.source]: this.work }
+    this.#left = [...this.#left.filter((one) => !isSame(one, this.work)), this.work]
   }
 
-  leftOn(source: Source): Work | undefined {
-    return this.#left[source]
+  /** A data set as it was left; without a name the last displayed one of the source. */
+  leftOn(source: Source, set?: string): Work | undefined {
+    return this.#left.findLast((one) => one.source === source && (set === undefined || one.set === set))
   }
 
   /** @param later a moment of playing is not worth a record: `flush` writes it where nothing else does */
@@ -156,7 +153,7 @@ export class Steps {
   }
 
   #write(): void {
-    this.store.keep(() => written(this.work, Object.values(this.#left)))
+    this.store.keep(() => written(this.work, this.#left))
     this.#unkept = false
   }
 }
