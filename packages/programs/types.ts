@@ -222,9 +222,11 @@ export interface Effort {
 
 /** What a child keeps: one file, at most 5 MB. */
 export interface Project {
-  readonly botgarten: 1 | 2 | 3 | 4
+  readonly botgarten: 1 | 2 | 3 | 4 | 5
   readonly name: string
   readonly card?: string
+  /** It belongs to this playground, and is opened there: its program and its world are empty ones. */
+  readonly playground?: 'sorting'
   readonly programs: { readonly [id: string]: Program }
   readonly world: World
   /** By the id of the network block. */

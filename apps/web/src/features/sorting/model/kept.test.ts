@@ -3,7 +3,7 @@ import { describe, expect, test } from 'vitest'
 import { Playground } from './playground.svelte.ts'
 import { mostOfSorting, type SortingDocument } from '@botgarten/programs/sorting'
 import { othersIn, read, workOfReadings, writtenReadings, written } from './kept.ts'
-import type { Store } from './steps.svelte.ts'
+import type { Store } from './store.svelte.ts'
 import { fileTable, MOST_COLUMNS, MOST_FLAGS, MOST_POINTS, withTable, type Work } from './work.ts'
 
 /** A store that goes through JSON, as files and devices do. */
@@ -13,7 +13,6 @@ function storeOf(kept: unknown = null): Store & { readonly now: () => unknown } 
     kept,
     keep: (next) => (now = JSON.parse(JSON.stringify(next())) as unknown),
     flush: () => {},
-    project: null,
     close: () => {},
     now: () => now,
   }

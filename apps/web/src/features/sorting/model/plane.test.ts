@@ -7,7 +7,7 @@ let plane: PlaneView
 beforeEach(() => {
   tool = 'look'
   const playground = new Playground({
-    ...{ kept: null, project: null },
+    kept: null,
     ...{ keep: vi.fn(), flush: vi.fn(), close: vi.fn() },
   })
   playground.turnTo('points')

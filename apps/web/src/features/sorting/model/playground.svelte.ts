@@ -1,6 +1,7 @@
 import { stepOne, stepPhase, type Distance } from '@botgarten/learning/k-means'
 import { mostOfSorting } from '@botgarten/programs/sorting'
-import { deviceStore, Steps, type Store } from './steps.svelte.ts'
+import { Steps } from './steps.svelte.ts'
+import type { Store } from './store.svelte.ts'
 import {
   isSame,
   MOST_POINTS,
@@ -43,7 +44,7 @@ export class Playground {
   /** The thing or point that a finger is on. */
   touched = $state<number | null>(null)
 
-  constructor(store: Store = deviceStore()) {
+  constructor(store: Store) {
     this.#steps = new Steps(store)
   }
 

@@ -1,62 +1,9 @@
-import type { Project } from '@botgarten/programs'
-import type { SortingDocument } from '@botgarten/programs/sorting'
-import { placeOf } from '#content/cards.ts'
-import { ProjectAutosave } from '#lab/autosave.svelte.ts'
-import { readSetting, writeSetting } from '#storage/settings.ts'
 import { firstWork, othersIn, read, written } from './kept.ts'
 import { isFresh, isSame, type Source, type Work } from './work.ts'
+import type { Store } from './store.svelte.ts'
 
 /** So many steps lead back. */
 const LONGEST = 400
-
-/** Where a playground is kept. */
-export interface Store {
-  /** What lay there when it was opened; not to be trusted. */
-  readonly kept: unknown
-  keep(kept: () => SortingDocument): void
-  /** Saves what waits, now. */
-  flush(): void
-  /** Whose it is; null on the page that belongs to no project. */
-  readonly project: OpenProject | null
-  close(): void
-}
-
-export interface OpenProject {
-  /** The card, or `free`. */
-  readonly place: string
-  readonly id: string
-  readonly autosave: ProjectAutosave
-}
-
-/** A project that is opened for sorting. */
-export interface OpenedForSorting {
-  readonly id: string
-  readonly revision: number
-  readonly project: Project
-}
-
-/** The page without a project: this device keeps what was done last. */
-export const deviceStore = (): Store => ({
-  kept: readSetting<unknown>('sorting', null),
-  keep: (kept) => writeSetting('sorting', kept()),
-  flush: () => {},
-  project: null,
-  close: () => {},
-})
-
-/** In the project's document: it goes wherever the project goes. */
-export function projectStore({ id, revision, project }: OpenedForSorting): Store {
-  const autosave = new ProjectAutosave(id, revision)
-  let { name } = project
-  autosave.whenRenamed = (renamed) => (name = renamed)
-  return {
-    kept: project.sorting ?? null,
-    keep: (kept) => autosave.changed(() => ({ ...project, name, sorting: kept() })),
-    flush: () => void autosave.flush(),
-    project: { place: placeOf(project), id, autosave },
-    close: () => autosave.close(),
-  }
-}
 
 /** The line of steps that leads back, and the store on which the one that is shown is kept. */
 export class Steps {

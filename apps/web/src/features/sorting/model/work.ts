@@ -122,12 +122,15 @@ export function withTable(work: Work, table: Table): Work {
   return thrown({ ...work, table, axes, flags: flagsFor(work.flags, table) })
 }
 
-/** More readings, and no flags while they come. Flags that few readings have kept away come back with more. */
+/** Flags that too few points have kept away come back with more. */
+const wantedFlags = ({ flags, table }: Work): number =>
+  table.rows.length <= flags ? Math.max(flags, FIRST_FLAGS) : flags
+
+/** More readings, and no flags while they come. */
 export function withReadings(work: Work, readings: Table['rows']): Work {
   const { rows: before, columns } = work.table
   const rows = [...before, ...readingTable(readings).rows].slice(0, MOST_READINGS)
-  const flags = before.length <= work.flags ? Math.max(work.flags, FIRST_FLAGS) : work.flags
-  return { ...work, flags, table: { columns, rows }, state: null }
+  return { ...work, flags: wantedFlags(work), table: { columns, rows }, state: null }
 }
 
 /** All flags at new places, nothing sorted yet. */
@@ -206,9 +209,10 @@ export function withFeature(work: Work, feature: string, on: boolean): Work {
 
 /** The flags stay where they are while points come and go, as long as there are enough. */
 export function withRows(work: Work, rows: Table['rows']): Work {
-  const own = { ...work, table: { ...work.table, rows } }
-  const enough = work.state !== null && rows.length >= work.flags
-  return enough ? placed(own, work.state.centres) : withTable(own, own.table)
+  const table = { ...work.table, rows }
+  const flags = flagsFor(wantedFlags(work), table)
+  const stay = work.state !== null && flags === work.flags
+  return stay ? placed({ ...work, table }, work.state.centres) : withTable({ ...work, flags }, table)
 }
 
 /** A column that lies along the other axis changes places with the one that lay here. */
