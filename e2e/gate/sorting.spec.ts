@@ -83,7 +83,7 @@ test(
 )
 
 test(
-  'own points stay while other points are looked at, and are a project with a name',
+  'own points stay while others are looked at, how many flags fit them is a curve, and all of it is a project',
   {
     tag: ['@sorting', '@/sorting', '@projects', '@/projects'],
   },
@@ -94,6 +94,13 @@ test(
     await sorting.draws([-150, -100], [150, 100], [120, 90])
     await sorting.takesPoints('moons')
     await sorting.seesPoints(64)
+    await sorting.takesPoints('few')
+    await sorting.presses('howMany.title')
+    const curve = child.dialog('sorting.howMany.title')
+    await expect(curve).toContainText(sorting.word('howMany.found', { flags: 5 }))
+    await curve.getByRole('button', { name: '5', exact: true }).click()
+    await curve.getByRole('button', { name: child.word('parts.close'), exact: true }).click()
+    await expect(sorting.flags).toHaveCount(5)
     await sorting.takesPoints('')
     await sorting.seesPoints(3)
     await sorting.sorts()
