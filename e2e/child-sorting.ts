@@ -92,6 +92,35 @@ export class SortingHands {
     await this.#child.page.locator('input[type=file]').setInputFiles(file)
   }
 
+  /** Shows a data set of points; '' for the own ones. */
+  async takesPoints(set: string) {
+    await this.#child.page
+      .getByRole('combobox', { name: this.word('pointsFrom'), exact: true })
+      .selectOption(set)
+  }
+
+  /** Draws own points, by px from the middle of the plane. */
+  async draws(...places: readonly (readonly [right: number, down: number])[]) {
+    await this.takesPoints('')
+    await this.presses('tool.add')
+    const { x, y } = await this.middleOfPlane()
+    for (const [right, down] of places) await this.#child.page.mouse.click(x + right, y + down)
+    await this.presses('tool.look')
+  }
+
+  /** Gives the project another name. */
+  async renames(name: string) {
+    await this.#child.page.getByTitle(this.#child.word('lab.rename')).click()
+    const field = this.#child.page.getByRole('textbox', { name: this.#child.word('lab.rename') })
+    await field.fill(name)
+    await field.press('Enter')
+    await expect(this.title).toHaveText(name)
+  }
+
+  get title(): Locator {
+    return this.#child.page.getByRole('heading', { level: 1 })
+  }
+
   async seesPoints(count: number) {
     await expect(this.plane).toHaveAttribute('aria-label', this.word('plane', { count }))
   }

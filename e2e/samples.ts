@@ -9,6 +9,7 @@ import { launchBrowser } from './browser.ts'
 import { Pupil } from './child-class.ts'
 import { ProjectList } from './child-projects.ts'
 import { StudyHands } from './child-study.ts'
+import { SortingHands } from './child-sorting.ts'
 import { Asker } from './class-server.ts'
 import { Child, leftEye, leftWheel, rightEye, rightWheel } from './child.ts'
 
@@ -73,15 +74,41 @@ async function turns(child: Child) {
   await child.seesSaved()
 }
 
+/** Readings, named groups of objects, and points by hand: on the page of sorting, which was no project until November 2026. */
+async function sorts(child: Child) {
+  const sorting = new SortingHands(child)
+  await sorting.opens('readings')
+  await sorting.presses('drive.lanes')
+  await child.page.getByText(/^[2-9]\d /).waitFor()
+  await sorting.presses('drive.stop')
+  await sorting.presses('tab.things')
+  await sorting.sorts()
+  await sorting.group(1).fill('Bottles')
+  await sorting.presses('tab.points')
+  await child.page.getByRole('combobox').first().selectOption('')
+  await sorting.presses('tool.add')
+  const { x, y } = await sorting.middleOfPlane()
+  for (const [right, down] of [
+    ...([[-200, -100], [-180, -120], [-190, -80]] as const), // prettier-ignore
+    ...([[150, 100], [170, 90], [160, 120], [0, 10]] as const), // prettier-ignore
+  ])
+    await child.page.mouse.click(x + right, y + down)
+  for (const _ of ['second flag', 'third flag']) await sorting.presses('moreFlags')
+  await sorting.sorts()
+  await sorting.group(2).fill('Mine')
+}
+
 /** Work without a class, work in a class, and a change that the class has not got yet. */
 async function makeProfile() {
   const { context, child } = await device()
   await turns(child)
   await child.presses('lab.soundOff')
+  await sorts(child)
   const pupil = new Pupil(child, { code: words.join(' ') })
   await pupil.opensByLink()
   const pictures = await pupil.joins('Fuchs')
   await pupil.remembers()
+  await sorts(child)
   await child.opensLab('friendship')
   await child.typesWeight(leftEye, leftWheel, 0.8)
   await pupil.chip('chipClass').waitFor()

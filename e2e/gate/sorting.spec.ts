@@ -1,4 +1,5 @@
 import { SortingHands } from '../child-sorting.ts'
+import { ProjectList } from '../child-projects.ts'
 import { expect, follows, test } from './gate.ts'
 
 test.use({ language: 'de' })
@@ -32,6 +33,7 @@ test(
     await sorting.group(1).fill('Flaschen')
     await child.drags(await child.middleOf(sorting.flag(1)), await sorting.middleOfPlane())
     await expect(sorting.words('say.done')).toHaveCount(0)
+    await child.seesSaved()
     await page.reload()
     await expect(sorting.group(1)).toHaveValue('Flaschen')
   },
@@ -77,5 +79,39 @@ test(
     const right = sorting.word('guess.right', { list: sorting.word('feature.height') })
     await expect(game.getByText(right)).toBeVisible()
     await expect(page.getByRole('dialog')).toHaveCount(1)
+  },
+)
+
+test(
+  'own points stay while others are looked at, how many flags fit them is a curve, and all of it is a project',
+  {
+    tag: ['@sorting', '@/sorting', '@projects', '@/projects'],
+  },
+  async ({ child, page }) => {
+    const sorting = new SortingHands(child)
+    await follows(child, 'home.sorting')
+    await sorting.presses('tab.points')
+    await sorting.draws([-150, -100], [150, 100], [120, 90])
+    await sorting.takesPoints('moons')
+    await sorting.seesPoints(64)
+    await sorting.takesPoints('few')
+    await sorting.presses('howMany.title')
+    const curve = child.dialog('sorting.howMany.title')
+    await expect(curve).toContainText(sorting.word('howMany.found', { flags: 5 }))
+    await curve.getByRole('button', { name: '5', exact: true }).click()
+    await curve.getByRole('button', { name: child.word('parts.close'), exact: true }).click()
+    await expect(sorting.flags).toHaveCount(5)
+    await sorting.takesPoints('')
+    await sorting.seesPoints(3)
+    await sorting.sorts()
+    await sorting.renames('Murmeln')
+    await child.seesSaved()
+    const list = new ProjectList(child)
+    await list.opens()
+    await list.seesNames('Murmeln')
+    await page.getByRole('link', { name: 'Murmeln', exact: true }).click()
+    await expect(sorting.title).toHaveText('Murmeln')
+    await sorting.seesPoints(3)
+    await sorting.seesDone()
   },
 )

@@ -1,6 +1,7 @@
-// Rooms: class, storage, share
+// Rooms: class, storage, share, sorting
 import { Pupil } from '../child-class.ts'
 import { ProjectList } from '../child-projects.ts'
+import { SortingHands } from '../child-sorting.ts'
 import { Child, leftEye, leftWheel, rightEye, rightWheel } from '../child.ts'
 import { Asker } from '../class-server.ts'
 import { earlierVersions, linksOf, profileOf, putProfile, serverOfEarlier } from '../earlier-device.ts'
@@ -56,7 +57,8 @@ for (const version of earlierVersions) {
     await list.opens()
     await expect
       .poll(async () => (await list.names()).toSorted())
-      .toEqual([child.card('fear'), child.card('friendship')].toSorted())
+      .toEqual([child.card('fear'), child.card('friendship'), child.word('home.sortingTitle')].toSorted())
+    await seesSorting(child)
     await child.opensLab('fear')
     await child.seesWeight(leftEye, rightWheel, 0.6)
     await child.seesWeight(rightEye, leftWheel, 0.7)
@@ -69,7 +71,20 @@ for (const version of earlierVersions) {
     await pupil.leaves()
     await child.opensLab('friendship')
     await child.seesWeight(leftEye, leftWheel, 0.45)
+    await seesSorting(child)
   })
+
+  /** The sorting, which was a setting, as a project: seven points by hand, groups of objects, readings. */
+  async function seesSorting(child: Child) {
+    const sorting = new SortingHands(child)
+    await sorting.opens('points')
+    await sorting.seesPoints(7)
+    await expect(sorting.group(2)).toHaveValue('Mine')
+    await sorting.presses('tab.things')
+    await expect(sorting.group(1)).toHaveValue('Bottles')
+    await sorting.presses('tab.readings')
+    await expect(sorting.words('noReadings')).toHaveCount(0)
+  }
 
   test.describe('links', () => {
     const links = linksOf(version)

@@ -21,7 +21,10 @@ for (const language of languagesOf(import.meta.filename)) {
       await sorting.group(1).fill('Bottles')
       await sorting.thing('bottle', 1).click()
       await sorting.hearsDistances(3)
+      await child.seesSaved()
       await page.reload()
+      // With the groups, not with the flags alone.
+      await sorting.seesDone()
       await expect(sorting.group(1)).toHaveValue('Bottles')
     })
 
@@ -97,6 +100,7 @@ for (const language of languagesOf(import.meta.filename)) {
       await sorting.presses('tab.readings')
       await expect(sorting.words('noReadings')).toHaveCount(0)
       await sorting.presses('drive.lanes')
+      await child.seesSaved()
       await page.reload()
       await expect(sorting.words('noReadings')).toHaveCount(0)
       await expect(sorting.flags).toHaveCount(3)

@@ -17,6 +17,7 @@ import type { World } from '@botgarten/simulation'
 import type { LaneKind } from './lanes.ts'
 import type { MapDocument } from './map-document.ts'
 import type { OwnCard } from './own-card.ts'
+import type { SortingDocument } from './sorting/document.ts'
 
 export interface Stack {
   readonly x: number
@@ -221,9 +222,11 @@ export interface Effort {
 
 /** What a child keeps: one file, at most 5 MB. */
 export interface Project {
-  readonly botgarten: 1 | 2 | 3 | 4
+  readonly botgarten: 1 | 2 | 3 | 4 | 5
   readonly name: string
   readonly card?: string
+  /** It belongs to this playground, and is opened there: its program and its world are empty ones. */
+  readonly playground?: 'sorting'
   readonly programs: { readonly [id: string]: Program }
   readonly world: World
   /** By the id of the network block. */
@@ -237,7 +240,7 @@ export interface Project {
   /** By program: what its robot has learned by trying. */
   readonly q?: { readonly [program: string]: Learned }
   /** The sorting playground as it was left. It is not checked here: the playground that opens it validates it. */
-  readonly sorting?: { readonly [part: string]: unknown }
+  readonly sorting?: SortingDocument | { readonly [part: string]: unknown }
   readonly assets: { readonly [sha256: string]: { readonly type: 'image/png'; readonly base64: string } }
   readonly progress?: Progress
   readonly effort?: Effort

@@ -1,6 +1,7 @@
 export type * from './types.ts'
 export { LARGEST, pointsOf } from './points.ts'
 export { distancesOf } from './distances.ts'
+export { elbowOf, inertiaOfGroups } from './elbow.ts'
 export { inertiaByGroup } from './inertia.ts'
 export { plusPlusStart, randomStart } from './starts.ts'
 export { bestOf, cluster } from './run.ts'

@@ -35,6 +35,15 @@ describe('a project file', () => {
     )
   })
 
+  it('of the sorting playground has version 5, which earlier versions refuse', () => {
+    const { card: _card, ...others } = project
+    const sorting = parseProject({ ...others, playground: 'sorting' })
+    expect([sorting.playground, sorting.botgarten]).toEqual(['sorting', 5])
+    expect(parseProject(writeProject(sorting))).toEqual(sorting)
+    expect(parseProject(writeProject({ ...sorting, botgarten: 1 })).botgarten).toBe(5)
+    expect(reasonOf({ ...others, playground: 'cooking' })).toBe('notAProject')
+  })
+
   it('leaves out what nobody knows', () => {
     expect(parseProject({ ...project, extra: 1 })).toEqual(project)
   })
@@ -49,7 +58,7 @@ describe('what is refused, and why', () => {
     ['[]', 'notAProject'],
     ['{}', 'notAProject'],
     ['"hello"', 'notAProject'],
-    ['{"botgarten":5}', 'newerVersion'],
+    ['{"botgarten":6}', 'newerVersion'],
     ['{"botgarten":1e999}', 'newerVersion'],
     ['{"botgarten":0}', 'notAProject'],
     ['{"botgarten":"1"}', 'notAProject'],
@@ -59,7 +68,7 @@ describe('what is refused, and why', () => {
 
   it('a newer version is named', () => {
     expect(() => parseProject('{"botgarten":7}')).toThrow(
-      new ProjectError('newerVersion', 'The project has version 7; this Botgarten reads up to 4.', {
+      new ProjectError('newerVersion', 'The project has version 7; this Botgarten reads up to 5.', {
         version: 7,
       }),
     )

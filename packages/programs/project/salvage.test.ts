@@ -93,7 +93,7 @@ describe('what can be opened of a project', () => {
     ['a list', []],
     ['nothing', null],
     ['a word', 'botgarten'],
-    ['a later version', { ...project, botgarten: 5 }],
+    ['a later version', { ...project, botgarten: 6 }],
     ['no version', without('botgarten')],
   ])('nothing of %s', (_what, data) => {
     expect(salvaged(data)).toBeNull()

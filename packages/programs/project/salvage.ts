@@ -22,7 +22,8 @@ const mostRounds = 40
  * @returns null where nothing of a project is in it
  */
 export function salvageProject(data: unknown, fallback: Project): Salvaged | null {
-  if (!isPart(data) || Array.isArray(data) || ![1, 2, 3, 4].includes(data['botgarten'] as number)) return null
+  if (!isPart(data) || Array.isArray(data) || ![1, 2, 3, 4, 5].includes(data['botgarten'] as number))
+    return null
   const fixer = new Fixer()
   const draft = fixer.copy(data)
   if (!draft) return null

@@ -60,9 +60,10 @@ const rowsIn = ({ brains }: Project) =>
 /** What is not named here is left out. Tables lie among the brains, or, in older files, in a part of their own. */
 export const projectSchema: v.GenericSchema<unknown, Project> = v.pipe(
   v.object({
-    botgarten: v.picklist([1, 2, 3, 4]),
+    botgarten: v.picklist([1, 2, 3, 4, 5]),
     name: textSchema,
     card: v.exactOptional(idSchema),
+    playground: v.exactOptional(v.literal('sorting')),
     programs: recordOf(programSchema),
     world: worldSchema,
     brains: recordOf(anyBrain),

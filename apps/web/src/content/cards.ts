@@ -27,9 +27,9 @@ export const ownCardId = 'own'
 export const houseIdOf = (loaded: LoadedCard | null): string | null =>
   loaded && loaded.card.id !== ownCardId ? loaded.card.id : null
 
-/** Where a project is shown: its card, or the free lab where this version has no such card. */
-export const placeOf = ({ card }: Pick<Project, 'card'>): string =>
-  allCards.some(({ id }) => id === card) ? card! : 'free'
+/** Where a project is shown: its playground, its card, or the free lab where this version has no such card. */
+export const placeOf = ({ card, playground }: Pick<Project, 'card' | 'playground'>): string =>
+  playground ?? (allCards.some(({ id }) => id === card) ? card! : 'free')
 
 /** A world of the content. @throws Error for a name that is not there: a mistake in the content */
 export async function loadWorld(name: string): Promise<WorldFile> {

@@ -10,37 +10,31 @@ export function titleOf(id: string): string {
   return title?.[language.locale] ?? title?.['en'] ?? id
 }
 
-/** The same of a place: a card or the free lab. */
-const nameOf = (place: string): string => (place === 'free' ? m['home.free']() : titleOf(place))
+/** The same of a place: a card, the free lab or the sorting playground. */
+const nameOf = (place: string): string => names[place]?.() ?? titleOf(place)
+const names: { readonly [place: string]: () => string } = {
+  free: m['home.free'],
+  sorting: m['home.sortingTitle'],
+}
 
 /** A project that nobody has named bears its card's id, and is called like its card. */
-export function shownName({ project }: { readonly project: Pick<Project, 'name' | 'card'> }): string {
+export function shownName({
+  project,
+}: {
+  readonly project: Pick<Project, 'name' | 'card' | 'playground'>
+}): string {
   const place = placeOf(project)
   return project.name === place || project.name === 'free' ? nameOf(place) : project.name
 }
 
-/** The same for a project of which nothing else can be read; null where even that is missing. */
-export function damagedName(name: string | null, raw: unknown): string | null {
-  if (name === null) return null
-  const card = (raw as { readonly card?: unknown } | null)?.card
-  return shownName({ project: { name, card: String(card) } })
-}
-
 interface Placed {
   readonly id: string
-  readonly project: Pick<Project, 'card'>
-}
-
-/** The name of the card a project belongs to, in the language of now; null in the free lab. */
-export function cardName({ project }: Pick<Placed, 'project'>): string | null {
-  const place = placeOf(project)
-  return place === 'free' ? null : titleOf(place)
+  readonly project: Pick<Project, 'card' | 'playground'>
 }
 
 /** Where a project is opened; one under its card's own name is what the card's address opens. */
 export function addressOf({ id, project }: Placed): string {
   const card = placeOf(project)
-  return id === card
-    ? resolve('/lab/[card]', { card })
-    : resolve(`/lab/[card]?p=${encodeURIComponent(id)}`, { card })
+  const which = id === card ? '' : (`?p=${encodeURIComponent(id)}` as const)
+  return card === 'sorting' ? resolve(`/sorting${which}`) : resolve(`/lab/[card]${which}`, { card })
 }

@@ -13,6 +13,12 @@ export async function newProject(name: string, example: string | null): Promise<
   return project
 }
 
+/** A project of the sorting playground, which is called like it. */
+export async function sortingProject(sorting?: Project['sorting']): Promise<Project> {
+  const empty = await emptyProject('sorting')
+  return { ...empty, botgarten: 5, playground: 'sorting', ...(sorting && { sorting }) }
+}
+
 /** A start block, a robot and a floor. */
 async function emptyProject(name: string): Promise<Project> {
   const { programs, world, ...free } = await loadFreeLab()

@@ -21,6 +21,7 @@ beforeEach(async () => {
       if (fullDrawer) throw new DOMException('Full for a test.', 'QuotaExceededError')
       drawer.set(name, text)
     },
+    removeItem: (name: string) => void drawer.delete(name),
   })
 })
 afterEach(() => vi.unstubAllGlobals())
@@ -148,7 +149,7 @@ describe('all of a device as a file', () => {
     expect(await opens(text!)).toEqual({
       merged: {
         ...{ added: 1, copies: 0, same: 0, binned: 1, broken: 0 },
-        settings: { taken: true, kept: false, sorted: false },
+        settings: { taken: true, kept: false },
       },
     })
     expect((await load('friendship'))?.project.name).toBe('one')
@@ -161,30 +162,40 @@ describe('all of a device as a file', () => {
   test('leaves what is here as it is: another project of one key is a copy, other settings stay', async () => {
     await save('friendship', mine(friendship, 'theirs'), 0)
     drawer.set('botgarten.sound', 'false')
-    drawer.set('botgarten.sorting', '{"source":"points"}')
     const [text] = await saved(await homeFiles(day))
     await freshDevice()
     vi.spyOn(console, 'warn').mockImplementation(() => {})
     await save('friendship', mine(fear, 'mine'), 0)
     drawer.set('botgarten.sound', 'true')
-    drawer.set('botgarten.sorting', '{"source":"things"}')
     expect(await opens(text!)).toMatchObject({
-      merged: { added: 1, copies: 1, settings: { taken: false, kept: true, sorted: true } },
+      merged: { added: 1, copies: 1, settings: { taken: false, kept: true } },
     })
     expect((await load('friendship'))?.project.name).toBe('mine')
     const names = (await list()).projects.map(({ project }) => project.name)
     expect(names.toSorted()).toEqual(['mine', expect.stringMatching(/^theirs \(.+\)$/)])
     expect(drawer.get('botgarten.sound')).toBe('true')
-    // Only what was sorted is other here.
-    drawer.set('botgarten.sound', 'false')
-    expect(await opens(text!)).toMatchObject({ merged: { settings: { kept: false, sorted: true } } })
   })
 
-  test('settings alone are one too, where something was sorted', async () => {
+  test('settings alone are none; sorted work of an earlier version goes home as a project', async () => {
     drawer.set('botgarten.sound', 'false')
     expect(await homeFiles(day)).toEqual([])
     drawer.set('botgarten.sorting', '{"source":"points"}')
-    expect(await homeFiles(day)).toHaveLength(1)
+    const [text] = await saved(await homeFiles(day))
+    expect(JSON.parse(text!)).toMatchObject({
+      projects: [{ id: 'sorting', project: { playground: 'sorting', sorting: { source: 'points' } } }],
+    })
+    expect(JSON.parse(text!)).not.toHaveProperty('settings.sorting')
+  })
+
+  test('sorted work in a home file of an earlier version becomes a project, and only once', async () => {
+    const sorting = { source: 'points', set: '' }
+    const home = { botgartenHome: 2, projects: [], bin: [], settings: { sorting } }
+    for (let time = 0; time < 2; time += 1) {
+      expect(await opens(home)).toMatchObject({ merged: { settings: { taken: false, kept: false } } })
+      expect((await list()).projects.map(({ id, project }) => [id, project.sorting])).toEqual([
+        ['sorting', sorting],
+      ])
+    }
   })
 
   test('that finds no room is told so, whatever of it does not fit', async () => {

@@ -16,6 +16,7 @@ import { isOpenRoberta, handOut } from './handout.ts'
 import { addToBin, listBin } from './bin.ts'
 import { isHome, mostHomeBytes, packHome, readHome, mergeBin, mergeHome } from './home-file.ts'
 import { deviceDrawer, follow, mergeSettings, settingsIn, type HomeSettings } from './home-settings.ts'
+import { moveOldSorting } from './old-sorting.ts'
 import { add, freshId, listWhole, save } from './projects.ts'
 
 /** Why a file was not taken up, as the words `problem.<problem>.title` and `.text` with their facts. */
@@ -31,8 +32,8 @@ export interface Merged {
   readonly same: number
   readonly binned: number
   readonly broken: number
-  /** Have settings come along? Are there others here, which stay? Has something else been sorted here? */
-  readonly settings: { readonly taken: boolean; readonly kept: boolean; readonly sorted: boolean }
+  /** Have settings come along? Are there others here, which stay? */
+  readonly settings: { readonly taken: boolean; readonly kept: boolean }
 }
 
 /** `lost`: it was too much, and only what could be opened is here. */
@@ -111,6 +112,7 @@ function homeIn(text: string): unknown {
 
 async function takeHomeFile(data: unknown): Promise<OpenedFile> {
   const { projects, bin, settings, broken } = readHome(data)
+  await moveOldSorting()
   const here = await listWhole()
   const unread = here.damaged.map(({ id }) => id)
   const { added, copies, same } = mergeHome(here.projects, unread, projects, {
@@ -123,6 +125,7 @@ async function takeHomeFile(data: unknown): Promise<OpenedFile> {
   if (error) return { problem: 'notKept', facts: {} }
   const come = takeSettings(settings)
   if (!come) return { problem: 'notKept', facts: {} }
+  await moveOldSorting()
   return { merged: { added: added.length, copies, same, binned: thrown.length, broken, settings: come } }
 }
 
@@ -131,12 +134,7 @@ function takeSettings(settings: HomeSettings): Merged['settings'] | null {
   try {
     const merged = mergeSettings(deviceDrawer, settings)
     follow(merged, settings)
-    const kept = merged.kept.filter((name) => name !== 'sorting')
-    return {
-      taken: merged.taken.length > 0,
-      kept: kept.length > 0,
-      sorted: kept.length < merged.kept.length,
-    }
+    return { taken: merged.taken.some((name) => name !== 'sorting'), kept: merged.kept.length > 0 }
   } catch (cause) {
     storageErrorOf(cause)
     return null
@@ -160,6 +158,7 @@ export interface HomeFile {
 
 /** Everything that lies on this device as files: one, or as many as it takes. None where there is nothing. */
 export async function homeFiles(day = new Date()): Promise<readonly HomeFile[]> {
+  await moveOldSorting()
   const [{ projects }, { thrown }, settings] = [await listWhole(), await listBin(), settingsIn(deviceDrawer)]
   if (projects.length + thrown.length === 0 && !settings.sorting) return []
   const texts = packHome(projects, thrown, settings)

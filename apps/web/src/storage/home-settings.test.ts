@@ -42,6 +42,7 @@ const all: HomeSettings = {
   'zoo-senses': { spinner: { guess: 'honest', watched: true, mended: false } },
 }
 
+/** `sorting` was written until November 2026, and becomes a project. */
 test('every setting that any page writes goes home', () => {
   const source = new URL('..', import.meta.url)
   const written = globSync('**/*.{ts,svelte}', { cwd: source }).flatMap((file) =>
@@ -49,7 +50,7 @@ test('every setting that any page writes goes home', () => {
       ([, name]) => name,
     ),
   )
-  expect(new Set(settingNames)).toEqual(new Set([...written, 'language']))
+  expect(new Set(settingNames)).toEqual(new Set([...written, 'language', 'sorting']))
 })
 
 test('on a device where nothing is set, everything is set as it was', () => {

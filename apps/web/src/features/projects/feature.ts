@@ -1,5 +1,6 @@
 import type { Feature } from '#parts/feature.ts'
 
+export { damagedName } from './names.ts'
 export type { Action } from './projects.ts'
 export { default as BinnedProject } from './BinnedProject.svelte'
 export { default as KeptNotice } from './KeptNotice.svelte'

@@ -15,6 +15,10 @@ test.each([
   expect(of(card)).toBe(kind)
 })
 
+test('a project of the sorting playground is of that kind', () => {
+  expect(kindOf({ project: { playground: 'sorting' } } as Parameters<typeof kindOf>[0])).toBe('sorting')
+})
+
 test('every card has the kind of its bed, and only cards with a network are called so', () => {
   for (const { id, bed } of allCards)
     expect(of(id) === 'network', id).toBe(bed === 'network' && of(id) !== 'trying')

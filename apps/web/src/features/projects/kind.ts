@@ -2,7 +2,7 @@ import { allCards, placeOf } from '#content/cards.ts'
 import type { IconName } from '#parts/icons.ts'
 import type { Listed } from '#storage/projects.ts'
 
-/** The kind of a project as its tile names it: the bed of its card, an own card, or the free lab. */
+/** The kind of a project as its tile names it: its playground, the bed of its card, an own card, or the free lab. */
 export type Kind = 'network' | 'trying' | 'sorting' | 'drive' | 'card' | 'free'
 
 /** The icon of each kind, and the custom property of its colour. */
@@ -20,6 +20,7 @@ const ofBeds = { network: 'network', 'q-learning': 'trying', sorting: 'sorting',
 export function kindOf({ project }: Pick<Listed, 'project'>): Kind {
   if (project.ownCard) return 'card'
   const place = placeOf(project)
+  if (place === 'sorting') return place
   const card = allCards.find(({ id }) => id === place)
   if (!card) return 'free'
   return card.chapter === 'trying' ? 'trying' : ofBeds[card.bed]

@@ -163,7 +163,6 @@ export class ProjectList {
       ...(binned > 0 ? [m['projects.mergedBin']({ binned })] : []),
       ...(settings.taken ? [m['projects.mergedSettings']()] : []),
       ...(settings.kept ? [m['projects.keptSettings']()] : []),
-      ...(settings.sorted ? [m['projects.keptSorting']()] : []),
       ...(broken > 0 ? [m['projects.mergedBroken']({ broken })] : []),
     ].join(' ')
     this.#told = { title: m['projects.mergedTitle'](), text, good: broken === 0 }

@@ -178,7 +178,6 @@ describe('what came of a home file', () => {
     [{ binned: 1 }, () => m['projects.mergedBin']({ binned: 1 })],
     [{ settings: { taken: true } }, () => m['projects.mergedSettings']()],
     [{ settings: { kept: true } }, () => m['projects.keptSettings']()],
-    [{ settings: { sorted: true } }, () => m['projects.keptSorting']()],
     [{ broken: 1 }, () => m['projects.mergedBroken']({ broken: 1 })],
   ])('%j is told after what was added', (more, sentence) => {
     projects.tellMerged(merged(more))

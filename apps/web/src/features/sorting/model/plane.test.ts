@@ -7,7 +7,7 @@ let plane: PlaneView
 beforeEach(() => {
   tool = 'look'
   const playground = new Playground({
-    ...{ kept: null, project: null },
+    kept: null,
     ...{ keep: vi.fn(), flush: vi.fn(), close: vi.fn() },
   })
   playground.turnTo('points')
@@ -40,7 +40,7 @@ test('shows where flags were before they moved, and nothing before the first ste
   plane.grab(0)
   expect(plane.old).toEqual([])
   plane.drop()
-  playground.clearPoints()
+  playground.takeOwn()
   playground.name(0, 'Left')
   expect(plane.old).toEqual([])
 })

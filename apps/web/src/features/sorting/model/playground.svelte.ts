@@ -1,8 +1,11 @@
-import { startAt, stepOne, stepPhase, type Distance } from '@botgarten/learning/k-means'
-import { LONGEST_NAME } from './kept.ts'
-import { deviceStore, Steps, type Store } from './steps.svelte.ts'
+import { stepOne, stepPhase, type Distance } from '@botgarten/learning/k-means'
+import { mostOfSorting } from '@botgarten/programs/sorting'
+import { Steps } from './steps.svelte.ts'
+import type { Store } from './store.svelte.ts'
 import {
+  isSame,
   MOST_POINTS,
+  OWN_TABLE,
   placed,
   pointsIn,
   thrown,
@@ -26,6 +29,12 @@ import {
 
 const beats = [1400, 700, 350] as const
 
+const firstOn: { readonly [source in Source]: (work: Work) => Work } = {
+  things: (work) => workOfSet(work, 'vessels'),
+  points: (work) => workOfTrap(work, 'heaps'),
+  readings: withoutReadings,
+}
+
 /** What is sorted, and what a child's hand does to it. Everything that changes it is a step on a line that leads back. */
 export class Playground {
   readonly #steps: Steps
@@ -35,7 +44,7 @@ export class Playground {
   /** The thing or point that a finger is on. */
   touched = $state<number | null>(null)
 
-  constructor(store: Store = deviceStore()) {
+  constructor(store: Store) {
     this.#steps = new Steps(store)
   }
 
@@ -73,15 +82,44 @@ export class Playground {
 
   // ---- what is sorted ----
 
-  /** To another page, as it was left. */
+  /** To the last data set of this source, as it was left. */
   turnTo(source: Source): void {
-    if (source === this.work.source) return
+    this.#turn(source, undefined, firstOn[source])
+  }
+
+  takeSet(id: string): void {
+    this.#turn('things', id, (work) => workOfSet(work, id))
+  }
+
+  takeTrap(name: string): void {
+    this.#turn('points', name, (work) => workOfTrap(work, name))
+  }
+
+  /** To the points that were drawn by hand. */
+  takeOwn(): void {
+    this.#turn('points', '', withoutPoints)
+  }
+
+  /** To the points of the file that was opened last. */
+  takeOwnTable(): void {
+    this.#turn('points', OWN_TABLE, (work) => work)
+  }
+
+  /** Was a file opened? */
+  get hasTable(): boolean {
+    return this.work.set === OWN_TABLE || this.#steps.leftOn('points', OWN_TABLE) !== undefined
+  }
+
+  takeTable(names: readonly string[], rows: readonly (readonly number[])[]): void {
     this.#leave()
-    const left = this.#steps.leftOn(source)
-    if (left) this.#do(left)
-    else if (source === 'things') this.takeSet('vessels')
-    else if (source === 'points') this.takeTrap('heaps')
-    else this.clearReadings()
+    this.#do(workOfFile(this.work, names, rows))
+  }
+
+  #turn(source: Source, set: string | undefined, begin: (work: Work) => Work): void {
+    const { work } = this
+    if (isSame(work, { source, set: set ?? work.set })) return
+    this.#leave()
+    this.#do(this.#steps.leftOn(source, set) ?? begin(work))
   }
 
   #leave(): void {
@@ -91,20 +129,10 @@ export class Playground {
     this.#steps.leave()
   }
 
-  takeSet(id: string): void {
-    this.#begin(workOfSet(this.work, id))
-  }
-
-  takeTrap(name: string): void {
-    this.#begin(workOfTrap(this.work, name))
-  }
-
-  takeTable(names: readonly string[], rows: readonly (readonly number[])[]): void {
-    this.#begin(workOfFile(this.work, names, rows))
-  }
-
-  clearPoints(): void {
-    this.#begin(withoutPoints(this.work))
+  /** The points of this data set as they were in the beginning; drawn ones are gone. */
+  resetPoints(): void {
+    const { work } = this
+    this.#begin(work.set === '' ? withoutPoints(work) : workOfTrap(work, work.set))
   }
 
   clearReadings(): void {
@@ -198,7 +226,7 @@ export class Playground {
 
   /** All letters of one name are one step. */
   name(group: number, name: string): void {
-    this.#steps.extend(withName(this.work, group, name.slice(0, LONGEST_NAME)), `name ${group}`)
+    this.#steps.extend(withName(this.work, group, name.slice(0, mostOfSorting.name)), `name ${group}`)
     this.#keep()
   }
 
@@ -220,17 +248,10 @@ export class Playground {
     this.#do({ ...work, state: stepPhase(pointsIn(work.table), work.state) })
   }
 
-  /** Where this sorting began, as far as the line of steps goes back. */
-  get fresh(): Work | undefined {
-    return this.#steps.fresh
-  }
-
   /** To the beginning of this sorting: the flags where they were placed. */
   again(): void {
-    const { work, fresh } = this
-    const centres = fresh?.state?.centres
-    if (!work.state || centres?.length !== work.flags) return
-    this.#do({ ...work, state: startAt(pointsIn(work.table), centres, work.distance) })
+    const { work } = this
+    if (work.state) this.#do(placed(work, work.start))
   }
 
   play(): void {

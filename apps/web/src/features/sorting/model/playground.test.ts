@@ -2,33 +2,30 @@ import { cluster, plusPlusStart } from '@botgarten/learning/k-means'
 import { stream } from '@botgarten/numbers'
 import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest'
 import { Playground } from './playground.svelte.ts'
-import type { Kept } from './kept.ts'
+import type { SortingDocument } from '@botgarten/programs/sorting'
 import { traps } from './traps.ts'
 import { pointsIn } from './work.ts'
 
-const store = new Map<string, string>()
+/** The document on the device. */
+let saved: unknown = null
+const keep = (next: () => SortingDocument) => (saved = JSON.parse(JSON.stringify(next())) as unknown)
+/** The playground, opened once more. */
+const opened = () => new Playground({ kept: saved, keep, flush: () => {}, close: () => {} })
 beforeEach(() => {
   vi.useFakeTimers()
-  store.clear()
-  vi.stubGlobal('localStorage', {
-    getItem: (key: string) => store.get(key) ?? null,
-    setItem: (key: string, value: string) => store.set(key, value),
-  })
+  saved = null
 })
-afterEach(() => {
-  vi.useRealTimers()
-  vi.unstubAllGlobals()
-})
+afterEach(() => void vi.useRealTimers())
 
 describe('the sorting playground', () => {
   test('opens with things on the table and as many flags as are said', () => {
-    const playground = new Playground()
+    const playground = opened()
     expect(playground.work).toMatchObject({ source: 'things', set: 'vessels', flags: 3 })
     expect(playground.work.state?.centres).toHaveLength(3)
   })
 
   test('plays to the end, and the line leads back to every step', () => {
-    const playground = new Playground()
+    const playground = opened()
     playground.play()
     vi.advanceTimersByTime(60_000)
     expect(playground.done).toBe(true)
@@ -42,14 +39,14 @@ describe('the sorting playground', () => {
   })
 
   test('point by point and flag by flag comes to the same end', () => {
-    const [one, all] = [new Playground(), new Playground()]
+    const [one, all] = [opened(), opened()]
     for (let step = 0; step < 300 && !one.done; step++) one.stepOne()
     for (let step = 0; step < 100 && !all.done; step++) all.stepAll()
     expect(one.work.state).toEqual(all.work.state)
   })
 
   test('again is the same flags at their first places', () => {
-    const playground = new Playground()
+    const playground = opened()
     const { centres } = playground.work.state!
     for (let step = 0; step < 100 && !playground.done; step++) playground.stepAll()
     expect(playground.work.state!.centres).not.toEqual(centres)
@@ -59,7 +56,7 @@ describe('the sorting playground', () => {
   })
 
   test('the criterion decides: other features, other groups; none at all sorts nothing', () => {
-    const playground = new Playground()
+    const playground = opened()
     const groups = () => {
       playground.throwFlags('best')
       for (let step = 0; step < 100 && !playground.done; step++) playground.stepAll()
@@ -76,7 +73,7 @@ describe('the sorting playground', () => {
   })
 
   test('sorts a table that was opened, also one whose points are all the same', () => {
-    const playground = new Playground()
+    const playground = opened()
     const sorts = (names: string[], rows: number[][]) => {
       playground.takeTable(names, rows)
       expect(playground.work.table.rows).toHaveLength(rows.length)
@@ -91,7 +88,7 @@ describe('the sorting playground', () => {
   })
 
   test('a table of one column has one axis, every other table two: its first two columns', () => {
-    const playground = new Playground()
+    const playground = opened()
     const axesOf = (...row: number[]) => {
       playground.takeTable(row.map(String), [row, row])
       return playground.work.axes
@@ -100,7 +97,7 @@ describe('the sorting playground', () => {
   })
 
   test('the best of ten throws has the least inertia of ten, not of nine or eleven', () => {
-    const playground = new Playground()
+    const playground = opened()
     playground.takeTrap('many')
     playground.setFlags(6)
     for (let time = 0; time < 30; time += 1) {
@@ -117,9 +114,9 @@ describe('the sorting playground', () => {
   })
 
   test('never has more flags than points, and none without points', () => {
-    const playground = new Playground()
+    const playground = opened()
     playground.turnTo('points')
-    playground.clearPoints()
+    playground.takeOwn()
     expect(playground.work.state).toBeNull()
     playground.stepAll()
     playground.addPoint(1, 1)
@@ -133,8 +130,18 @@ describe('the sorting playground', () => {
     expect(playground.work.flags).toBe(1)
   })
 
+  test('points drawn one by one get three flags as soon as there are three', () => {
+    const playground = opened()
+    playground.takeOwn()
+    const flags = [1, 3, 5, 7].map((at) => (playground.addPoint(at, at), playground.work.flags))
+    expect(flags).toEqual([1, 2, 3, 3])
+    playground.setFlags(2)
+    playground.addPoint(9, 9)
+    expect(playground.work.flags).toBe(2)
+  })
+
   test('a drag of a flag is one step on the line', () => {
-    const playground = new Playground()
+    const playground = opened()
     const before = playground.last
     for (const x of [1, 2, 3]) playground.placeFlag(0, [x, 4], true)
     playground.placeFlag(0, [5, 4], false)
@@ -149,7 +156,7 @@ describe('the sorting playground', () => {
   }
 
   test('a page without anything on it shows nothing of the page before', () => {
-    const playground = new Playground()
+    const playground = opened()
     playground.play()
     vi.advanceTimersByTime(60_000)
     expect(playground.done).toBe(true)
@@ -164,7 +171,7 @@ describe('the sorting playground', () => {
   })
 
   test('what Bo reads lies on the plane while it drives; flags come when it ends, and all of it is one step', () => {
-    const playground = new Playground()
+    const playground = opened()
     playground.turnTo('readings')
     const before = playground.last
     drives(playground, 5)
@@ -179,7 +186,7 @@ describe('the sorting playground', () => {
   })
 
   test('a short drive that leaves no room for three flags does not keep them away for ever', () => {
-    const playground = new Playground()
+    const playground = opened()
     playground.turnTo('readings')
     drives(playground, 1)
     playground.endCollecting()
@@ -194,7 +201,7 @@ describe('the sorting playground', () => {
   })
 
   test('other flags while Bo drives are those of the drive; a step back ends it', () => {
-    const playground = new Playground()
+    const playground = opened()
     playground.turnTo('readings')
     const before = playground.last
     drives(playground, 8)
@@ -209,7 +216,7 @@ describe('the sorting playground', () => {
   })
 
   test('collects three hundred readings and no more', () => {
-    const playground = new Playground()
+    const playground = opened()
     playground.turnTo('readings')
     drives(playground, 310)
     expect(playground.work.table.rows).toHaveLength(300)
@@ -221,21 +228,19 @@ describe('the sorting playground', () => {
     ['the playground is left', (playground: Playground) => playground.close()],
     ['the browser shows another tab', (playground: Playground) => playground.save()],
   ])('readings are there again when %s while Bo drives', (_, leave) => {
-    const playground = new Playground()
+    const playground = opened()
     playground.turnTo('readings')
     drives(playground, 7)
     leave(playground)
-    const again = new Playground()
+    const again = opened()
     again.turnTo('readings')
     expect(again.work.table.rows).toHaveLength(7)
     expect(again.work.state!.centres).toHaveLength(3)
   })
 
   test('a playground that is left while it plays saves its flags, plays no more, and closes its project', () => {
-    const saved: Kept[] = []
     const close = vi.fn()
-    const keep = (now: () => Kept) => saved.push(now())
-    const playground = new Playground({ kept: null, keep, flush: () => {}, project: null, close })
+    const playground = new Playground({ kept: null, keep, flush: () => {}, close })
     playground.play()
     vi.advanceTimersByTime(700)
     const { state } = playground.work
@@ -243,12 +248,12 @@ describe('the sorting playground', () => {
     expect(close).toHaveBeenCalledOnce()
     vi.advanceTimersByTime(60_000)
     expect([playground.playing, playground.work.state]).toEqual([false, state])
-    const again = new Playground({ kept: saved.at(-1), keep, flush: () => {}, project: null, close })
+    const again = new Playground({ kept: saved, keep, flush: () => {}, close })
     expect(again.work.state!.centres).toEqual(state!.centres)
   })
 
   test('each page is found again as it was left, with its result', () => {
-    const playground = new Playground()
+    const playground = opened()
     playground.takeSet('leaves')
     for (let step = 0; step < 100 && !playground.done; step++) playground.stepAll()
     const { state } = playground.work
@@ -262,36 +267,86 @@ describe('the sorting playground', () => {
     expect(playground.work.set).toBe('leaves')
   })
 
+  test('own points and an own table are there after a look at another data set, and both stay apart', () => {
+    const playground = opened()
+    playground.turnTo('points')
+    playground.takeOwn()
+    for (const at of [1, 3, 5]) playground.addPoint(at, at)
+    playground.name(0, 'Mine')
+    playground.takeTable(['a', 'b', 'c'], [[1, 2, 3], [4, 5, 6]]) // prettier-ignore
+    playground.takeTrap('heaps')
+    playground.removePoint(0)
+    playground.takeOwn()
+    expect(playground.work.table.rows).toEqual([[1, 1], [3, 3], [5, 5]]) // prettier-ignore
+    expect(playground.nameOf(0)).toBe('Mine')
+    playground.takeOwnTable()
+    expect(playground.work.table.columns.map(({ feature }) => feature)).toEqual(['a', 'b', 'c'])
+    playground.turnTo('things')
+    playground.turnTo('points')
+    expect([playground.work.set, playground.hasTable]).toEqual(['table', true])
+  })
+
+  test('drawn points are thrown away by their own button alone, and that can be taken back', () => {
+    const playground = opened()
+    playground.takeOwn()
+    playground.addPoint(1, 1)
+    playground.resetPoints()
+    expect(playground.work.table.rows).toEqual([])
+    playground.goTo(playground.at - 1)
+    expect(playground.work.table.rows).toHaveLength(1)
+    playground.takeTrap('heaps')
+    playground.removePoint(0)
+    playground.resetPoints()
+    expect(playground.work).toMatchObject({ set: 'heaps', table: { rows: { length: 42 } } })
+  })
+
+  test('each set of things and points is found again with its result', () => {
+    const playground = opened()
+    const ends = [
+      ['leaves', (on: Playground) => on.takeSet('leaves')],
+      ['buttons', (on: Playground) => on.takeSet('buttons')],
+      ['moons', (on: Playground) => on.takeTrap('moons')],
+      ['outlier', (on: Playground) => on.takeTrap('outlier')],
+    ] as const
+    const results = ends.map(([, take]) => {
+      take(playground)
+      for (let step = 0; step < 100 && !playground.done; step++) playground.stepAll()
+      return playground.work.state
+    })
+    for (const on of [playground, opened()])
+      expect(ends.map(([, take]) => (take(on), on.work.state))).toEqual(results)
+  })
+
   test('what changed while it plays is saved when the page is hidden', () => {
-    const playground = new Playground()
+    const playground = opened()
     playground.play()
     playground.count('colour', true)
-    expect(new Playground().work.counting).not.toContain('colour')
+    expect(opened().work.counting).not.toContain('colour')
     playground.save()
-    expect(new Playground().work.counting).toContain('colour')
+    expect(opened().work.counting).toContain('colour')
   })
 
   test('is found again as it was left, with its names', () => {
-    const playground = new Playground()
+    const playground = opened()
     playground.takeTrap('moons')
     playground.setFlags(4)
     playground.name(2, 'Half moon')
-    const again = new Playground()
+    const again = opened()
     expect(again.work.table).toEqual(playground.work.table)
     expect(again.work.state!.centres).toEqual(playground.work.state!.centres)
     expect(again.nameOf(2)).toBe('Half moon')
   })
 
-  test.each(['{"source":"things","set":"cars"}', '[1,2]', '{"rows":[[null]]}', 'not json'])(
-    'what is broken on the device is the first playground: %s',
-    (text) => {
-      store.set('botgarten.sorting', text)
-      expect(new Playground().work).toMatchObject({ source: 'things', set: 'vessels' })
+  test.each([{ source: 'things', set: 'cars' }, [1, 2], { rows: [[null]] }, 'not json'])(
+    'what is broken on the device is the first playground: %j',
+    (kept) => {
+      saved = kept
+      expect(opened().work).toMatchObject({ source: 'things', set: 'vessels' })
     },
   )
 
   test.each(Object.keys(traps))('the trap %s lies on the plane and can be sorted', (name) => {
-    const playground = new Playground()
+    const playground = opened()
     playground.takeTrap(name)
     for (const value of playground.work.table.rows.flat()) expect(value >= 0 && value <= 10).toBe(true)
     for (let step = 0; step < 200 && !playground.done; step++) playground.stepAll()
@@ -342,7 +397,7 @@ describe('the sorting playground', () => {
   })
 
   test('moons are cut: k-means puts points of both arcs together', () => {
-    const playground = new Playground()
+    const playground = opened()
     playground.takeTrap('moons')
     playground.throwFlags('best')
     for (let step = 0; step < 200 && !playground.done; step++) playground.stepAll()

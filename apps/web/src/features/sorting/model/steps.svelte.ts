@@ -1,61 +1,9 @@
-import type { Project } from '@botgarten/programs'
-import { placeOf } from '#content/cards.ts'
-import { ProjectAutosave } from '#lab/autosave.svelte.ts'
-import { readSetting, writeSetting } from '#storage/settings.ts'
-import { firstWork, othersIn, read, written, type Kept } from './kept.ts'
-import { isFresh, type Source, type Work } from './work.ts'
+import { firstWork, othersIn, read, written } from './kept.ts'
+import { isFresh, isSame, type Source, type Work } from './work.ts'
+import type { Store } from './store.svelte.ts'
 
 /** So many steps lead back. */
 const LONGEST = 400
-
-/** Where a playground is kept. */
-export interface Store {
-  /** What lay there when it was opened; not to be trusted. */
-  readonly kept: unknown
-  keep(kept: () => Kept): void
-  /** Saves what waits, now. */
-  flush(): void
-  /** Whose it is; null on the page that belongs to no project. */
-  readonly project: OpenProject | null
-  close(): void
-}
-
-export interface OpenProject {
-  /** The card, or `free`. */
-  readonly place: string
-  readonly id: string
-  readonly autosave: ProjectAutosave
-}
-
-/** A project that is opened for sorting. */
-export interface OpenedForSorting {
-  readonly id: string
-  readonly revision: number
-  readonly project: Project
-}
-
-/** The page without a project: this device keeps what was done last. */
-export const deviceStore = (): Store => ({
-  kept: readSetting<unknown>('sorting', null),
-  keep: (kept) => writeSetting('sorting', kept()),
-  flush: () => {},
-  project: null,
-  close: () => {},
-})
-
-/** In the project's document: it goes wherever the project goes. */
-export function projectStore({ id, revision, project }: OpenedForSorting): Store {
-  const autosave = new ProjectAutosave(id, revision)
-  let { name } = project
-  autosave.whenRenamed = (renamed) => (name = renamed)
-  return {
-    kept: project.sorting ?? null,
-    keep: (kept) => autosave.changed(() => ({ ...project, name, sorting: kept() })),
-    flush: () => void autosave.flush(),
-    project: { place: placeOf(project), id, autosave },
-    close: () => autosave.close(),
-  }
-}
 
 /** The line of steps that leads back, and the store on which the one that is shown is kept. */
 export class Steps {
@@ -64,8 +12,8 @@ export class Steps {
   readonly unread: boolean
   #line = $state.raw<readonly Work[]>([])
   #at = $state(0)
-  /** What was left on the pages that are not shown. */
-  #left: { readonly [source in Source]?: Work }
+  /** The data sets that are not displayed; the last displayed one is the last. */
+  #left = $state.raw<readonly Work[]>([])
   #unkept = false
   /** What the step that is shown is still open for: a drag, letters of a name, readings of a drive. */
   #open: string | null = null
@@ -75,7 +23,7 @@ export class Steps {
     const work = read(store.kept)
     this.unread = work === null && store.kept !== null
     this.#line = [work ?? firstWork()]
-    this.#left = Object.fromEntries(othersIn(store.kept).map((one) => [one.source, one]))
+    this.#left = othersIn(store.kept)
   }
 
   get work(): Work {
@@ -94,11 +42,6 @@ export class Steps {
   get sortedFrom(): Work | null {
     const before = this.#line[this.#at - 1]
     return before?.table === this.work.table && !isFresh(this.work) ? before : null
-  }
-
-  /** Where the flags had last been placed, before the step that is shown; none: that was before the page was opened. */
-  get fresh(): Work | undefined {
-    return this.#line.slice(0, this.#at + 1).findLast(isFresh)
   }
 
   add(work: Work): void {
@@ -134,13 +77,14 @@ export class Steps {
     this.#at = Math.max(0, Math.min(this.last, at))
   }
 
-  /** The page that is shown is found again as it is. */
+  /** The data set that is shown is found again as it is. */
   leave(): void {
-    this.#left = { ...this.#left, [this.work.source]: this.work }
+    this.#left = [...this.#left.filter((one) => !isSame(one, this.work)), this.work]
   }
 
-  leftOn(source: Source): Work | undefined {
-    return this.#left[source]
+  /** A data set as it was left; without a name the last displayed one of the source. */
+  leftOn(source: Source, set?: string): Work | undefined {
+    return this.#left.findLast((one) => one.source === source && (set === undefined || one.set === set))
   }
 
   /** @param later a moment of playing is not worth a record: `flush` writes it where nothing else does */
@@ -156,7 +100,7 @@ export class Steps {
   }
 
   #write(): void {
-    this.store.keep(() => written(this.work, Object.values(this.#left)))
+    this.store.keep(() => written(this.work, this.#left))
     this.#unkept = false
   }
 }

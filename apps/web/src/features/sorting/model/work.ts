@@ -8,25 +8,25 @@ import {
   type KState,
   type Points,
 } from '@botgarten/learning/k-means'
-import { columnsOf, onPlane, rawOf, type Column, type ThingSet } from '@botgarten/content/things'
+import { mostOfSorting, type SortingColumn, type SortingSource } from '@botgarten/programs/sorting'
+import { columnsOf, onPlane, rawOf, type ThingSet } from '@botgarten/content/things'
 import { stream } from '@botgarten/numbers'
 import { setOf } from '#figures/things/sets.ts'
 import { traps } from './traps.ts'
 
-/** What is sorted. */
-export type Source = 'things' | 'points' | 'readings'
+export type Source = SortingSource
 export type Start = 'random' | '++' | 'best'
 
 /** Rows of numbers with their columns, on the plane's scale of 0 to 10. */
 export interface Table {
-  readonly columns: readonly Column[]
+  readonly columns: readonly SortingColumn[]
   readonly rows: readonly (readonly number[])[]
 }
 
 /** The whole playground as plain data: every change makes a new one, and the line of them is the way back. */
 export interface Work {
   readonly source: Source
-  /** Id of the set of things; of a data set of points, '' for own ones. */
+  /** Id of the data set; '' for points drawn by hand, `OWN_TABLE` for those of a file. */
   readonly set: string
   /** Features of the things that count. */
   readonly counting: readonly string[]
@@ -39,6 +39,8 @@ export interface Work {
   readonly distance: Distance
   /** Null where there is nothing to sort yet. */
   readonly state: KState | null
+  /** Where the flags of this state were placed. */
+  readonly start: KState['centres']
   /** Grows with every throw of the flags, so that each is another one. */
   readonly throws: number
 }
@@ -49,13 +51,18 @@ export const isFresh = ({ state }: Work): boolean =>
 
 /** As many flags as a page begins with. */
 const FIRST_FLAGS = 3
-export const MOST_FLAGS = 6
+export const MOST_FLAGS = mostOfSorting.flags
 /** That Bo collects on the playground's floor. */
 export const MOST_READINGS = 300
-export const MOST_POINTS = 5000
-export const MOST_COLUMNS = 8
-/** Letters of a column's name. */
-export const LONGEST_COLUMN = 200
+export const MOST_POINTS = mostOfSorting.points
+export const MOST_COLUMNS = mostOfSorting.columns
+/** The data set whose points are from a file. */
+export const OWN_TABLE = 'table'
+
+/** Are both about one data set? */
+export const isSame = (a: Pick<Work, 'source' | 'set'>, b: Pick<Work, 'source' | 'set'>): boolean =>
+  a.source === b.source && a.set === b.set
+
 const inUnit = { part: '', low: 0, high: 10, scale: 10 }
 
 export const thingTable = (set: ThingSet, counting: readonly string[]): Table => {
@@ -87,7 +94,7 @@ export function fileTable(names: readonly string[], rows: Table['rows']): Table 
   const columns = names.map((feature, at) => {
     const values = rows.map((row) => row[at]!)
     const [low, high] = [values.reduce((a, b) => Math.min(a, b)), values.reduce((a, b) => Math.max(a, b))]
-    return { ...inUnit, feature: feature.slice(0, LONGEST_COLUMN), unit: '', low, high }
+    return { ...inUnit, feature: feature.slice(0, mostOfSorting.column), unit: '', low, high }
   })
   return { columns, rows: rows.map((row) => row.map((value, at) => onPlane(value, columns[at]!))) }
 }
@@ -115,12 +122,15 @@ export function withTable(work: Work, table: Table): Work {
   return thrown({ ...work, table, axes, flags: flagsFor(work.flags, table) })
 }
 
-/** More readings, and no flags while they come. Flags that few readings have kept away come back with more. */
+/** Flags that too few points have kept away come back with more. */
+const wantedFlags = ({ flags, table }: Work): number =>
+  table.rows.length <= flags ? Math.max(flags, FIRST_FLAGS) : flags
+
+/** More readings, and no flags while they come. */
 export function withReadings(work: Work, readings: Table['rows']): Work {
   const { rows: before, columns } = work.table
   const rows = [...before, ...readingTable(readings).rows].slice(0, MOST_READINGS)
-  const flags = before.length <= work.flags ? Math.max(work.flags, FIRST_FLAGS) : work.flags
-  return { ...work, flags, table: { columns, rows }, state: null }
+  return { ...work, flags: wantedFlags(work), table: { columns, rows }, state: null }
 }
 
 /** All flags at new places, nothing sorted yet. */
@@ -140,7 +150,7 @@ export function thrown(work: Work, start: Start = 'random'): Work {
 
 /** Flags where a hand has put them: sorting begins again from there. */
 export function placed(work: Work, centres: KState['centres']): Work {
-  return { ...work, state: startAt(pointsIn(work.table), centres, work.distance) }
+  return { ...work, start: centres, state: startAt(pointsIn(work.table), centres, work.distance) }
 }
 
 /** One flag more, or fewer; the others stay. */
@@ -164,16 +174,24 @@ export function workOfSet(work: Work, id: string): Work {
   return begun({ ...work, source: 'things', set: id, counting }, thingTable(set, counting))
 }
 
-export function workOfTrap(work: Work, name: string): Work {
-  const { flags, rows } = traps[name]!
-  return begun({ ...work, source: 'points', set: name, counting: [] }, handTable(rows()), flags)
+/** The points of a data set of the product, always the same object; null for an unknown name. */
+export function trapTable(name: string): Table | null {
+  if (!Object.hasOwn(traps, name)) return null
+  const table = trapTables.get(name) ?? handTable(traps[name]!.rows())
+  trapTables.set(name, table)
+  return table
 }
+const trapTables = new Map<string, Table>()
+
+export const workOfTrap = (work: Work, name: string): Work =>
+  begun({ ...work, source: 'points', set: name, counting: [] }, trapTable(name)!, traps[name]!.flags)
 
 /** Columns and rows of a file. */
 export const workOfFile = (work: Work, names: readonly string[], rows: Table['rows']): Work =>
-  begun({ ...work, source: 'points', set: '', counting: [] }, fileTable(names, rows))
+  begun({ ...work, source: 'points', set: OWN_TABLE, counting: [] }, fileTable(names, rows))
 
-export const withoutPoints = (work: Work): Work => begun({ ...work, set: '' }, handTable([]), work.flags)
+export const withoutPoints = (work: Work): Work =>
+  begun({ ...work, source: 'points', set: '', counting: [] }, handTable([]), work.flags)
 
 export const withoutReadings = (work: Work): Work =>
   begun({ ...work, source: 'readings', set: '', counting: [] }, readingTable([]))
@@ -191,9 +209,10 @@ export function withFeature(work: Work, feature: string, on: boolean): Work {
 
 /** The flags stay where they are while points come and go, as long as there are enough. */
 export function withRows(work: Work, rows: Table['rows']): Work {
-  const own = { ...work, set: '', table: { ...work.table, rows } }
-  const enough = work.state !== null && rows.length >= work.flags
-  return enough ? placed(own, work.state.centres) : withTable(own, own.table)
+  const table = { ...work.table, rows }
+  const flags = flagsFor(wantedFlags(work), table)
+  const stay = work.state !== null && flags === work.flags
+  return stay ? placed({ ...work, table }, work.state.centres) : withTable({ ...work, flags }, table)
 }
 
 /** A column that lies along the other axis changes places with the one that lay here. */

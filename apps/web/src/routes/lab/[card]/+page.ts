@@ -13,6 +13,8 @@ export const prerender = 'auto'
 export const entries: EntryGenerator = () => [{ card: 'free' }, ...allCards.map(({ id }) => ({ card: id }))]
 
 export const load: PageLoad = async ({ params, url }) => {
+  // The address of a project whose place is the sorting playground.
+  if (params.card === 'sorting') redirect(307, resolve(`/sorting${url.search}` as '/sorting'))
   // The heaviest part travels while the screen is made. The screen asks for it too, and says so where it cannot come.
   editor.load().catch(() => undefined)
   fetchBlocklyWords().catch(() => undefined)
