@@ -23,7 +23,7 @@ try {
     const child = new Child(await context.newPage(), language)
     await showsExplained(child)
     await learnsABit(child)
-    const screen = await child.page.screenshot({ type: 'jpeg', quality: 70, clip: pictured })
+    const screen = await child.page.screenshot({ type: 'jpeg', quality: 65, clip: pictured })
     const svg = explainedPicture(screen, await explainedPlaces(child))
     writeFileSync(content.path(content.itemFolder('q-map'), `screen-${language}.svg`), svg)
     await context.close()

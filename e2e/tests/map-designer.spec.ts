@@ -50,7 +50,7 @@ for (const language of languagesOf(import.meta.filename)) {
       await expect(learner.station(2)).toBeVisible()
     })
 
-    test('a world of rooms is chosen from home on, and opens in the lab', async ({ child, page }) => {
+    test('a world of rooms is chosen from home on, and Bo learns there', async ({ child, page }) => {
       await child.opensHome()
       await page.getByRole('link', { name: child.word('home.maps'), exact: true }).click()
       const cliff = child.word('choice.MAP_CLIFF')
@@ -59,7 +59,7 @@ for (const language of languagesOf(import.meta.filename)) {
       await learner.sees()
       await expect(page.getByRole('heading', { level: 1 })).toHaveText(cliff)
       await child.seesSaved()
-      await expect(learner.station(36)).toBeVisible()
+      await learner.learnsToTheEnd()
     })
 
     test('is made by keys alone, from the list to the print, and driven', async ({ child }) => {

@@ -48,7 +48,18 @@ describe('the blocks that the eight cards give', () => {
 
   describe.each(eight)('%s', (card) => {
     const given = blocksOf(card, 'start')
-    const missing = [...new Set(blocksOf(card, 'solution'))].filter((type) => !given.includes(type))
+    const { network } = content.card(card)!.card
+    // "Put a network in" makes these.
+    const made = network
+      ? [
+          'ai_neural_network',
+          'ai_easy_list',
+          ...[...network.inputs, ...network.outputs].map(({ type }) => type),
+        ]
+      : []
+    const missing = [...new Set(blocksOf(card, 'solution'))].filter(
+      (type) => !given.includes(type) && !made.includes(type),
+    )
 
     it('gives nothing that the solution does without', () => {
       const solution = blocksOf(card, 'solution')
@@ -57,10 +68,12 @@ describe('the blocks that the eight cards give', () => {
     })
 
     it.each(completeLanguages)(
-      'says in "%s" under which word every other kind of block is found',
+      'says in "%s" how its network is made, and under which word every other kind of block is found',
       (language) => {
         const category = wordsIn(language, 'category')
         const said = wordsOf(content.card(card)!.text[language]!.hints)
+        const { putOne } = wordsIn(language, 'network') as unknown as { readonly [key: string]: string }
+        if (network) expect(said).toContain(putOne)
         for (const type of missing) expect(said).toContain(category[categoryOf(type)!])
       },
     )
