@@ -71,7 +71,7 @@ export class BlockHands {
 
   async chooses(block: string, name: Item | Switch) {
     await this.#child.block(block).click({ ...this.corner, button: 'right' })
-    await this.item(name).click()
+    await this.#child.press(this.item(name))
     await expect(this.#page.locator('.blocklyContextMenu')).toHaveCount(0)
     await this.#isCarriedOut()
   }

@@ -24,8 +24,8 @@ export async function setsKnob(child: Child, from: string, to: string, weight: s
 /** Chooses another value in the drop-down of a block. */
 export async function chooses(child: Child, block: Locator, now: string, next: string) {
   const words = (key: string) => child.word(`choice.${key}`)
-  await block.getByText(words(now), { exact: true }).click()
-  await child.page.getByRole('option', { name: words(next), exact: true }).click()
+  await child.press(block.getByText(words(now), { exact: true }))
+  await child.press(child.page.getByRole('option', { name: words(next), exact: true }))
 }
 
 /** Opens the settings of this device from the lab's menu or from the home page. */

@@ -50,7 +50,7 @@ export class Learner {
   /** Taps a way on the map, from the start on. */
   async guesses(...stations: readonly number[]) {
     await this.child.presses('q.guessing.open')
-    for (const station of stations) await this.station(station).click()
+    for (const station of stations) await this.child.press(this.station(station))
   }
 
   station(station: number): Locator {
@@ -68,12 +68,12 @@ export class Learner {
 
   /** Taps a road on the map, and what is to become of it. */
   async closes(from: number, to: number, how: 'closeRoad' | 'openRoad' = 'closeRoad') {
-    await this.road(from, to).click()
+    await this.child.press(this.road(from, to))
     await this.child.presses(`q.${how}`)
   }
 
   async makesStation(station: number, what: 'startHere' | 'goalHere') {
-    await this.station(station).click()
+    await this.child.press(this.station(station))
     await this.child.presses(`q.${what}`)
   }
 
@@ -119,8 +119,8 @@ export class Learner {
     const { child } = this
     const name = (map: string) => child.word(`choice.${mapField(map)}`)
     await this.unfolds()
-    await child.page.locator('.blocklyDropdownField', { hasText: name(from) }).click()
-    await child.page.locator('.blocklyDropDownDiv .blocklyMenuItem', { hasText: name(to) }).click()
+    await child.press(child.page.locator('.blocklyDropdownField', { hasText: name(from) }))
+    await child.press(child.page.locator('.blocklyDropDownDiv .blocklyMenuItem', { hasText: name(to) }))
   }
 
   /** More tries, and more time for them, typed over the numbers of now in the block that says so. */
@@ -132,7 +132,7 @@ export class Learner {
       [now.tries, tries],
       [now.time, time],
     ]) {
-      await fields.filter({ hasText: new RegExp(`^\\s*${before}\\s*$`) }).click()
+      await this.child.press(fields.filter({ hasText: new RegExp(`^\\s*${before}\\s*$`) }))
       await child.types('ControlOrMeta+a', ...String(after), 'Enter')
     }
     await child.presses('lab.fold')
@@ -178,7 +178,9 @@ export class Learner {
     if (page === 'map' && (await this.child.page.locator('.q.room').isVisible())) return
     // The card of the lab is called like the map in German.
     const pages = this.child.page.getByRole('group', { name: this.child.word('q.pages'), exact: true })
-    await pages.getByRole('button', { name: this.child.word(`q.page.${page}`), exact: true }).click()
+    await this.child.press(
+      pages.getByRole('button', { name: this.child.word(`q.page.${page}`), exact: true }),
+    )
   }
 
   /** How much of the covers of roads can be seen, 0..1; of some roads: `5-7|6-7`. */

@@ -22,7 +22,7 @@ export class NetHands {
   /** Presses the word, not the small circle in front of it. */
   async chooses(level: Level) {
     await this.opensSettings()
-    await this.child.words(`net.levels.${level}`).click()
+    await this.child.press(this.child.words(`net.levels.${level}`))
     await expect(this.level(level)).toBeChecked()
     await this.child.presses('network.settings')
   }

@@ -48,7 +48,7 @@ const wordOf = (what: string) => `pay${what[0]}${what.slice(1).toLowerCase()}`
 /** Takes the block that pays for something out of the toolbox, and drops it above another one. */
 async function pulls(child: Child, what: string, above: Locator) {
   const { page } = child
-  await new BlockHands(child).row('q-learning').click()
+  await child.press(new BlockHands(child).row('q-learning'))
   const blocks = page.locator('.blocklyFlyout .ai_try_pay')
   const block = blocks.filter({ hasText: child.word(`choice.${what}`) }).first()
   await expect(block).toBeAttached()

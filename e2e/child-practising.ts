@@ -58,7 +58,7 @@ async function putsLayersIn(child: Child, before: Brain, after: Brain) {
     const missing = neurons.length - Number(nodes)
     for (let presses = Math.abs(missing); presses > 0; presses -= 1)
       await child.presses(missing > 0 ? 'net.more' : 'net.fewer', { layer })
-    await hands.neuron(layer, 1).click()
+    await child.press(hands.neuron(layer, 1))
     const name = child.word('net.hidden', { layer, neuron: 1 })
     const choice = child.page.getByRole('combobox', { name: child.word('net.activationOf', { name }) })
     await choice.selectOption(neurons[0]!.activation)

@@ -12,12 +12,12 @@ export async function racesBrains(child: Child) {
   await racesFour(child)
   for (const question of ['trust', 'explain']) {
     const group = child.page.getByRole('group', { name: child.word(`race.brains.ask.${question}`) })
-    await group.getByRole('radio', { name: child.word('race.brains.lane.ifThen') }).check()
+    await child.press(group.getByRole('radio', { name: child.word('race.brains.lane.ifThen') }))
   }
   await expect(child.page.getByText(child.word('race.brains.answered')).locator('..')).toContainText(
     child.word('race.brains.answered') + child.word('race.brains.isDone'),
   )
-  await child.page.getByRole('link', { name: child.word('race.brains.back') }).click()
+  await child.press(child.page.getByRole('link', { name: child.word('race.brains.back') }))
   await child.seesLab()
 }
 

@@ -19,16 +19,18 @@ export class SenseVisitor {
   async comes() {
     const { child } = this
     await child.opensHome()
-    await child.page.getByRole('link', { name: child.word('home.zoo'), exact: true }).click()
+    await child.press(child.page.getByRole('link', { name: child.word('home.zoo'), exact: true }))
   }
 
   async enters(cage: LoadedSenseCage) {
-    await this.child.page.getByRole('link', { name: this.#text(cage).title, exact: true }).click()
+    await this.child.press(this.child.page.getByRole('link', { name: this.#text(cage).title, exact: true }))
     await expect(this.child.page.getByText(this.#text(cage).soundsRight, { exact: true })).toBeVisible()
   }
 
   async guesses(cage: LoadedSenseCage) {
-    await this.child.page.getByRole('button', { name: this.#text(cage).guess.honest, exact: true }).click()
+    await this.child.press(
+      this.child.page.getByRole('button', { name: this.#text(cage).guess.honest, exact: true }),
+    )
   }
 
   /** Bo drives what it has learned: what is said then is what its row says. */
@@ -77,6 +79,6 @@ export class SenseVisitor {
 
   async leaves() {
     const { child } = this
-    await child.page.getByRole('link', { name: child.word('zoo.back'), exact: true }).click()
+    await child.press(child.page.getByRole('link', { name: child.word('zoo.back'), exact: true }))
   }
 }

@@ -84,7 +84,7 @@ export class TimeHands {
   async asks() {
     const hasRoom = await this.#child.button('lab.worldSettings').isVisible()
     if ((await this.row.count()) === 0) await this.#child.presses(hasRoom ? 'lab.worldSettings' : 'lab.menu')
-    await this.#child.button('robots.add').last().click()
+    await this.#child.press(this.#child.button('robots.add').last())
   }
 
   async adds(kind: 'shared' | 'own') {

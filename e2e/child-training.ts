@@ -49,7 +49,9 @@ export class Teaching {
   async shows() {
     // In German the project of a card is called like this way.
     const ways = this.#page.getByRole('toolbar', { name: this.#child.word('network.ways'), exact: true })
-    await ways.getByRole('button', { name: this.#child.word('network.showIt'), exact: true }).click()
+    await this.#child.press(
+      ways.getByRole('button', { name: this.#child.word('network.showIt'), exact: true }),
+    )
     await expect(this.table).toBeVisible()
   }
 
@@ -76,7 +78,7 @@ export class Teaching {
       ['training.rightWheel', right],
     ] as const)
       await this.#page.getByRole('slider', { name: this.#child.word(key), exact: true }).fill(`${value}`)
-    await this.#page.locator('.hand .main').getByRole('button').click()
+    await this.#child.press(this.#page.locator('.hand .main').getByRole('button'))
   }
 
   /** Puts Bo somewhere: drags it there, once more where that was not near enough, and turns it by steps of 5 degrees. */
@@ -103,7 +105,9 @@ export class Teaching {
 
   async chooses(mode: 'remember' | 'drive' | 'coach' | 'copy') {
     const modes = this.#page.getByRole('group', { name: this.#child.word('training.modes') })
-    await modes.getByRole('button', { name: this.#child.word(`training.mode.${mode}`), exact: true }).click()
+    await this.#child.press(
+      modes.getByRole('button', { name: this.#child.word(`training.mode.${mode}`), exact: true }),
+    )
   }
 
   /** Holds an arrow key on the pad until something has come of it. */
@@ -146,25 +150,29 @@ export class Teaching {
   /** Sets these words, counted from 0, and no other, and remembers that. */
   async remembersWords(words: readonly number[]) {
     const group = this.#page.getByRole('group', { name: this.#child.word('training.others'), exact: true })
-    await group.getByRole('button', { name: this.#child.word('training.nothing'), exact: true }).click()
-    for (const word of words) await group.getByRole('button').nth(word).click()
-    await this.#page.locator('.hand .main').getByRole('button').click()
+    await this.#child.press(
+      group.getByRole('button', { name: this.#child.word('training.nothing'), exact: true }),
+    )
+    for (const word of words) await this.#child.press(group.getByRole('button').nth(word))
+    await this.#child.press(this.#page.locator('.hand .main').getByRole('button'))
   }
 
   /** Bo drives with its network. Once an eye reads less than 65 the child holds the pad aside, until nothing is near any more. */
   async helps() {
+    // To press the button may scroll the pad.
+    await this.#child.presses('training.begin.coach')
     const box = (await this.pad.boundingBox())!
     const [x, y] = [box.x + box.width / 2, box.y + box.width / 2]
     const reach = (box.width * 38) / 116
     let held = 0
+    const { grip } = this.#child
     const hold = async (side: number) => {
       if (side === held) return
-      if (side === 0) await this.#page.mouse.up()
-      else await this.#page.mouse.move(x + 0.225 * side * reach, y - 0.375 * reach)
-      if (held === 0) await this.#page.mouse.down()
+      const at = { x: x + 0.225 * side * reach, y: y - 0.375 * reach }
+      if (side === 0) await grip.up()
+      else await (held === 0 ? grip.down(at) : grip.move(at))
       held = side
     }
-    await this.#child.presses('training.begin.coach')
     do await hold(awayFromNear((await this.#sees()).eyes))
     while (held === 0)
     while (held !== 0) await hold(awayFromNear((await this.#sees()).eyes))
@@ -208,7 +216,9 @@ export class Teaching {
 
   async switchesMirror() {
     await this.#child.presses('training.more')
-    await this.#page.getByRole('switch', { name: this.#child.word('training.mirror'), exact: true }).click()
+    await this.#child.press(
+      this.#page.getByRole('switch', { name: this.#child.word('training.mirror'), exact: true }),
+    )
     await this.#child.types('Escape')
   }
 
@@ -232,7 +242,7 @@ export class Teaching {
   }
 
   async practises() {
-    await this.#page.locator('.practise .bar .button.network').click()
+    await this.#child.press(this.#page.locator('.practise .bar .button.network'))
     await expect(this.#page.getByText(this.#child.word('training.done'), { exact: true })).toBeVisible()
   }
 

@@ -1,19 +1,15 @@
-import { expect, type Locator } from '@playwright/test'
+import { expect } from '@playwright/test'
 import { content } from '@botgarten/content/files'
 import type { LoadedCage } from '@botgarten/content/catalogue'
 import { untouched } from '@botgarten/maps/zoo'
 import type { Child } from './child.ts'
 
-type Press = (thing: Locator) => Promise<void>
-
 /** What a child does and sees in the zoo of rewards. */
 export class ZooVisitor {
   readonly child: Child
-  readonly #press: Press
 
-  constructor(child: Child, press: Press) {
+  constructor(child: Child) {
     this.child = child
-    this.#press = press
   }
 
   #text({ text }: LoadedCage) {
@@ -24,21 +20,21 @@ export class ZooVisitor {
   async comes() {
     const { child } = this
     await child.opensHome()
-    await this.#press(child.page.getByRole('link', { name: child.word('home.zoo'), exact: true }))
+    await this.child.press(child.page.getByRole('link', { name: child.word('home.zoo'), exact: true }))
   }
 
   async enters(cage: LoadedCage) {
-    await this.#press(this.child.page.getByRole('link', { name: this.#text(cage).title }))
+    await this.child.press(this.child.page.getByRole('link', { name: this.#text(cage).title }))
   }
 
   async guesses(cage: LoadedCage) {
     const { guess } = this.#text(cage)
-    await this.#press(this.child.page.getByRole('button', { name: guess.wish, exact: true }))
+    await this.child.press(this.child.page.getByRole('button', { name: guess.wish, exact: true }))
   }
 
   /** Bo learns with the pay as it is; what it does then is said as the proof says. */
   async watches(cage: LoadedCage, outcome: keyof ReturnType<ZooVisitor['outcomes']>) {
-    await this.#press(this.child.button('zoo.learn'))
+    await this.child.press(this.child.button('zoo.learn'))
     await expect(
       this.child.page.getByText(this.outcomes(cage)[outcome], { exact: true }).first(),
     ).toBeVisible()
@@ -49,8 +45,8 @@ export class ZooVisitor {
   /** Move by move, as far as it is shown. */
   async steps() {
     const { child } = this
-    await this.#press(child.button('zoo.pause'))
-    await this.#press(child.button('zoo.oneMove'))
+    await this.child.press(child.button('zoo.pause'))
+    await this.child.press(child.button('zoo.oneMove'))
     const moved = child.word('zoo.moved', { from: '\\d+', to: '\\d+', stars: '[-−\\d.,]+' })
     await expect(child.page.getByText(new RegExp(moved))).toBeVisible()
   }
@@ -61,7 +57,7 @@ export class ZooVisitor {
     const { mend, solution } = cage.cage
     if ('options' in mend) {
       const option = this.#text(cage).options[mend.options[solution]!.id]!
-      return this.#press(page.getByText(option, { exact: true }))
+      return this.child.press(page.getByText(option, { exact: true }))
     }
     const slider = page.getByRole('slider', { name: this.#text(cage).mend })
     await slider.focus()
@@ -97,7 +93,7 @@ export class ZooVisitor {
   /** All cages say how many of them are mended. */
   async leaves(mended: number) {
     const { child } = this
-    await this.#press(child.page.getByRole('link', { name: child.word('zoo.back'), exact: true }))
+    await this.child.press(child.page.getByRole('link', { name: child.word('zoo.back'), exact: true }))
     await expect(child.words('zoo.mendedOf', { count: mended, of: content.cages.length })).toBeVisible()
   }
 }

@@ -1,7 +1,7 @@
 import { TICKS_PER_SECOND } from '@botgarten/simulation'
 import { expect, type Locator, type Page } from '@playwright/test'
 import { readFile } from 'node:fs/promises'
-import { finger, mouse, type Hand, type Spot } from './hand.ts'
+import { finger, mouse, type Hand, type HandName, type Spot } from './hand.ts'
 import { bedsOf, findsCard, goesHome, opensCard, opensFreeLab } from './navigation.ts'
 import { Painted } from './painted.ts'
 import { message, cardMessage, checkMessage, type Language } from './words.ts'
@@ -31,16 +31,19 @@ const middleOf = async (thing: Locator): Promise<Spot> => {
 /** Does with the screen what a child does, and sees what a child sees, in the child's language. */
 export class Child {
   readonly page: Page
-  readonly #hand: Hand
+  readonly hand: HandName
+  /** Holds and moves something for as long as it likes. */
+  readonly grip: Hand
   /** What the canvases show. */
   readonly painted: Painted
   language: Language
 
-  constructor(page: Page, language: Language, hand: 'mouse' | 'finger' = 'mouse') {
+  constructor(page: Page, language: Language, hand: HandName = 'mouse') {
     this.page = page
     this.language = language
     this.painted = new Painted(page)
-    this.#hand = hand === 'mouse' ? mouse(page) : finger(page)
+    this.hand = hand
+    this.grip = hand === 'mouse' ? mouse(page) : finger(page)
   }
 
   /** The words of a message in the child's language. */
@@ -87,18 +90,23 @@ export class Child {
 
   async speaks(language: Language) {
     const name = { de: 'Deutsch', en: 'English' }[language]
-    await this.page.getByRole('button', { name, exact: true }).click()
+    await this.press(this.page.getByRole('button', { name, exact: true }))
     this.language = language
   }
 
   // ---- pressing ----
+
+  /** Presses something by mouse or by finger. */
+  press(thing: Locator): Promise<void> {
+    return this.hand === 'mouse' ? thing.click() : thing.tap()
+  }
 
   button(key: string, facts = {}): Locator {
     return this.page.getByRole('button', { name: this.word(key, facts), exact: true })
   }
 
   async presses(key: string, facts = {}) {
-    await this.button(key, facts).first().click()
+    await this.press(this.button(key, facts).first())
   }
 
   /** The plus of the network that adds neurons to a layer. */
@@ -115,12 +123,12 @@ export class Child {
 
   /** Adds a neuron by the plus of the network: the one of this name, else the first that is offered. */
   async addsNeuron(layer: 'addSensor' | 'addMotor' | 'addOutput', name?: string) {
-    await this.plus(layer).click()
+    await this.press(this.plus(layer))
     const choice =
       name === undefined
         ? this.offered.first()
         : this.offered.and(this.page.getByRole('button', { name, exact: true }))
-    await choice.click()
+    await this.press(choice)
     await expect(this.offered).toHaveCount(0)
   }
 
@@ -132,7 +140,7 @@ export class Child {
   /** Takes one step of this kind: it is chosen in the menu first. */
   async steps(kind: 'stepBlock' | 'stepNetwork' | 'stepWorld') {
     await this.presses('lab.stepOf')
-    await this.page.locator('.menu .entry', { hasText: this.word(`lab.${kind}`) }).click()
+    await this.press(this.page.locator('.menu .entry', { hasText: this.word(`lab.${kind}`) }))
     await this.presses(`lab.${kind}`)
   }
 
@@ -143,10 +151,11 @@ export class Child {
 
   /** Looks at one part of the lab where only one fits on the screen. */
   async turnsTo(pane: 'program' | 'world' | 'networkTab') {
-    await this.page
-      .getByRole('navigation', { name: this.word('lab.panes') })
-      .getByRole('button', { name: this.word(`lab.${pane}`), exact: true })
-      .click()
+    await this.press(
+      this.page
+        .getByRole('navigation', { name: this.word('lab.panes') })
+        .getByRole('button', { name: this.word(`lab.${pane}`), exact: true }),
+    )
   }
 
   /** Opens a project file from the lab's menu. */
@@ -229,16 +238,16 @@ export class Child {
       y: start.y + (end.y - start.y) * share,
     })
     let [low, high] = (await now()) < weight ? [0, 1] : [-4, 0]
-    await this.#hand.down(start)
+    await this.grip.down(start)
     for (let tries = 0; tries < 14 && Math.abs((await now()) - weight) > 0.005; tries += 1) {
       const share = (low + high) / 2
-      await this.#hand.move(along(share))
+      await this.grip.move(along(share))
       // The browser hands a finger's movement on with the next frame.
       await this.watches(2)
       if ((await now()) < weight) low = share
       else high = share
     }
-    await this.#hand.up()
+    await this.grip.up()
     await expect(knob).toHaveAttribute('aria-valuenow', String(weight))
   }
 
@@ -306,10 +315,10 @@ export class Child {
   }
 
   async drags(from: Spot, to: Spot) {
-    await this.#hand.down(from)
+    await this.grip.down(from)
     for (const share of [0.1, 0.4, 0.7, 1])
-      await this.#hand.move({ x: from.x + (to.x - from.x) * share, y: from.y + (to.y - from.y) * share })
-    await this.#hand.up()
+      await this.grip.move({ x: from.x + (to.x - from.x) * share, y: from.y + (to.y - from.y) * share })
+    await this.grip.up()
   }
 
   /** Where Bo stands on the floor. */
@@ -356,7 +365,7 @@ export class Child {
 
   /** Taps the number in a number block and types another. */
   async typesNumber(block: string, number: string) {
-    await this.block(block).locator('.blocklyNumberField').click()
+    await this.press(this.block(block).locator('.blocklyNumberField'))
     await this.page.keyboard.press('ControlOrMeta+a')
     await this.types(...number, 'Enter')
   }

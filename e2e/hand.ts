@@ -5,6 +5,11 @@ export interface Spot {
   readonly y: number
 }
 
+export type HandName = 'mouse' | 'finger'
+
+/** The screen of a child that has only its fingers. */
+export const tablet = { viewport: { width: 1024, height: 768 }, hasTouch: true }
+
 /** What presses, moves and lets go: a mouse or a finger. */
 export interface Hand {
   down(at: Spot): Promise<void>

@@ -1,12 +1,13 @@
 import { expect, test as base, type BrowserContext } from '@playwright/test'
 import { Child } from './child.ts'
 import { serverWithData } from './class-server.ts'
+import type { HandName } from './hand.ts'
 import type { Language } from './words.ts'
 
 interface Wishes {
   /** Which language the browser asks for. */
   readonly language: Language
-  readonly hand: 'mouse' | 'finger'
+  readonly hand: HandName
   /** Nobody has used this browser yet: the tour is offered. */
   readonly newcomer: boolean
   /** Does the screen move as it does for most children? Waiting for it takes time where a test is about something else. */

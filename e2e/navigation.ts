@@ -24,7 +24,7 @@ export async function goesHome(child: Child) {
   if (page.url() === 'about:blank') await page.goto('/', { waitUntil: 'commit' })
   // A page that is still loading shows neither; the home page has no link to itself.
   await expect(beds.or(home).first()).toBeVisible()
-  if (!(await beds.isVisible())) await home.click()
+  if (!(await beds.isVisible())) await child.press(home)
   await expect(beds).toBeVisible()
 }
 
@@ -43,13 +43,13 @@ export async function findsCard(child: Child, card: string): Promise<Locator> {
 /** Opens a card from the home page. */
 export async function opensCard(child: Child, card: string) {
   await goesHome(child)
-  await (await findsCard(child, card)).click()
+  await child.press(await findsCard(child, card))
 }
 
 /** Opens the free lab from the home page of a device without projects: Bo drives at once, and is put back to its start. */
 export async function opensFreeLab(child: Child) {
   await goesHome(child)
-  await child.page.getByRole('link', { name: child.word('home.drive') }).click()
+  await child.press(child.page.getByRole('link', { name: child.word('home.drive') }))
   await child.pressesStop()
   await child.presses('lab.resetWorld')
 }
@@ -57,7 +57,7 @@ export async function opensFreeLab(child: Child) {
 /** A page that the home page leads to, by the words of its link. */
 export async function opensFromHome(child: Child, key: string) {
   await goesHome(child)
-  await child.page.getByRole('link', { name: child.word(key), exact: true }).click()
+  await child.press(child.page.getByRole('link', { name: child.word(key), exact: true }))
 }
 
 /**

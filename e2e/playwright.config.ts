@@ -1,10 +1,10 @@
 import { defineConfig } from '@playwright/test'
 import { flags } from './browser.ts'
 import { findChromium } from './chromium.mjs'
+import { tablet, type HandName } from './hand.ts'
 
 const executablePath = findChromium() ?? undefined
 const desktop = { viewport: { width: 1366, height: 768 } }
-const tablet = { viewport: { width: 1024, height: 768 }, hasTouch: true }
 
 /**
  * One page serves test after test, emptied in between: scripts that were read once are not read again, which is half of
@@ -17,7 +17,7 @@ const unused = ['journey', 'kept', 'late-parts', 'offline', 'own-house', 'said',
   (name) => `**/${name}.spec.ts`,
 )
 
-export default defineConfig<{ hand: 'mouse' | 'finger' }>({
+export default defineConfig<{ hand: HandName }>({
   testDir: 'tests',
   outputDir: 'test-results',
   // Tests wait longer than they compute: four keep two cores busy.

@@ -1,7 +1,7 @@
 import { defineConfig } from '@playwright/test'
 import base from './playwright.config.ts'
 
-/** `npm run walk`: every card to its end, in a browser. Long by nature, so it is no part of `npm test`. */
+/** `npm run walk`: everything to its end, in a browser. Long by nature, so it is no part of `npm test`. */
 export default defineConfig(base, {
   testDir: 'walk',
   timeout: 600_000,

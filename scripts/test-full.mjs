@@ -1,21 +1,21 @@
-// `npm run test:full`: slow unit tests, all browser tests, and a quarter of the walks to the end of every card and map. The
-// commit's id decides on the quarter and on the language, `--sample ID` repeats one. `--shard 1/3` runs a part of each,
+// `npm run test:full`: slow unit tests, all browser tests, and every card, cage, map and race to its end, each in one language
+// and by mouse or by finger. The commit's id decides in which, `--sample ID` repeats one. `--shard 1/3` runs a part of each,
 // `--rooms sorting,network` only the browser tests of some rooms. A stopped run resumes; `--fresh` starts again.
 import { parseArgs } from 'node:util'
 import { ensureChromium } from '../e2e/chromium.mjs'
+import { modeOf, prepare, readShard, walkSuite } from './gate/full.mjs'
 import { readKeys } from './gate/keys.mjs'
 import { flakyOf, forgetRun, readRecords, recordsFile } from './gate/records.mjs'
 import { specsOf } from './gate/rooms.mjs'
 import { commitId, partOf } from './gate/sample.mjs'
 import { browserSuite, runSuite, unitSuite } from './gate/suite.mjs'
 import { summarize } from './gate/summary.mjs'
-import { isSlow, listFiles, listUnitTests } from './gate/tree.mjs'
-import { isToBeBuilt } from './prepare/build.mjs'
+import { isSlow, listUnitTests } from './gate/tree.mjs'
 import { inHouse as inRepo } from './prepare/house.mjs'
 import { installWhenNeeded } from './prepare/install.mjs'
-import { asScript, Trouble } from './prepare/run.mjs'
+import { asScript } from './prepare/run.mjs'
 import { runtime } from './prepare/runtime.mjs'
-import { good, takeInOrder } from './prepare/steps.mjs'
+import { good } from './prepare/steps.mjs'
 
 const options = {
   sample: { type: 'string' },
@@ -24,18 +24,11 @@ const options = {
   fresh: { type: 'boolean', default: false },
 }
 
-/** @param {string | undefined} text `1/3` */
-function readShard(text) {
-  if (text === undefined) return null
-  const [, index, count] = /^([1-9]\d*)\/([1-9]\d*)$/.exec(text) ?? []
-  if (Number(index) <= Number(count)) return text
-  throw new Trouble('--shard needs a part and a number of parts, such as 1/3.')
-}
-
-/** @param {{ shard: string | null, rooms: readonly string[], keys: ReturnType<typeof readKeys> }} options */
-function suitesOf({ shard, rooms, keys }) {
+/** @param {{ shard: string | null, rooms: readonly string[], part: number, keys: ReturnType<typeof readKeys> }} options */
+function suitesOf({ shard, rooms, part, keys }) {
+  const keyOf = keys.ofSpec(modeOf(part, shard))
   const browser = browserSuite({
-    ...{ name: 'browser tests', script: 'test:browser', keyOf: keys.ofSpec, shard },
+    ...{ name: 'browser tests', script: 'test:browser', keyOf, shard },
     files: specsOf(rooms),
   })
   if (rooms.length > 0) return [browser]
@@ -43,19 +36,11 @@ function suitesOf({ shard, rooms, keys }) {
     ...{ name: 'slow unit tests', keyOf: keys.ofTest, shard },
     files: listUnitTests().filter(isSlow),
   })
-  const walks = browserSuite({
-    ...{ name: 'walks to the end', script: 'walk', keyOf: keys.ofSpec, shard, isPart: true },
-    files: listFiles('e2e/walk', '.walk.ts'),
-  })
-  return [slow, browser, walks]
+  return [slow, browser, walkSuite({ keyOf, shard })]
 }
 
 async function runAll(suites, context) {
-  const before = [
-    { name: 'generated files', script: 'generate' },
-    ...(isToBeBuilt() ? [{ name: 'build', script: 'build' }] : []),
-  ]
-  const outcomes = await takeInOrder(before, context.environment)
+  const outcomes = await prepare(context.environment)
   if (!outcomes.every(good)) return outcomes
   // A failure in one suite hides nothing in the others.
   for (const suite of suites) outcomes.push(await runSuite(suite, context))
@@ -70,7 +55,7 @@ await asScript(async () => {
   const part = partOf(sample)
   console.log(`Sample ${sample}: part ${part}. The same again: npm run test:full -- --sample ${sample}`)
   const [records, rooms] = [recordsFile(), values.rooms.split(',').filter(Boolean)]
-  const keys = readKeys(`sample ${part}, shard ${shard ?? 'all'}`)
+  const keys = readKeys()
   const run = `full, ${keys.whole}, ${part}`
   if (values.fresh) forgetRun(records, run)
   const context = {
@@ -81,6 +66,6 @@ await asScript(async () => {
       BOTGARTEN_SAMPLE: String(part),
     },
   }
-  const outcomes = await runAll(suitesOf({ shard, rooms, keys }), context)
+  const outcomes = await runAll(suitesOf({ shard, rooms, part, keys }), context)
   return summarize(outcomes, began, flakyOf(records, run))
 })

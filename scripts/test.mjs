@@ -61,7 +61,7 @@ async function runAll(context) {
   if (outcomes.every(good)) outcomes.push(...(await runChecks(context)))
   const units = unitSuite({ files: listUnitTests().filter((file) => !isSlow(file)), keyOf: keys.ofTest })
   const walk = browserSuite({
-    ...{ name: 'walk through every feature', script: 'test:gate', keyOf: keys.ofSpec },
+    ...{ name: 'walk through every feature', script: 'test:gate', keyOf: keys.ofSpec() },
     files: listFiles('e2e/gate', '.spec.ts', '.touch.ts'),
   })
   for (const suite of [units, walk]) if (outcomes.every(good)) outcomes.push(await runSuite(suite, context))

@@ -14,7 +14,7 @@ test(
     tag: ['@reward-zoo', '@/zoo'],
   },
   async ({ child, page }) => {
-    const zoo = new ZooVisitor(child, (thing) => thing.click())
+    const zoo = new ZooVisitor(child)
     const text = fountain.text['de']!
     await zoo.comes()
     await zoo.enters(fountain)

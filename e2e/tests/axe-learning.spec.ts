@@ -153,7 +153,7 @@ const spinner = content.senseCages.find(({ cage }) => cage.id === 'spinner')!
 
 const zoo: States = {
   'a cheat, move by move': async (child) => {
-    const visitor = new ZooVisitor(child, (thing) => thing.click())
+    const visitor = new ZooVisitor(child)
     await visitor.comes()
     await visitor.enters(fountain)
     await visitor.guesses(fountain)
@@ -161,7 +161,7 @@ const zoo: States = {
     await visitor.steps()
   },
   'all cages, one of them fixed': async (child) => {
-    const visitor = new ZooVisitor(child, (thing) => thing.click())
+    const visitor = new ZooVisitor(child)
     await visitor.mends(fountain)
     await visitor.seesMended(fountain)
     await visitor.leaves(1)

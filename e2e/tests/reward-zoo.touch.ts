@@ -11,7 +11,7 @@ for (const language of languagesOf(import.meta.filename)) {
     test.use({ language })
 
     test('two cages are guessed, watched and mended', async ({ child }) => {
-      const zoo = new ZooVisitor(child, (thing) => thing.tap())
+      const zoo = new ZooVisitor(child)
       await zoo.comes()
       for (const [index, cage] of [cageOf('fountain'), cageOf('hill')].entries()) {
         await zoo.enters(cage)

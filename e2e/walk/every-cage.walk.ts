@@ -1,17 +1,16 @@
 import { content } from '@botgarten/content/files'
 import { ZooVisitor } from '../child-zoo.ts'
 import { test } from '../house.ts'
-import { isSampled } from '../sample.ts'
-import { languages } from '../words.ts'
+import { settingsOf, variantsOf } from '../variant.ts'
 
-for (const language of languages.filter((one) => isSampled(`every-cage ${one}`)))
-  test.describe(`the zoo in ${language}`, () => {
-    test.use({ language })
+for (const variant of variantsOf('every-cage'))
+  test.describe(`the zoo in ${variant.language}, by ${variant.hand}`, () => {
+    test.use(settingsOf(variant))
 
     test('is walked from cage to cage, each guessed, watched, stepped, mended and watched again', async ({
       child,
     }) => {
-      const zoo = new ZooVisitor(child, (thing) => thing.click())
+      const zoo = new ZooVisitor(child)
       await zoo.comes()
       for (const [index, cage] of content.cages.entries())
         await test.step(cage.cage.id, async () => {

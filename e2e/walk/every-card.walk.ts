@@ -1,47 +1,25 @@
 import { Learner } from '../child-learning.ts'
-import { isTried } from '../child-paying.ts'
-import { isPractised } from '../child-practising.ts'
 import { isRaced, racesBrains } from '../child-racing.ts'
-import { solves, tasks, type Task } from '../child-solving.ts'
+import { solves, tasks } from '../child-solving.ts'
 import { TimeHands } from '../child-time.ts'
-import type { Child } from '../child.ts'
 import { expect, test } from '../house.ts'
-import { isSampled } from '../sample.ts'
-import { languages } from '../words.ts'
+import { settingsOf, variantsOf } from '../variant.ts'
 
-/** From home by its link, or by its address. */
-async function opens(child: Child, card: string, fromHome: boolean) {
-  if (!fromHome) return child.opensLab(card)
-  await child.opensHome()
-  await (await child.findsCard(card)).click()
-  await child.seesLab()
-}
-
-/** Do its hints say what to press? */
-const isPressed = (task: Task) => isPractised(task) || isTried(task) || isRaced(task)
-
-/** Languages and ways there by turns; what hints tell a child to press is walked in every language. */
-const walks = tasks.flatMap((task, index) =>
-  (isPressed(task) ? languages : [languages[index % languages.length]!]).map((language, turn) => ({
-    ...{ task, language },
-    fromHome: (index + 2 * turn) % 4 < 2,
-  })),
-)
-
-for (const { task, language, fromHome } of walks) {
+for (const { task, variant } of tasks.flatMap((task) =>
+  variantsOf(task.card.id).map((variant) => ({ task, variant })),
+)) {
   const { card } = task
-  if (!isSampled(`${card.id} ${language}`)) continue
   const of = card.starts.length
 
-  test.describe(`${card.id} in ${language}, ${fromHome ? 'from home' : 'by its address'}`, () => {
-    test.use({ language })
+  test.describe(`${card.id} in ${variant.language}, by ${variant.hand}`, () => {
+    test.use(settingsOf(variant))
 
     test(`is solved from ${of} ${of === 1 ? 'place' : 'places'}, to the end`, async ({ child, page }) => {
       const time = new TimeHands(child)
       // At full speed it may be passed before anybody looks.
       const place = (number: number) =>
         child.button('lab.place', { number }).or(child.button('lab.placePassed', { number }))
-      await opens(child, card.id, fromHome)
+      await child.opensLab(card.id)
       await solves(child, task)
       if (isRaced(task)) await racesBrains(child)
 
@@ -67,7 +45,7 @@ for (const { task, language, fromHome } of walks) {
         else await expect(next).toHaveCount(0)
         await child.seesSaved()
         if (card.next) {
-          await next.click()
+          await child.press(next)
           await expect(page.getByRole('heading', { level: 1 })).toHaveText(child.card(card.next))
         }
         await child.opensHome()

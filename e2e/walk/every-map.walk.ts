@@ -5,8 +5,7 @@ import type { Facts } from '@botgarten/messages'
 import { Learner } from '../child-learning.ts'
 import { TimeHands } from '../child-time.ts'
 import { expect, test } from '../house.ts'
-import { isSampled } from '../sample.ts'
-import { languages } from '../words.ts'
+import { settingsOf, variantsOf } from '../variant.ts'
 
 /** Where Bo drives no way, by the sentence that says why: a move may lead somewhere else, or going round pays more than the goal. */
 const chance = ['q.chance', { value: '.+', best: '.+', rides: '\\d+' }] as const
@@ -18,12 +17,11 @@ const withoutWay: { readonly [map: string]: readonly [key: string, facts: Facts]
 /** cm from the middle of the goal's station at which Bo may stop. */
 const near = 12
 
-for (const [index, map] of content.maps.entries()) {
-  if (!isSampled(map)) continue
-  const language = languages[index % languages.length]!
-
-  test.describe(`the map ${map} in ${language}`, () => {
-    test.use({ language })
+for (const { map, variant } of content.maps.flatMap((map) =>
+  variantsOf(map).map((variant) => ({ map, variant })),
+)) {
+  test.describe(`the map ${map} in ${variant.language}, by ${variant.hand}`, () => {
+    test.use(settingsOf(variant))
 
     test('is chosen by its name, learned on to the end, and its way driven, where there is one', async ({
       child,

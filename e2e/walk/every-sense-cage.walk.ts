@@ -1,12 +1,11 @@
 import { content } from '@botgarten/content/files'
 import { SenseVisitor } from '../child-sense-zoo.ts'
 import { test } from '../house.ts'
-import { isSampled } from '../sample.ts'
-import { languages } from '../words.ts'
+import { settingsOf, variantsOf } from '../variant.ts'
 
-for (const language of languages.filter((one) => isSampled(`every-sense-cage ${one}`)))
-  test.describe(`the loophole zoo in ${language}`, () => {
-    test.use({ language })
+for (const variant of variantsOf('every-sense-cage'))
+  test.describe(`the loophole zoo in ${variant.language}, by ${variant.hand}`, () => {
+    test.use(settingsOf(variant))
 
     test('is walked from cage to cage, each predicted, watched, mended and tried until a Bo drives', async ({
       child,

@@ -24,11 +24,10 @@ const isSpec = (path) => /^e2e\/.*\.(spec|touch|walk)\.ts$/.test(path)
 /**
  * Keys of steps and test files: a key is a hash of everything that decides how it ends. `whole` is a hash of all files. No key is
  * given where there is no git.
- * @param {string} [mode] a further condition that decides, such as the sample
  */
-export function readKeys(mode = '') {
+export function readKeys() {
   const tree = readTree()
-  if (tree === null) return { whole: '', ofStep: () => null, ofTest: () => null, ofSpec: () => null }
+  if (tree === null) return { whole: '', ofStep: () => null, ofTest: () => null, ofSpec: () => () => null }
   const imports = readImports()
   const textOf = (path) => readFileSync(inRepo(path), 'utf8')
   const whole = hashOfTree(tree)
@@ -40,7 +39,13 @@ export function readKeys(mode = '') {
     ofStep: (name) => hashOf([`step ${name}`, whole]),
     /** @param {string} file */
     ofTest: (file) => keyOfTest({ tree, imports, textOf }, file),
-    /** @param {string} file */
-    ofSpec: (file) => hashOf([`spec ${file}`, `mode ${mode}`, tree.get(file) ?? '', product]),
+    /**
+     * @param {string} [mode] a further condition that decides, such as the sample
+     * @returns {(file: string) => string}
+     */
+    ofSpec:
+      (mode = '') =>
+      (file) =>
+        hashOf([`spec ${file}`, `mode ${mode}`, tree.get(file) ?? '', product]),
   }
 }
