@@ -1,5 +1,6 @@
 // Rooms: app, editor, q-learning
 import { content } from '@botgarten/content/files'
+import { setsKnob } from '../child-cards.ts'
 import { Learner } from '../child-learning.ts'
 import { TimeHands } from '../child-time.ts'
 import type { Child } from '../child.ts'
@@ -29,8 +30,7 @@ const covers = (child: Child) =>
 
 test('a hint of any card covers nothing of the lab, in windows of any size', async ({ child, page }) => {
   test.slow()
-  const cards = content.cards.filter(({ bed }) => bed !== 'sorting')
-  for (const [turn, { id }] of cards.entries()) {
+  for (const [turn, { id }] of content.cards.entries()) {
     await page.setViewportSize(sizes[turn % 3]!)
     await child.opensLab(id)
     await child.presses('lab.hint')
@@ -97,4 +97,30 @@ test('after a run that missed something the next hint is due', async ({ child })
   await expect(child.button('lab.hint')).toHaveAttribute('data-offered')
   await child.presses('lab.hint')
   await expect(title(2)).toBeVisible()
+})
+
+test('a hint that was followed gives way to the next one, at once and when it is opened again', async ({
+  child,
+}) => {
+  await child.opensLab('chameleon')
+  const title = (number: number) => hintOf(child).getByText(child.word('lab.hintTitle', { number, of: 3 }))
+  const green = child.word('network.name', {
+    label: child.word('neuron.colour', { COLOUR: child.word('choice.green'), SENSORPORT: '1' }),
+    place: child.word('network.place.front'),
+  })
+  const lamp = child.word('neuron.lamp', { OUTPUTNODE: child.word('choice.green') })
+  await child.presses('lab.hint')
+  await expect(title(1)).toBeVisible()
+  await setsKnob(child, green, lamp, '1')
+  await expect(title(2)).toBeVisible()
+  await child.types('Escape')
+  for (const layer of ['addSensor', 'addOutput'] as const) await child.addsNeuron(layer)
+  // The last hint has the numbers: not before a run.
+  await child.presses('lab.hint')
+  await expect(title(2)).toBeVisible()
+  await child.types('Escape')
+  await child.pressesStart()
+  await child.pressesStop()
+  await child.presses('lab.hint')
+  await expect(title(3)).toBeVisible()
 })

@@ -50,6 +50,7 @@ const card = v.strictObject({
   world: v.string(),
   checks: v.pipe(v.array(check), v.minLength(1)),
   next: v.nullable(v.string()),
+  hintSteps: v.exactOptional(v.array(v.nullable(v.record(v.string(), v.number())))),
   network: v.exactOptional(
     v.strictObject({ inputs: neurons, outputs: neurons, below: v.exactOptional(v.string()) }),
   ),

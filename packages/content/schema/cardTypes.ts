@@ -27,10 +27,20 @@ export interface Card {
   readonly checks: readonly Check[]
   /** Id of the card that comes next. */
   readonly next: string | null
+  /** By hint: the measures of the program that show that it was followed; null if only a run shows it. Absent at the end: the same. */
+  readonly hintSteps?: readonly (HintStep | null)[]
   /** The network that "Put a network in" makes; absent: one of two distances and two motors, at the end of the loop. */
   readonly network?: CardNetwork
   /** The same blocks with the weights of another card, as a second robot beside the first. */
   readonly beside?: Beside
+}
+
+/**
+ * The least values of some measures of a program: `knobs`, weights that are not 0; `examples`, rows of the table; `rounds` of
+ * practice; `#id`, the number in the first field of this block; any other name counts blocks whose type begins with it.
+ */
+export interface HintStep {
+  readonly [measure: string]: number
 }
 
 /** The neurons of a network in the order of its layers, and the id of the block below which it is put. */

@@ -169,13 +169,18 @@ export class LabScreenState {
   }
   /** The miss that the newest hint has followed. */
   #answered: LabUi['missed'] = null
-  /** The first hint; after a further run that missed something the next one. The last one not before something was tried. */
+  /** The first hint; after a further run that missed something the next one. */
   #askDue(): void {
-    const { missed, tried } = this.ui
-    const { shown = 0, list = [] } = this.hints ?? {}
-    const isDue = missed !== null && missed !== this.#answered && (tried || shown + 1 < list.length)
-    if (shown === 0 || isDue) this.session.askHint(Math.min(shown + 1, list.length))
+    const { missed } = this.ui
+    const { shown = 0 } = this.hints ?? {}
+    if (shown === 0 || (missed !== null && missed !== this.#answered)) this.askHints(shown + 1)
     this.#answered = missed
+  }
+  /** Asks for the first `wanted` hints. The last one comes not before something was tried. */
+  askHints(wanted: number): void {
+    const { shown = 0, list = [] } = this.hints ?? {}
+    const count = Math.min(wanted, list.length - (this.ui.tried ? 0 : 1))
+    if (count > shown) this.session.askHint(count)
   }
   /** The focus goes back to where the hint was opened. */
   closeHint = (): void => {
