@@ -56,6 +56,8 @@ export class Learning {
     this.records = new Records(kept?.runs ?? [])
     this.#seed = pinned ?? kept?.seed ?? throwSeed()
     session.learnFirst = () => this.#learnFirst()
+    const { starts } = session
+    session.starts = () => this.drive.starts ?? starts()
   }
 
   get outline() {
