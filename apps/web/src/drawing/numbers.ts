@@ -4,7 +4,7 @@ import type { Scale } from './track.ts'
 const formats = new Map<string, Intl.NumberFormat>()
 
 /** Shown in place of a value that is no number. */
-export const NO_NUMBER = '–'
+const NO_NUMBER = '–'
 
 interface Written {
   /** Places behind the comma, at least and at most. */

@@ -74,7 +74,7 @@ export class Lab {
   readonly learning: Learning | null
   readonly card: LoadedCard
   /** The first error of a note. */
-  fault: unknown = null
+  fault: Error | null = null
   readonly #close: readonly (() => void)[]
 
   constructor(card: LoadedCard, id: string, project: Project, revision: number) {
@@ -104,7 +104,7 @@ export class Lab {
         try {
           if (this.learning) notesOf(this.learning)
         } catch (cause) {
-          this.fault ??= cause
+          this.fault ??= cause instanceof Error ? cause : new Error(String(cause))
         }
       })
     })
@@ -186,10 +186,10 @@ export async function reopened(lab: Lab): Promise<{ readonly lab: Lab; readonly 
   const file = JSON.stringify(wanted)
   await session.autosave.flush()
   const saved = await load(id)
-  const isFile = JSON.stringify(parseProject(JSON.parse(file) as unknown))
+  const fromFile = parseProject(JSON.parse(file) as unknown)
   const lost = !saved
     ? `nothing is saved (${session.autosave.storage})`
-    : (differenceOf(wanted, saved.project) ?? differenceOf(wanted, JSON.parse(isFile)))
+    : (differenceOf(wanted, saved.project) ?? differenceOf(wanted, fromFile))
   return { lab: new Lab(lab.card, id, saved?.project ?? wanted, saved?.revision ?? 0), lost }
 }
 

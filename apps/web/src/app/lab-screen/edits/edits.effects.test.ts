@@ -19,7 +19,7 @@ vi.mock('#figures/map/picture.ts', () => ({ takeApart: () => ({}) }))
 const kinds = Object.keys(edits)
 
 /** Sequences: a sample in `npm test`, 10,000 in `npm run test:long`; `BOTGARTEN_EDITS=<number>` runs another number. */
-const sequences = Number(process.env['BOTGARTEN_EDITS'] ?? (isLong ? 10_000 : 72))
+const sequences = Number(process.env['BOTGARTEN_EDITS'] ?? (isLong ? 10_000 : 60))
 /** `BOTGARTEN_EDITS_COUNT=1` counts the sequences that fail instead of ending with the first. */
 const counts = process.env['BOTGARTEN_EDITS_COUNT'] === '1'
 const log = new Log()

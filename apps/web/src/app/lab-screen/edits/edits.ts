@@ -156,8 +156,8 @@ export const edits: { readonly [kind: string]: Edit } = {
   },
   map: onMap(({ edits: blocks, outline }, _lab, pick) => {
     const id = pick.of(content.maps.filter((one) => one !== outline!.map))!
-    const { map } = content.mapFile(id)!
-    blocks.setMap(id, map.start ?? 0, map.goal ?? map.actions.length - 1)
+    const { map, start = 0, goal = map.actions.length - 1 } = content.mapFile(id)!
+    blocks.setMap(id, start, goal)
   }),
   mapField: onMap(({ outline }, lab, pick) => {
     const after = mapField(pick.of(content.maps)!)

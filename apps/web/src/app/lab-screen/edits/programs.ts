@@ -1,4 +1,4 @@
-import { definitions, type Block } from '@botgarten/blocks'
+import type { Block } from '@botgarten/blocks'
 import type { Program } from '@botgarten/programs'
 
 /** Every block of a program, those inside others too. */
@@ -79,12 +79,4 @@ export function copyOf(block: Block, suffix: string): Block {
       ),
     }),
   }
-}
-
-/** Is it a block that is placed in a row, one after the other? */
-export const isStatement = ({ type }: Block): boolean => {
-  const definition = (definitions as { readonly [type: string]: { readonly output?: unknown } | undefined })[
-    type
-  ]
-  return definition !== undefined && !('output' in definition && definition.output)
 }

@@ -36,7 +36,7 @@ test('every kind of miss that a check has comes up', () => {
 function learningOn(map: string, episodes: number, seed: number): Learning {
   const stage = { id: map, map: content.mapFile(map)!, roads: [] } as unknown as Stage
   const outline = learningIn(content.program('railway', 'solution')!.programs['main']!)!
-  const { start = 0, goal = stage.map.map.actions.length - 1 } = stage.map.map
+  const { start = 0, goal = stage.map.map.actions.length - 1 } = stage.map
   const asked = { ...outline, map, start, goal, closed: [], episodes }
   const course = courseOn(stage, asked, seed)!
   course.advance(asked.moves)
