@@ -1,4 +1,4 @@
-import type { Environment } from 'vitest/environments'
+import type { Environment } from 'vitest/runtime'
 
 /** Node, with the modules of Svelte that run effects. */
 export default {
