@@ -29,3 +29,7 @@ test.each(content.maps)('every way on the map %s is a scene that can be saved an
     { numRuns: 30 },
   )
 })
+
+test('a way of one station, where start and goal are the same, has no fault', () => {
+  expect(wayFault(content.mapFile('railway')!, [3])).toBeNull()
+})

@@ -33,11 +33,11 @@ test('every kind of miss that a check has comes up', () => {
 })
 
 /** A learning on a map after `episodes` tries, as its notes read it. */
-function learningOn(map: string, episodes: number, seed: number): Learning {
+function learningOn(map: string, episodes: number, seed: number, from?: number): Learning {
   const stage = { id: map, map: content.mapFile(map)!, roads: [] } as unknown as Stage
   const outline = learningIn(content.program('railway', 'solution')!.programs['main']!)!
   const { start = 0, goal = stage.map.map.actions.length - 1 } = stage.map
-  const asked = { ...outline, map, start, goal, closed: [], episodes }
+  const asked = { ...outline, map, start: from ?? start, goal: from ?? goal, closed: [], episodes }
   const course = courseOn(stage, asked, seed)!
   course.advance(asked.moves)
   return {
@@ -49,7 +49,12 @@ function learningOn(map: string, episodes: number, seed: number): Learning {
 
 const notices: readonly Notice[] = ['away', 'bumped', 'elsewhere', 'floorMissing']
 const learnings = content.maps.flatMap((map) =>
-  [1, 2, 10, 100, 1000].flatMap((episodes) => [1, 2, 3].map((seed) => learningOn(map, episodes, seed))),
+  [1, 2, 10, 100, 1000]
+    .flatMap((episodes) => [1, 2, 3].map((seed) => learningOn(map, episodes, seed)))
+    .concat(
+      // Start and goal are one station.
+      learningOn(map, 10, 1, 1),
+    ),
 )
 
 describe.each(['de', 'en'] as const)('in %s', (locale) => {

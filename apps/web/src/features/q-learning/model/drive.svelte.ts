@@ -54,8 +54,8 @@ export class Drive {
   /** The way does not lie on the floor yet: lays it, and drives then. Returns whether there was something to lay. */
   drawFirst(): boolean {
     const learned = this.#learned()
-    if (learned?.blocks.draw === undefined || wayFault(learned.stage.map, learned.stations) !== null)
-      return false
+    if (learned?.blocks.draw === undefined || learned.stations.length < 2) return false
+    if (wayFault(learned.stage.map, learned.stations) !== null) return false
     if (this.#floor.lies(learned.stage, learned.stations)) return false
     void this.draw(true)
     return true
@@ -64,8 +64,7 @@ export class Drive {
   /** Start pose of the way on the floor; null if no learned way is drawn there. */
   get starts(): readonly Pose[] | null {
     const learned = this.#learned()
-    if (!learned || learned.stations.length < 2 || !this.#floor.lies(learned.stage, learned.stations))
-      return null
+    if (!learned || !this.#floor.lies(learned.stage, learned.stations)) return null
     return this.#floor.starts(learned.stage, learned.stations)
   }
 

@@ -17,7 +17,7 @@ export class WayOnFloor {
 
   /** Does this way lie there already? */
   lies = (stage: Stage, stations: readonly number[]): boolean =>
-    this.#isThere(drawWay(stage.map, stations).scene)
+    stations.length > 1 && this.#isThere(drawWay(stage.map, stations).scene)
 
   /** Where the robot stands to drive it. */
   starts = (stage: Stage, stations: readonly number[]): readonly Pose[] =>
