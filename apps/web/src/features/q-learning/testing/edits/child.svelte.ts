@@ -22,7 +22,7 @@ import { LabSession } from '#lab/session.svelte.ts'
 import { LabUi } from '#lab/ui.svelte.ts'
 import { load, save } from '#storage/projects.ts'
 import { message } from '#words/message.ts'
-import { taskOf } from '../card.ts'
+import { taskOf } from '#app/lab-screen/card.ts'
 import { withFields, withRoads } from './programs.ts'
 
 addBlocks(learning)

@@ -1,6 +1,6 @@
 /** Counts of a run of random edits, and the processor time of each, as benchmarks/results/edits.md. */
 export class Log {
-  readonly file = new URL('../../../../../../benchmarks/results/edits.md', here)
+  readonly file = new URL('../../../../../../../benchmarks/results/edits.md', here)
   readonly #started = new Map<string, number>()
   readonly #moving = new Map<string, number>()
   readonly #costs = new Map<string, number[]>()
@@ -51,7 +51,7 @@ export class Log {
     const failed = [...this.#failures].map(([text, count]) => `- ${count} sequences: ${text}`)
     return `# Random edits while a card runs
 
-${sequences} sequences of 6 to 14 edits over the session of the lab, on a fake clock: \`BOTGARTEN_LONG=1 npm run --silent test:unit -- apps/web/src/app/lab-screen/edits\`. Each sequence starts with the solution of a card, ${Math.min(...started)} to ${Math.max(...started)} times for each card.
+${sequences} sequences of 6 to 14 edits over the session of the lab, on a fake clock: \`BOTGARTEN_LONG=1 npm run --silent test:unit -- apps/web/src/features/q-learning/testing/edits\`. Each sequence starts with the solution of a card, ${Math.min(...started)} to ${Math.max(...started)} times for each card.
 
 Sequences that failed: ${[...this.#failures.values()].reduce((sum, count) => sum + count, 0)}
 ${failed.join('\n')}
