@@ -50,6 +50,9 @@ const isShared = (file: string) => shared.some((name) => file.startsWith(`packag
 const isWeb = (file: string) => file.startsWith('apps/web/')
 const testsOf = (...folders: readonly string[]) => folders.map((folder) => `${folder}/**/*.test.ts`)
 
+/** Tests in which effects run, as in a browser: elsewhere Svelte's modules are those of a server. */
+const effects = '**/*.effects.test.ts'
+
 const limits = {
   // Long enough for a slow machine; a test that hangs still fails.
   testTimeout: 60_000,
@@ -96,6 +99,22 @@ export default defineConfig({
           name: 'web',
           server,
           include: included(isWeb, 'apps/web', testsOf('src')),
+          exclude: ['**/node_modules/**', effects],
+          setupFiles: [keeping, `${import.meta.dirname}/apps/web/src/words/all-languages.ts`],
+        },
+      },
+      {
+        extends: 'apps/web/vite.config.ts',
+        root: 'apps/web',
+        resolve: { ...resolve, conditions: ['browser', 'module', 'import'] },
+        test: {
+          ...limits,
+          name: 'effects',
+          environment: `${import.meta.dirname}/scripts/testing/effects.ts`,
+          server: { deps: { external: server.deps.external, inline: ['svelte', 'esm-env'] } },
+          include: included((file) => isWeb(file) && file.endsWith('.effects.test.ts'), 'apps/web', [
+            effects,
+          ]),
           setupFiles: [keeping, `${import.meta.dirname}/apps/web/src/words/all-languages.ts`],
         },
       },

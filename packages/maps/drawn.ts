@@ -1,4 +1,4 @@
-import type { Scene } from '@botgarten/programs'
+import { most, type Scene } from '@botgarten/programs'
 import { between, distance, type Point } from './point.ts'
 import type { MapFile } from './types.ts'
 import { placeOf, wayThrough, worldSizeOf } from './way.ts'
@@ -40,8 +40,8 @@ export interface DrawnWay {
  */
 export function drawWay(map: MapFile, stations: readonly number[]): DrawnWay {
   const { points, heading } = wayThrough(map, stations)
-  const onwards = [...points, beyond(points, BEYOND + BAR.width)]
-  const discs = stations.map((station, index) => ({
+  const onwards = thinned([...points, beyond(points, BEYOND + BAR.width)], most.points)
+  const discs = thinned(stations, most.areas).map((station, index) => ({
     id: `station-${index}`,
     shape: { kind: 'circle' as const, radius: STATION },
     pose: { ...placeOf(map, station), heading: 0 },
@@ -67,6 +67,12 @@ export function drawWay(map: MapFile, stations: readonly number[]): DrawnWay {
     },
     points,
   }
+}
+
+/** At most `limit` items of a row, evenly spread, with the first and the last one. */
+function thinned<Item>(row: readonly Item[], limit: number): readonly Item[] {
+  if (row.length <= limit) return row
+  return Array.from({ length: limit }, (_, at) => row[Math.round((at * (row.length - 1)) / (limit - 1))]!)
 }
 
 /** The doors of a grid that a way goes through: blue across, yellow up and down. Where wind blows it past a room there is none. */

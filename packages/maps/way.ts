@@ -68,6 +68,8 @@ export type WayFault = { readonly kind: 'turn'; readonly station: number } | { r
 
 /** @returns null where it can */
 export function wayFault(map: MapFile, stations: readonly number[]): WayFault | null {
+  // Start and goal are one station.
+  if (stations.length < 2) return null
   const station = tightTurn(map, stations)
   if (station !== null) return { kind: 'turn', station }
   return meetsItself(wayThrough(map, stations).points) ? { kind: 'crosses' } : null

@@ -61,7 +61,10 @@ function functions(locale: string): Functions {
   if (made) return made
   const rules = new Intl.PluralRules(locale)
   const format = new Intl.NumberFormat(locale)
-  const own: Functions = { plural: (value) => rules.select(value), number: (value) => format.format(value) }
+  const own: Functions = {
+    plural: (value) => rules.select(value),
+    number: (value) => (Number.isFinite(value) ? format.format(value).replace('-', '−') : '–'),
+  }
   known.set(locale, own)
   return own
 }

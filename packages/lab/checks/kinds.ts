@@ -23,6 +23,7 @@ import { silent } from './silent.ts'
 import { sings } from './sings.ts'
 import { speedOn } from './speedOn.ts'
 import { stays } from './stays.ts'
+import { tried } from './tried.ts'
 import { turnsAway } from './turnsAway.ts'
 import { turnsBack } from './turnsBack.ts'
 import { visits } from './visits.ts'
@@ -53,6 +54,7 @@ export const kinds: { readonly [kind: string]: AnyKind } = {
   sings,
   speedOn,
   stays,
+  tried,
   turnsAway,
   turnsBack,
   visits,

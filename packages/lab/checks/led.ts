@@ -29,6 +29,8 @@ export const led: Kind<Memory> = {
     if (shone === null) return { what: 'unseen', facts: { colour } }
     if (shone === lamp) return tooShort(check, longest, { colour })
     if (shone === '') return { what: 'dark', facts: { colour } }
-    return { what: lamp === '' ? 'lit' : 'other', facts: { colour, shone, lamp } }
+    return lamp === ''
+      ? { what: 'lit', facts: { colour, shone } }
+      : { what: 'other', facts: { colour, shone, lamp } }
   },
 }

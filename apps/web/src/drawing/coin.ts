@@ -1,4 +1,5 @@
 import type { Command } from './commands.ts'
+import { writeNumber } from './numbers.ts'
 import type { Point } from './points.ts'
 
 /** What has just been paid. */
@@ -11,8 +12,7 @@ export interface Coin {
 /** What has just been paid, in tenths and with its sign; null where that is nothing. */
 export function coinFor(paid: number, locale: string): Coin | null {
   if (Math.abs(paid) < 0.05) return null
-  const tenths = { minimumFractionDigits: 1, maximumFractionDigits: 1, signDisplay: 'always' } as const
-  return { text: paid.toLocaleString(locale, tenths).replace('-', '−'), gains: paid > 0 }
+  return { text: writeNumber(paid, locale, { least: 1, most: 1, plus: true }), gains: paid > 0 }
 }
 
 const radius = 22

@@ -1,6 +1,7 @@
+import { globSync, readFileSync } from 'node:fs'
 import fc from 'fast-check'
 import { describe, expect, test } from 'vitest'
-import { decimalMark, formatNumber, parseWeight } from './numbers.ts'
+import { decimalMark, formatNumber, parseWeight, writeNumber } from './numbers.ts'
 import { unitScale } from './track.ts'
 
 const parsed = (text: string) => parseWeight(text, unitScale)
@@ -56,4 +57,35 @@ describe('a typed weight', () => {
 
 test('every language has its own mark before the tenths', () => {
   expect(['de', 'en', 'fr', 'de-CH'].map(decimalMark)).toEqual([',', '.', ',', '.'])
+})
+
+describe('a value that is no number', () => {
+  test.each([NaN, Infinity, -Infinity])('%s is a dash, in every form', (value) => {
+    expect([formatNumber(value, 'de'), writeNumber(value, 'en', { least: 1, plus: true })]).toEqual([
+      '–',
+      '–',
+    ])
+  })
+})
+
+test('every number has a real minus, groups of thousands and no minus before zero', () => {
+  expect(writeNumber(-4311.5, 'de')).toBe('−4.311,5')
+  expect(writeNumber(-4311.5, 'en')).toBe('−4,311.5')
+  expect([writeNumber(-0.001, 'en', { most: 1 }), writeNumber(2, 'en', { plus: true })]).toEqual(['0', '+2'])
+})
+
+/** Folders whose numbers are all written here. */
+const folders = [
+  ...['app', 'drawing', 'figures', 'features/inside', 'features/map-designer', 'features/missed'],
+  ...['features/network', 'features/q-learning', 'features/senses', 'features/sorting', 'features/training'],
+  'features/world',
+]
+
+test.each(folders)('%s formats no number of its own', (folder) => {
+  const files = globSync(`${folder}/**/*.{ts,svelte}`, { cwd: `${import.meta.dirname}/..` })
+  const own = files.filter((file) => {
+    const text = readFileSync(`${import.meta.dirname}/../${file}`, 'utf8')
+    return !/test\.ts$|drawing\/numbers\.ts$/.test(file) && /NumberFormat\(|\.toLocaleString\(/.test(text)
+  })
+  expect(own).toEqual([])
 })

@@ -5,12 +5,15 @@ import { samePose, type Pose } from '@botgarten/simulation'
 /** How far a child has come with a card: from where it was solved, and how many hints were asked for. */
 export class CardProgress {
   readonly #card: Card | undefined
+  readonly #starts: () => readonly Pose[]
   #now = $state.raw<Progress>({ starts: [], hints: 0 })
   /** Start pose that the present run began from; null once a hand has helped, −1 for another place. */
   #startedFrom: number | null = null
 
-  constructor(card: Card | undefined, progress: Progress | undefined) {
+  /** @param starts poses from which a run counts */
+  constructor(card: Card | undefined, progress: Progress | undefined, starts: () => readonly Pose[]) {
     this.#card = card
+    this.#starts = starts
     if (progress) this.#now = progress
   }
 
@@ -18,15 +21,14 @@ export class CardProgress {
     return this.#now
   }
 
-  /** Index of the card's start pose that this is, −1 for another place. */
+  /** Index of the start pose that this is, −1 for another place. */
   startAt(pose: Pose | undefined): number {
-    if (!pose) return -1
-    return this.#card?.starts.findIndex((start) => samePose(start, pose)) ?? -1
+    return pose ? this.#starts().findIndex((start) => samePose(start, pose)) : -1
   }
 
-  /** A run begins with the first robot there. Who learned a way starts where the way does. */
+  /** A run begins with the first robot there. */
   begin(pose: Pose | undefined): void {
-    this.#startedFrom = this.#card?.playground === 'q-learning' ? 0 : this.startAt(pose)
+    this.#startedFrom = this.startAt(pose)
   }
 
   /** Does the present run count? It began on a start pose, and no hand has helped. */

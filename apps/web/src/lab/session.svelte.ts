@@ -4,7 +4,7 @@ import type { Brain } from '@botgarten/learning/neural-network/brain'
 import { networksByUse, tryingIn } from '@botgarten/programs'
 import type { Learned, OwnCard, Project, Scene } from '@botgarten/programs'
 import { ownCardId } from '#content/cards.ts'
-import type { Floor } from '@botgarten/simulation'
+import type { Floor, Pose } from '@botgarten/simulation'
 import { allowed } from './allowed.svelte.ts'
 import type { Slots } from './slots.ts'
 import { backFrom, type Change, type LabEvent, type Part } from './change.ts'
@@ -51,6 +51,8 @@ export class LabSession {
   paint: (scene: Scene) => Floor | null = () => null
   /** Start was pressed: learns first what the program wants learned. The playground sets it; true where it has begun. */
   learnFirst: () => boolean = () => this.learns
+  /** Poses from which a run counts: those of the card, or where the way that was learned begins. The playground sets it. */
+  starts: () => readonly Pose[] = () => this.opened.card?.card.starts ?? []
   /** What is looked at inside the network; there from the first question on. */
   inside = $state.raw<Slots['inside'] | null>(null)
   /** How its networks learn from examples; there once a child has asked. */
@@ -73,7 +75,7 @@ export class LabSession {
     this.opened = opened
     const { project, card } = opened
     this.#extras = new Extras(project)
-    this.#progress = new CardProgress(card?.card, project.progress)
+    this.#progress = new CardProgress(card?.card, project.progress, () => this.starts())
     this.effort = new EffortCount(project.effort)
     this.lab = new RunningLab(project, opened.floor, card?.card.checks ?? [], this.effort)
     this.weights = new HandOnWeights(this)
@@ -253,9 +255,9 @@ export class LabSession {
     this.lab.press(key, down)
   }
 
-  /** Puts the robot on one of the card's start poses. */
+  /** Puts the robot on one of the start poses. */
   chooseStart(index: number): void {
-    const pose = this.opened.card?.card.starts[index]
+    const pose = this.starts()[index]
     const robot = this.lab.view.robots[0]
     if (!pose || !robot) return
     this.#lastStart = index
@@ -263,14 +265,10 @@ export class LabSession {
     this.apply({ kind: 'place', id: robot.id, after: pose })
   }
 
-  /**
-   * Puts everything back. On a card the robot comes to a start pose that counts, even if it was
-   * moved by hand before; on a map it starts where the way does.
-   */
+  /** Puts everything back. On a card the robot comes to a start pose that counts, even if it was moved by hand before. */
   toStart(): void {
     this.lab.reset()
-    const isOnMap = this.opened.card?.card.playground === 'q-learning'
-    if (!isOnMap && this.chosenStart < 0) this.chooseStart(this.#lastStart)
+    if (this.chosenStart < 0) this.chooseStart(this.#lastStart)
   }
 
   /** Index of the start pose the robot is set on, −1 for another place. */

@@ -29,4 +29,5 @@ test('the error of a table is the share that is wrong, or how far it is off, and
   const mean = lossesOn(layers, weights, pairs).reduce((a, b) => a + b) / 4
   expect(errorOn(layers, weights, examples, null)).toBeCloseTo(100 * Math.sqrt(mean), 10)
   expect(errorOn(layers, weights, none, null)).toBeNull()
+  expect(errorOn(layers.slice(0, 1).concat([[]]), {}, examples, null)).toBeNull()
 })

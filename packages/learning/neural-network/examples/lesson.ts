@@ -43,7 +43,7 @@ function noteOf({ exercise, settings, prepared, practice, curve }: Lesson): Prac
 
 /**
  * How far a network is off all its examples that are on, in percent: the root of the mean square; with `choice` the share of
- * rows that are wrong. Null: there are none.
+ * rows that are wrong. Null: there are none, or the network has no outputs.
  */
 export function errorOn(
   layers: Brain['layers'],
@@ -52,8 +52,9 @@ export function errorOn(
   choice: 'one' | 'each' | null,
 ): number | null {
   const ids = (layer: Brain['layers'][number] = []) => layer.map(({ id }) => id)
-  const { pairs } = shownPairs(examples, ids(layers[0]), ids(layers.at(-1)))
-  if (pairs.length === 0) return null
+  const outputs = ids(layers.at(-1))
+  const { pairs } = shownPairs(examples, ids(layers[0]), outputs)
+  if (pairs.length === 0 || outputs.length === 0) return null
   const rows = rowsOf(pairs)
   return choice === null
     ? percentOff(meanLoss(measuredBy(layers, weights), rows)!)

@@ -24,7 +24,7 @@ interface Task {
 /** What comes after all goals. `start`: index of a pose not yet passed · `again`: that did not count, it is tried from this pose. */
 export type NextStep =
   | { readonly kind: 'start'; readonly index: number }
-  | { readonly kind: 'again'; readonly index: number | null }
+  | { readonly kind: 'again'; readonly index: number }
   | { readonly kind: 'card'; readonly href: string; readonly name: string }
   | { readonly kind: 'home'; readonly href: string }
 
@@ -64,8 +64,6 @@ export function taskOf(
 
 /** All goals are green in a run that does not count: from which start pose it is tried again. */
 export function againFrom({ card }: LoadedCard, chosen: number, passedStarts: readonly number[]): NextStep {
-  // Bo learns its way, and drives it from the way's start.
-  if (card.playground === 'q-learning') return { kind: 'again', index: null }
   const open = card.starts.findIndex((_, start) => !passedStarts.includes(start))
   return { kind: 'again', index: chosen >= 0 ? chosen : Math.max(0, open) }
 }

@@ -1,3 +1,4 @@
+import { writeNumber } from '#drawing/numbers.ts'
 import senses from 'content:senses'
 import type { LoadedSenseCage } from '@botgarten/content/catalogue'
 import { countOf, isCage, type Measured } from '@botgarten/experiments/cages'
@@ -27,11 +28,9 @@ export const kindNames: { readonly [kind in PayKind]: () => string } = {
 }
 
 /** A number in the language of now, with its sign: `+1`, `−5`. */
-export const coins = (value: number): string =>
-  `${value > 0 ? '+' : ''}${value.toLocaleString(language.locale, { maximumFractionDigits: 2 }).replace('-', '−')}`
+export const coins = (value: number): string => writeNumber(value, language.locale, { most: 2, plus: true })
 
-export const whole = (value: number): string =>
-  Math.round(value).toLocaleString(language.locale).replace('-', '−')
+export const whole = (value: number): string => writeNumber(Math.round(value), language.locale)
 
 /** `4 cm ahead: +1 · a bump: −5` of a cage's pay. */
 export const payOf = (pay: readonly Sentence[]): string =>

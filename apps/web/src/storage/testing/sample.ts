@@ -1,8 +1,11 @@
 import { parseProject, type Project } from '@botgarten/programs'
 import { readFileSync } from 'node:fs'
 
+/** For Vite a URL relative to `import.meta.url` is a file of the page. */
+const here = import.meta.url
+
 const read = (path: string) =>
-  JSON.parse(readFileSync(new URL(`../../../../../content/${path}`, import.meta.url), 'utf8')) as object
+  JSON.parse(readFileSync(new URL(`../../../../../content/${path}`, here), 'utf8')) as object
 
 /** A card with its start program. */
 const card = (id: string, folder: string): Project =>

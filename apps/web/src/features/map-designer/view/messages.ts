@@ -1,3 +1,4 @@
+import { writeNumber } from '#drawing/numbers.ts'
 import type { MapProblem } from '@botgarten/maps'
 import type { RoadMap, MapRoad } from '@botgarten/programs'
 import { language } from '#words/language.svelte.ts'
@@ -9,8 +10,7 @@ export const roadName = ({ from, to, oneWay }: MapRoad): string =>
   oneWay ? m['design.oneWayRoad']({ from, to }) : m['design.road']({ from, to })
 
 /** A reward with its sign. */
-export const signed = (reward: number): string =>
-  reward.toLocaleString(language.locale, { signDisplay: 'exceptZero' })
+export const signed = (reward: number): string => writeNumber(reward, language.locale, { plus: true })
 
 /** What to do with a tool. */
 export const hintOf = (tool: Tool): string => m[`design.hint.${tool}`]()

@@ -2,7 +2,7 @@ import type { Course } from '@botgarten/learning/q-learning'
 import type { View } from '@botgarten/lab'
 import { liesOn, placeOf, wayFault } from '@botgarten/maps'
 import type { LearningOutline } from '@botgarten/programs'
-import { TICKS_PER_SECOND } from '@botgarten/simulation'
+import { TICKS_PER_SECOND, type Pose } from '@botgarten/simulation'
 import type { LabSession } from '#lab/session.svelte.ts'
 import type { LabUi } from '#lab/ui.svelte.ts'
 import type { Stage } from '#figures/map/stage.ts'
@@ -54,11 +54,18 @@ export class Drive {
   /** The way does not lie on the floor yet: lays it, and drives then. Returns whether there was something to lay. */
   drawFirst(): boolean {
     const learned = this.#learned()
-    if (learned?.blocks.draw === undefined || wayFault(learned.stage.map, learned.stations) !== null)
-      return false
+    if (learned?.blocks.draw === undefined || learned.stations.length < 2) return false
+    if (wayFault(learned.stage.map, learned.stations) !== null) return false
     if (this.#floor.lies(learned.stage, learned.stations)) return false
     void this.draw(true)
     return true
+  }
+
+  /** Start pose of the way on the floor; null if no learned way is drawn there. */
+  get starts(): readonly Pose[] | null {
+    const learned = this.#learned()
+    if (!learned || !this.#floor.lies(learned.stage, learned.stations)) return null
+    return this.#floor.starts(learned.stage, learned.stations)
   }
 
   /** Shows the map pale under the way that was drawn from it, so that floor and map are seen to be one. */

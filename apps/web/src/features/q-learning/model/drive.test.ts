@@ -51,6 +51,32 @@ test('a way that was learned is drawn on the floor, and then Bo drives it', asyn
   expect(start).toHaveBeenCalledTimes(1)
 })
 
+test('a drive counts from where the way begins, and from nowhere else until Bo is put back', async () => {
+  const { session, drive } = learned()
+  expect(drive.starts).toBeNull()
+  const { starts } = session
+  session.starts = () => drive.starts ?? starts()
+  session.learnFirst = () => false
+  await drive.draw(false)
+  expect([session.chosenStart, session.lab.document.world.robots[0]!.pose]).toEqual([0, drive.starts![0]])
+  session.start()
+  expect([session.beganElsewhere, session.noteSuccess()]).toEqual([false, true])
+  session.lab.stop()
+  session.lab.reset()
+  session.apply({ kind: 'progress', after: { starts: [], hints: 0 } })
+  const { x, y, heading } = drive.starts![0]!
+  session.apply({ kind: 'place', id: session.robotId, after: { x: x + 10, y, heading } })
+  session.start()
+  expect([session.beganElsewhere, session.noteSuccess(), session.progress.starts]).toEqual([true, false, []])
+  session.lab.stop()
+  session.toStart()
+  expect([session.chosenStart, session.lab.view.robots[0]!.pose]).toEqual([0, drive.starts![0]])
+  // The same way, learned once more.
+  session.apply({ kind: 'place', id: session.robotId, after: { x: x + 10, y, heading } })
+  await drive.draw(false)
+  expect(session.chosenStart).toBe(0)
+})
+
 test('if all roads to the goal are closed, no way is drawn and Bo does not drive', async () => {
   const { session, way, drive, start } = learned([0, 1], [1, 2])
   expect(way).toBeNull()

@@ -44,6 +44,9 @@ export class Learning {
   #stage = $state.raw<Stage | null>(null)
   #state = $state<State>('ready')
   #seed = $state(1)
+  /** Did an earlier task come before the one that is opened now? */
+  #hasTask = false
+  #isOpen = false
   /** Has this run been written into the table? */
   #noted = false
 
@@ -56,6 +59,8 @@ export class Learning {
     this.records = new Records(kept?.runs ?? [])
     this.#seed = pinned ?? kept?.seed ?? throwSeed()
     session.learnFirst = () => this.#learnFirst()
+    const { starts } = session
+    session.starts = () => this.drive.starts ?? starts()
   }
 
   get outline() {
@@ -101,6 +106,7 @@ export class Learning {
   /** Begins to follow the blocks and to listen to the page. Returns how to end it. */
   open(): () => void {
     const { session } = this
+    this.#isOpen = true
     const stop = $effect.root(() => {
       $effect(() => {
         const { key } = this.task
@@ -120,20 +126,24 @@ export class Learning {
     })
     const leave = pauseWhenAway(() => this.pause())
     return () => {
+      this.#isOpen = false
       stop()
       leave()
       this.pause()
       this.watch.stop()
       this.session.learnFirst = () => this.session.learns
       this.drive.showMap(null)
+      // A way that is being laid on the floor belongs to a closed project now.
+      this.#clear()
     }
   }
 
   /** The blocks say something else: a new course on the map they name, or the one that was kept. */
   async #follow(key: string): Promise<void> {
     this.#halt('ready')
-    // Bo may be driving the way of an earlier task.
-    if (this.#course && this.session.lab.facts.phase === 'running') this.session.lab.stop()
+    // Bo may be driving for an earlier task, also on a map without a course.
+    if (this.#hasTask && this.session.lab.facts.phase === 'running') this.session.lab.stop()
+    this.#hasTask = true
     this.drive.front = 'map'
     const { task } = this
     if (!task.outline) return
@@ -141,7 +151,7 @@ export class Learning {
       this.#clear()
       await task.loadMap()
     }
-    if (key !== task.key || !this.#create()) return
+    if (key !== task.key || !this.#isOpen || !this.#create()) return
     const kept = this.session.learned
     if (kept?.key === key && kept.seed === this.#seed && kept.moves > 0) await this.#goOn(kept, key)
   }

@@ -1,5 +1,6 @@
 import { drawWay } from '@botgarten/maps'
 import type { Scene } from '@botgarten/programs'
+import type { Pose } from '@botgarten/simulation'
 import type { LabSession } from '#lab/session.svelte.ts'
 import { Floors } from '#lab/floor/floors.ts'
 import type { Stage } from '#figures/map/stage.ts'
@@ -16,7 +17,11 @@ export class WayOnFloor {
 
   /** Does this way lie there already? */
   lies = (stage: Stage, stations: readonly number[]): boolean =>
-    this.#isThere(drawWay(stage.map, stations).scene)
+    stations.length > 1 && this.#isThere(drawWay(stage.map, stations).scene)
+
+  /** Where the robot stands to drive it. */
+  starts = (stage: Stage, stations: readonly number[]): readonly Pose[] =>
+    drawWay(stage.map, stations).scene.starts
 
   #isThere({ lines }: Scene): boolean {
     return JSON.stringify(this.#session.lab.document.world.lines) === JSON.stringify(lines)
@@ -30,7 +35,7 @@ export class WayOnFloor {
     const session = this.#session
     await nextFrame()
     const { scene } = drawWay(stage.map, stations)
-    if (this.#isThere(scene)) return
+    if (this.#isThere(scene)) return session.toStart()
     await nextFrame()
     await this.#floors.load(session.lab.document.world, session.pictures)
     const floor = this.#floors.paint(scene)

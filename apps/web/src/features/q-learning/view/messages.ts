@@ -1,6 +1,7 @@
-import { wayFault } from '@botgarten/maps'
+import { driveSeconds, wayFault } from '@botgarten/maps'
 import type { Plan, QWorld } from '@botgarten/learning/q-learning'
 import type { LearnedRun, Project } from '@botgarten/programs'
+import { writeNumber } from '#drawing/numbers.ts'
 import { language } from '#words/language.svelte.ts'
 import { levelWord, settings, type Setting } from '#figures/map/levels.ts'
 import { mapName } from '#figures/map/names.ts'
@@ -10,16 +11,9 @@ import type { Comparison } from '../model/guess.ts'
 import type { Learning } from '../model/learning.svelte.ts'
 import type { Shown } from '../model/shown.ts'
 
-const formats = new Map<string, Intl.NumberFormat>()
-
-/** A number in the language of now, with its groups of thousands. */
-export function number(value: number, places = 0): string {
-  const key = `${language.locale} ${places}`
-  let format = formats.get(key)
-  if (!format)
-    formats.set(key, (format = new Intl.NumberFormat(language.locale, { maximumFractionDigits: places })))
-  return format.format(value)
-}
+/** A number in the current language, with its groups of thousands. */
+export const number = (value: number, places = 0): string =>
+  writeNumber(value, language.locale, { most: places })
 
 /** Decimal places of a value: the same in the table, in the lens and in its sum. Where the goal pays little all is less than 1. */
 export function placesOf(level: Level, { task: { goalReward = 50 } }: Pick<QWorld, 'task'>): number {
@@ -74,7 +68,7 @@ function whyNot(reason: Shown['way']['reason'], walked: readonly number[]): stri
 }
 
 function planSentence({ doubt, expected, best, reaches }: Plan, level: Level): string {
-  const worth = (value: number | null) => (value === null ? '–' : number(value, 3))
+  const worth = (value: number | null) => number(value ?? NaN, 3)
   const values =
     level === 'starter' ? '' : ` ${m['q.chanceWorth']({ value: worth(expected), best: worth(best) })}`
   const sure = doubt === null ? '' : ` ${m['q.chanceDoubt']({ station: doubt })}`
@@ -115,6 +109,19 @@ export function endOf(learning: Learning): string {
   return `${by} ${m[`q.${learning.isShortest(stations) ? 'isShortest' : 'isLonger'}${counts}`]()}`
 }
 
+/** The note while Bo drives. `takes`: seconds of the drive at the current speed, 0 without a way. */
+export function driveOf(learning: Learning) {
+  const { stage, shown, session } = learning
+  const way = shown?.way.states ?? []
+  const seconds = stage && way.length > 1 ? driveSeconds(stage.map, way) : 0
+  const { speed } = session.lab
+  const takes = Number.isFinite(speed) && speed > 0 ? seconds / speed : 0
+  const inFives = number(Math.max(5, Math.round(takes / 5) * 5))
+  const text = takes > 0 ? `${endOf(learning)} ${m['q.takes']({ seconds: inFives })}` : endOf(learning)
+  // Only the shortest way gets a tick.
+  return { best: way.length > 1 && learning.isShortest(way), takes, text }
+}
+
 /** A move as a sentence, for whoever does not see it. */
 function moveSentence({ shown }: Learning): string {
   const trace = shown?.trace
@@ -142,7 +149,7 @@ export function liveSentence(learning: Learning): string {
     return state === 'playing' && speed > 1 ? '' : moveSentence(learning)
   const stations = shown?.way.states
   const best = stations ? `${m['q.bestWay']()} ${stations.join(', ')}` : ''
-  return `${endOf(learning)} ${reasonOf(learning)} ${best}`.trim()
+  return [endOf(learning), reasonOf(learning), best].filter((sentence) => sentence !== '').join(' ')
 }
 
 // ---- the table of trials ----

@@ -2,22 +2,13 @@ import { colours } from '@botgarten/blocks'
 import type { Action, Sensor, TableBrain, TryTrace } from '@botgarten/learning/q-senses'
 import { COLOURS, type RobotConfig } from '@botgarten/simulation'
 import type { Row } from '../model/table.ts'
+import { writeNumber } from '#drawing/numbers.ts'
 import { language } from '#words/language.svelte.ts'
 import { message, m } from '#words/message.ts'
 
-const formats = new Map<string, Intl.NumberFormat>()
-
 /** A number with at least and at most so many places. */
-function written(value: number, least: number, most: number): string {
-  const key = `${language.locale} ${least} ${most}`
-  const options = {
-    ...{ minimumFractionDigits: least, maximumFractionDigits: most },
-    signDisplay: 'negative',
-  } as const
-  const format = formats.get(key) ?? new Intl.NumberFormat(language.locale, options)
-  formats.set(key, format)
-  return format.format(value).replace('-', '−')
-}
+const written = (value: number, least: number, most: number): string =>
+  writeNumber(value, language.locale, { least, most })
 
 /** With always so many places, so that nothing jumps. */
 export const fixed = (value: number, places: number): string => written(value, places, places)
