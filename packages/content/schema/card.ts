@@ -50,6 +50,8 @@ const card = v.strictObject({
   world: v.string(),
   checks: v.pipe(v.array(check), v.minLength(1)),
   next: v.nullable(v.string()),
+  /** Where the last card of a bed leads. */
+  place: v.exactOptional(v.literal('zoo')),
   network: v.exactOptional(
     v.strictObject({ inputs: neurons, outputs: neurons, below: v.exactOptional(v.string()) }),
   ),

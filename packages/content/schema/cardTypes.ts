@@ -27,6 +27,8 @@ export interface Card {
   readonly checks: readonly Check[]
   /** Id of the card that comes next. */
   readonly next: string | null
+  /** Where the last card of a bed leads. */
+  readonly place?: 'zoo'
   /** The network that "Put a network in" makes; absent: one of two distances and two motors, at the end of the loop. */
   readonly network?: CardNetwork
   /** The same blocks with the weights of another card, as a second robot beside the first. */
