@@ -79,6 +79,28 @@ for (const language of languagesOf(import.meta.filename)) {
       await expect(page.locator('.ends').getByText('Schule')).toBeVisible()
     })
 
+    test('the tiles of the maps have as much room on their left as on their right', async ({
+      child,
+      page,
+    }) => {
+      await child.opensHome()
+      await page.getByRole('link', { name: child.word('home.maps'), exact: true }).click()
+      await expect(page.getByRole('button', { name: child.word('design.new') })).toBeVisible()
+      const aside = () =>
+        page.locator('main ul').evaluateAll((lists) => {
+          const tiles = lists.flatMap((list) =>
+            [...list.children].map((tile) => tile.getBoundingClientRect()),
+          )
+          const left = Math.min(...tiles.map((tile) => tile.left))
+          const right = document.documentElement.clientWidth - Math.max(...tiles.map((tile) => tile.right))
+          return Math.abs(left - right)
+        })
+      for (const width of [1366, 1024, 800]) {
+        await page.setViewportSize({ width, height: 768 })
+        await expect.poll(aside).toBeLessThan(3)
+      }
+    })
+
     test('a world of rooms is chosen from home on, and Bo learns there', async ({ child, page }) => {
       await child.opensHome()
       await page.getByRole('link', { name: child.word('home.maps'), exact: true }).click()
