@@ -75,7 +75,7 @@ for (const [width, height] of [
       await child.presses('race.start')
       const bill = page.locator('.bill .table')
       await expect(bill.getByRole('row')).toHaveCount(5)
-      await expect(page.getByText(child.word('race.textAfter'))).toBeVisible()
+      await expect(page.getByText(child.word('race.text'))).toHaveCount(0)
       const cut = () =>
         page.evaluate(() => {
           const table = document.querySelector('.bill .table')!

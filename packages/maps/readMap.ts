@@ -76,7 +76,7 @@ export function readMap(text: string): ReadMap {
 }
 
 const placeIn = ({ x, y }: Place, { attributes }: Element): MapPlace => {
-  const name = attributes['data-name']?.trim().slice(0, MOST_LETTERS)
+  const name = attributes['data-name']?.slice(0, MOST_LETTERS)
   return name ? { x, y, name } : { x, y }
 }
 

@@ -11,16 +11,13 @@ import { openMap } from './open.ts'
 import { writeMap } from './write.ts'
 
 type Area = ReturnType<typeof labelArea>
-const meet = (a: Area, b: Area) =>
-  a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom
+const meet = (a: Area, b: Area) => Math.abs(a.x - b.x) < a.w + b.w && Math.abs(a.y - b.y) < a.h + b.h
 /** Of a circle. */
-const covers = (area: Area, { x, y }: { x: number; y: number }, radius: number) => {
-  const nearest = {
-    x: Math.max(area.left, Math.min(area.right, x)),
-    y: Math.max(area.top, Math.min(area.bottom, y)),
-  }
-  return distance(nearest, { x, y }) < radius
-}
+const covers = (area: Area, { x, y }: { x: number; y: number }, radius: number) =>
+  distance(
+    { x: Math.max(Math.abs(area.x - x) - area.w, 0), y: Math.max(Math.abs(area.y - y) - area.h, 0) },
+    { x: 0, y: 0 },
+  ) < radius
 
 const station = fc.record(
   {
@@ -62,9 +59,9 @@ describe('the names of stations', () => {
             expect(covers(area, middle, 40)).toBe(false)
             if (road.reward) expect(covers(area, { x: middle.x + 52, y: middle.y + 40 }, 32)).toBe(false)
           }
-          expect(Math.min(area.left, area.top)).toBeGreaterThan(0)
-          expect(area.right).toBeLessThan(paper.width)
-          expect(area.bottom).toBeLessThan(paper.height)
+          expect(Math.min(area.x - area.w, area.y - area.h)).toBeGreaterThan(0)
+          expect(area.x + area.w).toBeLessThan(paper.width)
+          expect(area.y + area.h).toBeLessThan(paper.height)
         }
       }),
     )
@@ -88,8 +85,8 @@ describe('the names of stations', () => {
     expect(labels.map((label) => label?.text)).toEqual(names)
     const points = map.roads.flatMap((road) => sampled(lineOf(map, road).there))
     for (const [at, label] of labels.entries()) {
-      const { left, right, top, bottom } = labelArea(map.stations[at]!, label!, 1)
-      expect(points.filter(({ x, y }) => x > left && x < right && y > top && y < bottom)).toEqual([])
+      const area = labelArea(map.stations[at]!, label!, 1)
+      expect(points.filter((point) => covers(area, point, 1))).toEqual([])
     }
   })
 

@@ -3,6 +3,8 @@ import type { Point } from '../point.ts'
 import type { StationLabel } from './labels.ts'
 
 export const ink = '#4A3428'
+/** Height of the numbers of stations; names follow when they are enlarged. */
+export const NUMBERS = 44
 
 /** To a tenth of a unit. */
 export const round = (value: number) => Number(value.toFixed(1))
@@ -42,4 +44,4 @@ export function stationDrawn(
 }
 
 const labelDrawn = ({ text, x, y, size }: StationLabel) =>
-  `<text class="name" x="${round(x)}" y="${round(y + size * 0.35)}" font-size="${size}" fill="#3A2A20" stroke="#FFFDF8" stroke-width="9" stroke-linejoin="round" paint-order="stroke">${escaped(text)}</text>`
+  `<text class="name" x="${round(x)}" y="${round(y + size * 0.35)}" font-size="${(size / NUMBERS).toFixed(2)}em" stroke="#FFFDF8" stroke-width="9" paint-order="stroke">${escaped(text)}</text>`

@@ -102,15 +102,12 @@ function prepareStation(
     one,
     aside: Number(one.getAttribute('x')) - x,
     below: Number(one.getAttribute('y')) - y,
-    /** Null: as large as all numbers. */
-    size: one.hasAttribute('font-size') ? Number(one.getAttribute('font-size')) : null,
   }))
   const grow = (times: number) => {
     for (const { one, r } of circles) set(one, 'r', String(r * times))
-    for (const { one, aside, below, size } of words) {
+    for (const { one, aside, below } of words) {
       set(one, 'x', String(x + aside * times))
       set(one, 'y', String(y + below * times))
-      if (size !== null) set(one, 'font-size', String(size * times))
     }
     const off = radius * times * 0.78
     tick.replaceChildren(...tickAt(x + off, y - off, radius / 40))

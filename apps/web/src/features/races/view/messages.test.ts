@@ -22,12 +22,9 @@ test('a reward below zero has a minus sign, not a hyphen', async () => {
   expect(number(-4311.5, 1)).toBe('−4,311.5')
 })
 
-test('the end of a try says whether it came to the goal, and its moves', async () => {
+test('the end of a try has its number and its moves', async () => {
   await language.speak('de')
   await fetchWords('races')
   const tried = { states: [3, 5, 0, 1], stars: 50, falls: 0, atGoal: true }
-  expect(tryEnd({ tries: [tried] })).toBe('Versuch 1: am Ziel, 3 Züge. Wie gut war die letzte Tür?')
-  expect(tryEnd({ tries: [tried, { ...tried, atGoal: false }] })).toBe(
-    'Versuch 2 ist vorbei: 3 Züge, nicht am Ziel.',
-  )
+  expect(tryEnd({ tries: [tried] })).toBe('Versuch 1: 3 Züge. Wie gut war die letzte Tür?')
 })

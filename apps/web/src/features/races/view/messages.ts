@@ -78,12 +78,12 @@ export function waysSaid({ ways, runs }: LaneResult, at: number): string {
 
 const sumOf = (ways: readonly { readonly runs: number }[]) => ways.reduce((sum, { runs }) => sum + runs, 0)
 
-/** How the child's last try ended: at the goal or not, and in how many moves. */
-export function tryEnd({ tries }: Pick<WalkModel, 'tries'>): string {
-  const last = tries.at(-1)!
-  const end = last.atGoal ? m['race.tryAtGoal'] : m['race.tryOver']
-  return end({ number: tries.length, moves: m['race.moves']({ count: number(movesOf(last)) }) })
-}
+/** The child's last try is over, and in how many moves. */
+export const tryEnd = ({ tries }: Pick<WalkModel, 'tries'>): string =>
+  m['race.tryEnd']({
+    number: tries.length,
+    moves: m['race.moves']({ count: number(movesOf(tries.at(-1)!)) }),
+  })
 
 /** The way of the child: whether there is a shorter one. */
 export function mineSaid({ track: { world } }: WalkModel, { states, atGoal }: Tried): string {
