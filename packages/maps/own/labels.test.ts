@@ -76,7 +76,7 @@ describe('the names of stations', () => {
       map = setStation(map, at, { name: names[at]! })
     }
     for (const [from, to] of [[0, 1], [1, 2], [1, 3], [3, 0], [3, 2]] as const) map = addRoad(map, from, to) // prettier-ignore
-    return { map: setRoad(map, 0, { reward: 10 }) as RoadMap, names }
+    return { map: setRoad(map, 0, { reward: 10 }), names }
   }
 
   test('are all shown where there is room, and lie on no road where a free place is', () => {
@@ -106,6 +106,6 @@ describe('the names of stations', () => {
     expect(labelsOf(setStation(map, 3, { name }))[3]!.text).toBe('Bäckerei der sieb…')
     // Less room, fewer letters.
     expect(labelsOf(setStation(map, 0, { name }))[0]!.text).toBe('Bäckerei de…')
-    expect(labelsOf(setStation(map, 0, { name: undefined }) as RoadMap)[0]).toBeNull()
+    expect(labelsOf(setStation(map, 0, { name: undefined }))[0]).toBeNull()
   })
 })
