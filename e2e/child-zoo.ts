@@ -47,11 +47,11 @@ export class ZooVisitor {
     const { child } = this
     await this.child.press(child.button('zoo.pause'))
     await this.child.press(child.button('zoo.oneMove'))
-    const moved = child.word('zoo.moved', { from: '\\d+', to: '\\d+', stars: '[-−\\d.,]+' })
+    const moved = child.word('zoo.moved', { from: '\\d+', to: '\\d+', reward: '[-−\\d.,]+' })
     await expect(child.page.getByText(new RegExp(moved))).toBeVisible()
   }
 
-  /** Sets the pay of the solution: one of several, or the stars on a slider, key by key. */
+  /** Sets the pay of the solution: one of several, or the reward on a slider, key by key. */
   async mends(cage: LoadedCage) {
     const { page } = this.child
     const { mend, solution } = cage.cage
@@ -69,7 +69,7 @@ export class ZooVisitor {
   }
 
   /** The same with a hand on the slider's knob. */
-  async pullsStars(cage: LoadedCage) {
+  async pullsReward(cage: LoadedCage) {
     const { child } = this
     const { mend, solution } = cage.cage
     if ('options' in mend) return
@@ -78,8 +78,8 @@ export class ZooVisitor {
     const { x, y, width, height } = (await slider.boundingBox())!
     // The knob's middle never leaves the track.
     const knob = height > 30 ? 16 : height
-    const at = (stars: number) => ({
-      x: x + knob / 2 + ((stars - mend.least) / (mend.most - mend.least)) * (width - knob),
+    const at = (reward: number) => ({
+      x: x + knob / 2 + ((reward - mend.least) / (mend.most - mend.least)) * (width - knob),
       y: y + height / 2,
     })
     await child.drags(at(untouched(cage.cage)), at(solution))

@@ -23,7 +23,7 @@ test(
     await zoo.watches(fountain, 'never')
     await zoo.steps()
     const slider = page.getByRole('slider', { name: text.mend })
-    // 18 stars still pay for staying, 17 do not.
+    // A reward of 18 still pays for staying, 17 does not.
     await slider.focus()
     await child.types('ArrowLeft', 'ArrowLeft')
     await expect(slider).toHaveValue('18')

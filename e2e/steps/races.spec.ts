@@ -143,6 +143,7 @@ const walking: Steps = {
       await through(child, 5)
       await child.presses('race.stars', { count: round + 1 })
       await through(child, 0, 1)
+      if (round < 2) await child.presses('race.nextTry', { number: round + 2 })
     }
     await prints(child, 'race.print')
   },

@@ -50,6 +50,57 @@ for (const language of languagesOf(import.meta.filename)) {
       await expect(learner.station(2)).toBeVisible()
     })
 
+    test('names of stations are on the map, on paper, and in the lab for eyes and ears', async ({
+      child,
+      page,
+    }) => {
+      const maker = new MapMaker(child)
+      await maker.begins((thing) => thing.click())
+      await maker.draws()
+      const names = ['Haus', 'Brunnen', 'Schule']
+      for (const [station, name] of names.entries()) {
+        await maker.station(station).focus()
+        const field = page.getByRole('textbox', { name: child.word('design.name'), exact: true }).last()
+        await field.fill(name)
+        await field.press('Enter')
+        const named = `${child.word('design.station', { station })}, ${name}`
+        await expect(page.getByRole('button', { name: named, exact: true }).getByText(name)).toBeVisible()
+      }
+      await page.emulateMedia({ media: 'print' })
+      await expect(page.locator('.printed-map')).toContainText('2 Schule')
+      const printed = await page.locator('.printed-map img').getAttribute('src')
+      for (const name of names) expect(decodeURIComponent(printed!)).toContain(`>${name}</text>`)
+      await page.emulateMedia({ media: 'screen' })
+      await child.presses('design.learn')
+      await new Learner(child).sees()
+      const named = `${child.word('q.station', { station: 1 })}, Brunnen`
+      await expect(page.getByRole('button', { name: named, exact: true })).toBeVisible()
+      await expect(page.locator('#stations').getByText('Brunnen')).toBeVisible()
+      await expect(page.locator('.ends').getByText('Schule')).toBeVisible()
+    })
+
+    test('the tiles of the maps have as much room on their left as on their right', async ({
+      child,
+      page,
+    }) => {
+      await child.opensHome()
+      await page.getByRole('link', { name: child.word('home.maps'), exact: true }).click()
+      await expect(page.getByRole('button', { name: child.word('design.new') })).toBeVisible()
+      const aside = () =>
+        page.locator('main ul').evaluateAll((lists) => {
+          const tiles = lists.flatMap((list) =>
+            [...list.children].map((tile) => tile.getBoundingClientRect()),
+          )
+          const left = Math.min(...tiles.map((tile) => tile.left))
+          const right = document.documentElement.clientWidth - Math.max(...tiles.map((tile) => tile.right))
+          return Math.abs(left - right)
+        })
+      for (const width of [1366, 1024, 800]) {
+        await page.setViewportSize({ width, height: 768 })
+        await expect.poll(aside).toBeLessThan(3)
+      }
+    })
+
     test('a world of rooms is chosen from home on, and Bo learns there', async ({ child, page }) => {
       await child.opensHome()
       await page.getByRole('link', { name: child.word('home.maps'), exact: true }).click()

@@ -249,3 +249,24 @@ test('where the device keeps nothing, a slide shows the card with its start prog
     .poll(async () => new Set(await weights.evaluateAll((all) => all.map((one) => one.ariaValueNow))))
     .toEqual(new Set(['0']))
 })
+
+test('the slide about the table of trials has its first run filled in, and every column is whole', async ({
+  child,
+  page,
+}) => {
+  await page.goto('/materials/slides/learn-from-experience')
+  const row = page.locator('.slide .trials tbody tr').first()
+  for (const cell of ['10', '58 s', '3-5-0-1'])
+    await expect(row.getByRole('cell', { name: cell, exact: true })).toBeVisible()
+  const column = page
+    .locator('.slide .trials')
+    .getByRole('columnheader', { name: child.word('q.column.way') })
+  const aside = () =>
+    column.evaluate(
+      (one) => one.closest('.face')!.getBoundingClientRect().right - one.getBoundingClientRect().right,
+    )
+  await expect.poll(aside).toBeGreaterThan(0)
+  const hidden = () =>
+    page.locator('.slide .wide').evaluate(({ scrollWidth, clientWidth }) => scrollWidth - clientWidth)
+  await expect.poll(hidden).toBe(0)
+})

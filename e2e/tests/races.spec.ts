@@ -45,6 +45,7 @@ test.describe('with a finger', () => {
       await page.getByRole('button', { name: child.word('race.stars', { count: round }), exact: true }).tap()
       await through(0)
       await through(1)
+      if (round < 3) await child.button('race.nextTry', { number: round + 1 }).tap()
     }
     await expect(page.getByText(child.word('race.mineBest', { way: '3 → 5 → 0 → 1' }))).toBeVisible()
     await page.getByLabel(child.word('race.whatDid')).fill('5 → 0')
@@ -59,3 +60,87 @@ test.describe('with a finger', () => {
     )
   })
 })
+
+for (const [width, height] of [
+  [1366, 768],
+  [1024, 768],
+] as const)
+  test.describe(`at ${width}x${height} in German`, () => {
+    test.use({ language: 'de', viewport: { width, height } })
+
+    test('the bill of four learners and the labels of their curves are whole', async ({ child, page }) => {
+      await opensFromHome(child, 'home.race')
+      await page.getByText(child.word('race.criterion.stars')).click()
+      await page.getByRole('combobox', { name: child.word('race.runs') }).selectOption('5')
+      await child.presses('race.start')
+      const bill = page.locator('.bill .table')
+      await expect(bill.getByRole('row')).toHaveCount(5)
+      await expect(page.getByText(child.word('race.text'))).toHaveCount(0)
+      const cut = () =>
+        page.evaluate(() => {
+          const table = document.querySelector('.bill .table')!
+          const paper = document.querySelector('.curves .paper')!.getBoundingClientRect()
+          const labels = [...document.querySelectorAll('.curves .paper text')].filter((label) => {
+            const { left, right } = label.getBoundingClientRect()
+            return left < paper.left || right > paper.right
+          })
+          const bar = document.querySelector('.race > .bar')!.getBoundingClientRect()
+          return [
+            Math.max(0, Math.round(paper.bottom - bar.top)),
+            table.scrollHeight - table.clientHeight,
+            table.scrollWidth - table.clientWidth,
+            ...labels.map((label) => label.textContent),
+          ]
+        })
+      await expect.poll(cut).toEqual([0, 0, 0])
+      await expect(page.locator('.bill, .curves').getByText(/-\d/)).toHaveCount(0)
+    })
+  })
+
+test.describe('in a window 683 wide', () => {
+  test.use({ viewport: { width: 683, height: 768 } })
+
+  test('the bar is whole, and the ways have a map', async ({ child, page }) => {
+    await opensFromHome(child, 'home.race')
+    await expect(page.locator('.ways .map')).toBeVisible()
+    const width = () =>
+      page.locator('.page-bar').evaluate(({ scrollWidth, clientWidth }) => scrollWidth - clientWidth)
+    await expect.poll(width).toBe(0)
+    const high = () => page.locator('.ways .map').evaluate((map) => map.getBoundingClientRect().height)
+    await expect.poll(high).toBeGreaterThan(120)
+  })
+})
+
+for (const language of ['de', 'en'] as const)
+  test.describe(`a screen reader in ${language}`, () => {
+    test.use({ language })
+
+    test('hears doors by their sides in that language, and the notes show the room that Bo is in', async ({
+      child,
+      page,
+    }) => {
+      await opensFromHome(child, 'home.race')
+      await child.presses('race.toYou')
+      const sides = (['left', 'right', 'up', 'down'] as const).map((side) => child.word(`race.sides.${side}`))
+      const door = (side: string) =>
+        page.getByRole('button', { name: new RegExp(`${child.word('race.door')} ${side} `) })
+      // Up from the cliff, and to and fro: its notes grow longer than their box.
+      for (const side of [sides[2]!, ...Array.from({ length: 9 }, () => sides[1]!), sides[2]!, sides[2]!])
+        await door(side).click()
+      const here = page.locator('.notes .here')
+      await expect(here).toBeInViewport({ ratio: 0.95 })
+      const heard = () =>
+        page.evaluate(() =>
+          [
+            ...[...document.querySelectorAll('[aria-label]')].map((one) => one.getAttribute('aria-label')!),
+            ...[...document.querySelectorAll('.for-ears-only, [aria-live]')].map((one) => one.textContent),
+          ].join('\n'),
+        )
+      const foreign = {
+        de: /\b(left|right|up|down|room|door|stars?)\b/i,
+        en: /\b(nach links|rechts|oben|unten|Raum|Tür|Sterne?)\b/i,
+      }
+      await expect.poll(heard).not.toMatch(foreign[language])
+      await expect.poll(heard).toContain(sides[0]!)
+    })
+  })

@@ -1,6 +1,7 @@
 // Rooms: reward-zoo, content
 import { content } from '@botgarten/content/files'
 import { Learner } from '../child-learning.ts'
+import { ZooVisitor } from '../child-zoo.ts'
 import { expect, test } from '../house.ts'
 import { languagesOf } from '../words.ts'
 
@@ -66,3 +67,35 @@ for (const language of languagesOf(import.meta.filename)) {
     })
   })
 }
+
+for (const [width, height] of [
+  [1366, 768],
+  [1024, 768],
+] as const)
+  for (const language of languagesOf(`${import.meta.filename} ${width}`))
+    test.describe(`at ${width}x${height} in ${language}`, () => {
+      test.use({ language, viewport: { width, height } })
+
+      test('no box of a cage is cut, before or after Bo has learned', async ({ child, page }) => {
+        const zoo = new ZooVisitor(child)
+        const cut = () =>
+          page
+            .locator('.cage-screen .pane')
+            .evaluateAll((panes) =>
+              panes
+                .filter(({ scrollHeight, clientHeight }) => scrollHeight > clientHeight + 1)
+                .map((pane) => pane.textContent.trim().slice(0, 30)),
+            )
+        const found: string[] = []
+        await zoo.comes()
+        for (const cage of content.cages) {
+          await zoo.enters(cage)
+          found.push(...(await cut()))
+          await zoo.guesses(cage)
+          await zoo.watches(cage, cage.cage.claim.aLot)
+          found.push(...(await cut()))
+          await page.getByRole('link', { name: child.word('zoo.back'), exact: true }).click()
+        }
+        expect(found).toEqual([])
+      })
+    })

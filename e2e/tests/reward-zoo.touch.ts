@@ -18,7 +18,7 @@ for (const language of languagesOf(import.meta.filename)) {
         await zoo.guesses(cage)
         await zoo.watches(cage, 'never')
         await zoo.steps()
-        await ('rule' in cage.cage.mend ? zoo.pullsStars(cage) : zoo.mends(cage))
+        await ('rule' in cage.cage.mend ? zoo.pullsReward(cage) : zoo.mends(cage))
         await zoo.seesMended(cage)
         await zoo.watches(cage, 'wish')
         await zoo.leaves(index + 1)

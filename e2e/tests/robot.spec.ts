@@ -28,6 +28,20 @@ for (const language of languagesOf(import.meta.filename)) {
   test.describe(`the robot, in ${language}`, () => {
     test.use({ language })
 
+    test('shows all six of its keys without scrolling', async ({ child }) => {
+      const bo = new RobotHands(child)
+      for (const card of ['friendship', 'rally']) {
+        await child.opensLab(card)
+        await bo.opens('panel')
+        for (const key of ['escape', 'up', 'left', 'enter', 'right', 'down'] as const)
+          await expect(bo.key(key)).toBeInViewport({ ratio: 0.99 })
+        await bo
+          .drawer('panel')
+          .getByRole('button', { name: child.word('robot.close', { what: bo.word('panel') }) })
+          .click()
+      }
+    })
+
     test('is rebuilt by mouse: plugged in, moved, turned, taken out, each one step', async ({ child }) => {
       const bo = new RobotHands(child)
       await child.opensLab('friendship')

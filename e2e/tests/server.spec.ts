@@ -38,6 +38,16 @@ for (const path of ['/', '/lab/friendship', '/lab/fear']) {
   })
 }
 
+test('the browser knows every feature that the server switches off', async ({ page }) => {
+  const complaints: string[] = []
+  page.on('console', (message) => {
+    if (/permissions-policy/i.test(message.text())) complaints.push(message.text())
+  })
+  await page.goto('/lab/fear')
+  await expect(page.getByRole('heading', { level: 1 })).toBeVisible()
+  expect(complaints).toEqual([])
+})
+
 test("no page that opened a teacher's has a hold on its window", async ({ request }) => {
   const alone = async (path: string) => (await request.get(path)).headers()['cross-origin-opener-policy']
   expect(await alone('/teacher')).toBe('same-origin')

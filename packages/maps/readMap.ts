@@ -6,10 +6,12 @@ import { keep, numberIn, problem, sizeOf } from './read-number.ts'
 import { distance, type Point } from './point.ts'
 import { dataOf, roadIn, type ReadRoad } from './road.ts'
 import { placeOf, type Place } from './station.ts'
-import { LENGTH_COST, type MapFile, type MapProblem } from './types.ts'
+import { LENGTH_COST, type MapFile, type MapPlace, type MapProblem } from './types.ts'
 
 const MOST_CHARACTERS = 1_000_000
 const MOST_STATIONS = 500
+/** Of the name of a station. */
+const MOST_LETTERS = 60
 /** Characters of the path data of all roads together. */
 const MOST_DATA = 60_000
 
@@ -66,10 +68,16 @@ export function readMap(text: string): ReadMap {
   return {
     map: {
       ...{ id: root.attributes['data-map'] ?? '', size, roads: Object.fromEntries(lines) },
-      ...{ stations: stations.map(({ x, y }) => ({ x, y })), ...numbers, ...laid },
+      ...{ stations: stations.map((place, station) => placeIn(place, ids.get(`node-${station}`)!)) },
+      ...{ ...numbers, ...laid },
     },
     ...{ problems: [], warnings },
   }
+}
+
+const placeIn = ({ x, y }: Place, { attributes }: Element): MapPlace => {
+  const name = attributes['data-name']?.slice(0, MOST_LETTERS)
+  return name ? { x, y, name } : { x, y }
 }
 
 const broken = (problems: readonly MapProblem[], warnings: readonly MapProblem[] = []): ReadMap => ({

@@ -7,7 +7,7 @@ export const LENGTH_COST = 0.02
 export interface MapFile {
   readonly id: string
   readonly map: QMap
-  readonly stations: readonly { readonly x: number; readonly y: number }[]
+  readonly stations: readonly MapPlace[]
   /** cm of the robot's world a unit. */
   readonly cmPerUnit: number
   /** Of the drawing: its view box. */
@@ -25,6 +25,13 @@ export interface MapFile {
   readonly stepCost?: number
   /** Charged for every unit of the drawing. */
   readonly lengthCost?: number
+}
+
+/** A station; some maps name theirs. */
+export interface MapPlace {
+  readonly x: number
+  readonly y: number
+  readonly name?: string
 }
 
 /** The rooms of a grid world, by its letters (see `gridMap`). */

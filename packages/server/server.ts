@@ -56,16 +56,7 @@ async function handlerOf(build: string): Promise<Handler> {
 }
 
 /** What no page of the lab asks for, nor anything that it may ever hold in a frame. */
-const unused = [
-  'camera',
-  'microphone',
-  'geolocation',
-  'display-capture',
-  'payment',
-  'usb',
-  'serial',
-  'bluetooth',
-]
+const unused = ['camera', 'microphone', 'geolocation', 'display-capture', 'payment', 'usb', 'serial']
 const permissions = [...unused, 'hid', 'midi'].map((name) => `${name}=()`).join(', ')
 
 /** What every answer carries. SvelteKit replaces the policy on pages it renders, and the caching of what has a hash in its name. */

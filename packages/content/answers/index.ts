@@ -1,7 +1,15 @@
 import type { MapFile } from '@botgarten/maps'
 import { learningIn, type LearningOutline } from '@botgarten/programs'
 import type { ContentFiles } from '../files.ts'
-import { changedOf, shortestWays, triesOf, type ChangedRow, type TriesRow } from './tries.ts'
+import {
+  changedOf,
+  settingsOf,
+  shortestWays,
+  triesOf,
+  type ChangedRow,
+  type SettingName,
+  type TriesRow,
+} from './tries.ts'
 
 export { practisedAgain, triedAgain } from './again.ts'
 export { effortOf } from './efforts.ts'
@@ -9,6 +17,8 @@ export { effortOf } from './efforts.ts'
 /** What answers say in numbers, by card: `content/materials/answers.json`, worked out again by the contract test. */
 export interface Answers {
   readonly tries: { readonly [card: string]: readonly TriesRow[] }
+  /** The settings that a child begins with. */
+  readonly settings: { readonly [card: string]: { readonly [name in SettingName]: number } }
   /** Every shortest way. */
   readonly ways: { readonly [card: string]: readonly (readonly number[])[] }
   /** What one other setting does, after few tries. */
@@ -41,6 +51,7 @@ export function answersOf(content: ContentFiles): Answers {
     )
   return {
     tries: each((outline, map, id) => triesOf(outline, map, asked[id] ?? usual)),
+    settings: each(settingsOf),
     ways: each(shortestWays),
     changed: each((outline, map) => changedOf(outline, map, few)),
   }

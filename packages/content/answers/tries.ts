@@ -66,7 +66,14 @@ export function shortestWays(outline: LearningOutline, { map }: MapFile): readon
   return []
 }
 
-type SettingName = 'alpha' | 'gamma' | 'nu' | 'rho'
+export type SettingName = 'alpha' | 'gamma' | 'nu' | 'rho'
+
+export const settingsOf = ({ settings: { alpha, gamma, nu, rho } }: LearningOutline) => ({
+  alpha,
+  gamma,
+  nu,
+  rho,
+})
 
 /** What a learner knows after few tries where one setting differs from that of run 1. */
 export interface ChangedRow {

@@ -93,6 +93,21 @@ describe('the zoo', () => {
     expect(content.cages.filter(({ cage }) => cage.claim.aLot === 'wish')).toHaveLength(1)
   })
 
+  it('tells its cages apart by title and wish, in every language', () => {
+    for (const language of ['de', 'en'])
+      for (const part of ['title', 'wish'] as const) {
+        const all = content.cages.map(({ text }) => text[language]![part])
+        expect(new Set(all).size).toBe(all.length)
+      }
+  })
+
+  it('finds a tie at the fountain with 18: the school and walking to and fro are both worth 50', () => {
+    const { cage } = content.cages.find(({ cage: one }) => one.id === 'fountain')!
+    const map = readMap(readFileSync(content.mapOfCage('fountain'), 'utf8')).map!
+    const at = (reward: number) => provedOf(cage, map, reward).aLot
+    expect([17, 18, 19].map(at)).toEqual(['wish', 'tie', 'never'])
+  })
+
   it('names a rule that is not there', () => {
     const { cage } = content.cages.find(({ cage: one }) => one.id === 'fountain')!
     expect(() => readCage({ ...cage, solution: 99 })).toThrow('no such setting')

@@ -5,18 +5,18 @@ import { https } from './checked.ts'
 const id = v.pipe(v.string(), v.regex(/^[a-z][a-z0-9-]*$/))
 const station = v.pipe(v.number(), v.integer(), v.minValue(0))
 const share = v.pipe(v.number(), v.minValue(0), v.maxValue(1))
-const stars = v.pipe(v.number(), v.minValue(-100), v.maxValue(100))
+const reward = v.pipe(v.number(), v.minValue(-100), v.maxValue(100))
 
 const pay: v.GenericSchema<unknown, Pay> = v.variant('for', [
-  v.strictObject({ for: v.literal('goal'), stars }),
-  v.strictObject({ for: v.literal('station'), station, stars }),
-  v.strictObject({ for: v.literal('move'), stars }),
+  v.strictObject({ for: v.literal('goal'), reward }),
+  v.strictObject({ for: v.literal('station'), station, reward }),
+  v.strictObject({ for: v.literal('move'), reward }),
   v.strictObject({
-    ...{ for: v.literal('road'), from: station, to: station, stars },
+    ...{ for: v.literal('road'), from: station, to: station, reward },
     both: v.exactOptional(v.literal(true)),
   }),
-  v.strictObject({ for: v.literal('away'), from: station, stars }),
-  v.strictObject({ for: v.literal('nearer'), stars, back: v.picklist(['nothing', 'same', 'exact']) }),
+  v.strictObject({ for: v.literal('away'), from: station, reward }),
+  v.strictObject({ for: v.literal('nearer'), reward, back: v.picklist(['nothing', 'same', 'exact']) }),
 ])
 const pays = v.pipe(v.array(pay), v.minLength(1))
 const endless = v.exactOptional(v.literal(true))

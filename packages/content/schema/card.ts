@@ -51,6 +51,8 @@ const card = v.strictObject({
   checks: v.pipe(v.array(check), v.minLength(1)),
   next: v.nullable(v.string()),
   hintSteps: v.exactOptional(v.array(v.nullable(v.record(v.string(), v.number())))),
+  /** Where the last card of a bed leads. */
+  place: v.exactOptional(v.literal('zoo')),
   network: v.exactOptional(
     v.strictObject({ inputs: neurons, outputs: neurons, below: v.exactOptional(v.string()) }),
   ),

@@ -29,6 +29,8 @@ export interface Card {
   readonly next: string | null
   /** By hint: the measures of the program that show that it was followed; null if only a run shows it. Absent at the end: the same. */
   readonly hintSteps?: readonly (HintStep | null)[]
+  /** Where the last card of a bed leads. */
+  readonly place?: 'zoo'
   /** The network that "Put a network in" makes; absent: one of two distances and two motors, at the end of the loop. */
   readonly network?: CardNetwork
   /** The same blocks with the weights of another card, as a second robot beside the first. */

@@ -60,8 +60,11 @@ const embed = v.variant('kind', [
   v.strictObject({ kind: v.literal('qr'), to: v.pipe(v.string(), v.regex(/^(card|item):[a-z0-9-]+$/)) }),
   /** One round of a way of learning as a flow diagram. */
   v.strictObject({ kind: v.literal('flow'), id: v.picklist(['q-learning']) }),
-  /** The table of trials: empty, or filled from real ones. */
-  v.strictObject({ kind: v.literal('trials'), card: id, rows: count }),
+  /** The table of trials: empty, or its first row filled from a real one. */
+  v.strictObject({
+    ...{ kind: v.literal('trials'), card: id, rows: count },
+    filled: v.optional(v.picklist(['yes', 'no']), 'no'),
+  }),
   /** Who wrote on it, of which class and when; `pair`: with whom. */
   v.strictObject({ kind: v.literal('name'), pair: v.optional(v.picklist(['yes', 'no']), 'no') }),
   /** Lines to write on. */

@@ -12,6 +12,7 @@ export {
   type RoadFault,
   type RoadLine,
 } from './line.ts'
+export { labelArea, labelsOf, LARGEST, type StationLabel } from './labels.ts'
 export { openMap, type OpenedMap } from './open.ts'
 export { openRoads, reachOf, type Reach } from './reach.ts'
 export { icy, writeMap } from './write.ts'

@@ -164,6 +164,7 @@ function drawnFrom(file: MapFile, name: string): RoadMap {
     ...{ kind: 'roads', name: name.slice(0, most.name), dress: 'meadow' },
     stations: file.stations.map((place, station) => ({
       ...fit(place),
+      ...(place.name !== undefined && { name: place.name.slice(0, most.name) }),
       ...kept(file.map.rewards?.[station]),
     })),
     ...{ roads: roads.slice(0, most.roads), start, goals: [...new Set([goal, ...(file.map.goals ?? [])])] },

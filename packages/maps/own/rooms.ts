@@ -66,7 +66,7 @@ export function writeRooms(map: RoomMap, id: string): string {
     ...{ map: ownId(id), name: map.name, rooms: '', grid: rows.join('/'), wind: wind?.join(' ') },
     'cm-per-unit': ROOM / side,
   })
-  const stations = places.map((place, room) => stationDrawn(place, room, side / 5))
+  const stations = places.map((place, room) => stationDrawn(place, room, { radius: side / 5 }))
   return [
     `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${width} ${height}"${root}>`,
     layer('scenery', [`<rect width="${width}" height="${height}" fill="#FBF5EA"/>`, tilesOf(map)]),

@@ -2,7 +2,8 @@ import { paper, type MapDocument, type MapRoad, type RoadMap } from '@botgarten/
 import { distance, type Point } from '../point.ts'
 import { bridgeStrokes, bridgesOf } from './bridges.ts'
 import { coverStrokes, sceneryOf, strokesOf, type Stroke } from './dress.ts'
-import { attributes, coinAt, ink, layer, round, stationDrawn } from './layers.ts'
+import { labelsOf } from './labels.ts'
+import { attributes, coinAt, ink, layer, NUMBERS, round, stationDrawn } from './layers.ts'
 import { lineOf, sampled, STRAIGHT } from './line.ts'
 import { ownId } from './own-id.ts'
 import { writeRooms } from './rooms.ts'
@@ -17,8 +18,9 @@ export const writeMap = (map: MapDocument, id: string): string =>
  */
 function writeRoads(map: RoadMap, id: string): string {
   const lines = map.roads.map((road) => lineOf(map, road))
+  const labels = labelsOf(map)
   const drawn = map.roads.map((road, index) => roadDrawn(map, road, lines[index]!.there))
-  const font = `font-family="'Baloo 2', Nunito, sans-serif" font-weight="800" font-size="44" text-anchor="middle"`
+  const font = `font-family="'Baloo 2', Nunito, sans-serif" font-weight="800" font-size="${NUMBERS}" text-anchor="middle"`
   return [
     `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${paper.width} ${paper.height}"${attributes({
       ...{ map: ownId(id), name: map.name, dress: map.dress, cover: map.cover },
@@ -47,7 +49,7 @@ function writeRoads(map: RoadMap, id: string): string {
     ),
     layer(
       'stations',
-      map.stations.map((station, number) => stationDrawn(station, number)),
+      map.stations.map((station, number) => stationDrawn(station, number, { label: labels[number]! })),
       font,
     ),
     map.cover === 'fog' ? layer('fog', map.stations.map(fogOn)) : '',

@@ -3,15 +3,20 @@ import type { MapFile } from '../types.ts'
 import { worldOf } from './task.ts'
 import { offered, type Cage, type Offered, type Outcome, type Wish } from './types.ts'
 
-/** What value iteration says that the best behaviour comes to, at both offered discount factors. */
+/**
+ * What value iteration says that the best behaviour comes to, at both offered discount factors. `tie`: several behaviours
+ * are equally good, and come to different outcomes.
+ */
 export function provedOf(
   cage: Cage,
   map: Pick<MapFile, 'map'>,
   setting: number,
-): { readonly [gamma in Offered]: Outcome } {
+): { readonly [gamma in Offered]: Outcome | 'tie' } {
   const at = (gamma: Offered) => {
     const world = worldOf(cage, map, setting, offered[gamma])
-    return outcomeOf(world, bestMoves(world, offered[gamma]), cage.wish)
+    const moves = bestMoves(world, offered[gamma])
+    const outcomes = new Set(policies(world, moves).map((policy) => outcomeOf(world, policy, cage.wish)))
+    return outcomes.size > 1 ? 'tie' : outcomeOf(world, moves, cage.wish)
   }
   return { aLot: at('aLot'), aLittle: at('aLittle') }
 }
@@ -26,6 +31,18 @@ export type Moves = readonly (readonly number[])[]
 /** Of all best behaviours. Zoos have no slippery roads. */
 export const bestMoves = (world: QWorld, gamma: number): Moves =>
   optimumOf(world, gamma).best.map((actions) => actions.map((action) => world.meant[action]!))
+
+/** All ways to choose one of the moves at each station that is come to. */
+function policies(world: QWorld, moves: Moves): readonly Moves[] {
+  const reached = reachedFrom(world, moves)
+  return moves.reduce<readonly Moves[]>(
+    (before, list, station) =>
+      list.length > 1 && reached.has(station)
+        ? list.flatMap((to) => before.map((policy) => [...policy, [to]]))
+        : before.map((policy) => [...policy, list]),
+    [[]],
+  )
+}
 
 /**
  * What all behaviours of these moves have in common, from the start on: `wish` where each of them does as is meant, `never`

@@ -2,9 +2,9 @@ import { layOutWorld, type Action, type QMap, type QWorld } from '@botgarten/lea
 import type { MapFile } from '../types.ts'
 import type { Cage, Mend, MendOption, Pay } from './types.ts'
 
-/** Where the setting of a mend stands before anybody touches it: the stars of its rule, or the first option. */
+/** Where the setting of a mend stands before anybody touches it: the reward of its rule, or the first option. */
 export const untouched = ({ mend, pay }: Pick<Cage, 'mend' | 'pay'>): number =>
-  'rule' in mend ? Math.abs(pay[mend.rule]!.stars) : 0
+  'rule' in mend ? Math.abs(pay[mend.rule]!.reward) : 0
 
 /** All settings that a mend has. */
 export function settingsOf(mend: Mend): readonly number[] {
@@ -19,8 +19,8 @@ export function paidAt(
   setting: number,
 ): Omit<MendOption, 'id'> {
   if ('options' in mend) return mend.options[setting]!
-  const stars = mend.costs && setting !== 0 ? -setting : setting
-  const changed = pay.map((rule, index) => (index === mend.rule ? { ...rule, stars } : rule))
+  const reward = mend.costs && setting !== 0 ? -setting : setting
+  const changed = pay.map((rule, index) => (index === mend.rule ? { ...rule, reward } : rule))
   return { pay: changed, ...(endless && { endless }) }
 }
 
@@ -28,7 +28,7 @@ export function paidAt(
 export function worldOf(cage: Cage, { map }: Pick<MapFile, 'map'>, setting: number, gamma: number): QWorld {
   const { pay, endless } = paidAt(cage, setting)
   const distances = { goal: movesTo(map, cage.goal), of: (station: number) => movesFrom(map, station) }
-  const goalReward = sumOf(pay.flatMap((rule) => (rule.for === 'goal' ? [rule.stars] : [])))
+  const goalReward = sumOf(pay.flatMap((rule) => (rule.for === 'goal' ? [rule.reward] : [])))
   const actions = map.actions.map((list, from) =>
     list.map((action) => ({
       ...action,
@@ -38,12 +38,12 @@ export function worldOf(cage: Cage, { map }: Pick<MapFile, 'map'>, setting: numb
   const { start, goal } = cage
   return layOutWorld({
     ...{ map: { ...map, actions, ...(endless && { endless }) }, start, goal },
-    // A goal of 0 stars is still where the mission ends.
+    // A goal with no reward is still where the mission ends.
     goalReward,
   })
 }
 
-const sumOf = (stars: readonly number[]) => stars.reduce((sum, one) => sum + one, 0)
+const sumOf = (reward: readonly number[]) => reward.reduce((sum, one) => sum + one, 0)
 
 interface Distances {
   /** Moves from each station to the goal. */
@@ -57,14 +57,14 @@ function forMove(rule: Pay, from: number, { to }: Action, distances: Distances, 
     case 'goal':
       return 0
     case 'move':
-      return rule.stars
+      return rule.reward
     case 'station':
-      return rule.station === to ? rule.stars : 0
+      return rule.station === to ? rule.reward : 0
     case 'road':
-      return isOn(rule, from, to) || (rule.both && isOn(rule, to, from)) ? rule.stars : 0
+      return isOn(rule, from, to) || (rule.both && isOn(rule, to, from)) ? rule.reward : 0
     case 'away': {
       const far = distances.of(rule.from)
-      return far[to]! > far[from]! ? rule.stars : 0
+      return far[to]! > far[from]! ? rule.reward : 0
     }
     case 'nearer':
       return forNearness(rule, distances.goal[from]!, distances.goal[to]!, gamma)
@@ -75,13 +75,13 @@ const isOn = (rule: Extract<Pay, { for: 'road' }>, from: number, to: number) =>
   rule.from === from && rule.to === to
 
 function forNearness(
-  { stars, back }: Extract<Pay, { for: 'nearer' }>,
+  { reward, back }: Extract<Pay, { for: 'nearer' }>,
   before: number,
   after: number,
   gamma: number,
 ): number {
-  if (back === 'exact') return stars * (before - gamma * after)
-  return stars * (back === 'nothing' ? Math.max(0, before - after) : before - after)
+  if (back === 'exact') return reward * (before - gamma * after)
+  return reward * (back === 'nothing' ? Math.max(0, before - after) : before - after)
 }
 
 /** Moves from a station to each; Infinity where no way leads. Breadth first. */

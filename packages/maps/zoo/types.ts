@@ -44,27 +44,27 @@ export interface Source {
 /** What a rule pays; costs are negative. */
 export type Pay =
   /** For the move into the goal. */
-  | { readonly for: 'goal'; readonly stars: number }
+  | { readonly for: 'goal'; readonly reward: number }
   /** Each time on arrival. */
-  | { readonly for: 'station'; readonly station: number; readonly stars: number }
-  | { readonly for: 'move'; readonly stars: number }
+  | { readonly for: 'station'; readonly station: number; readonly reward: number }
+  | { readonly for: 'move'; readonly reward: number }
   /** Each time this road is taken: in this direction, or in both. */
   | {
       readonly for: 'road'
       readonly from: number
       readonly to: number
       readonly both?: true
-      readonly stars: number
+      readonly reward: number
     }
   /** For a move after which `from` is more moves away than before. */
-  | { readonly for: 'away'; readonly from: number; readonly stars: number }
+  | { readonly for: 'away'; readonly from: number; readonly reward: number }
   /**
    * For each move that the goal is nearer than before. `back`: what a move away from it gives back: `nothing`; `same`: as
-   * much as was paid; `exact`: γΦ(s′) − Φ(s) with Φ = −stars · distance, which changes no best behaviour (Ng, Harada, Russell 1999).
+   * much as was paid; `exact`: γΦ(s′) − Φ(s) with Φ = −reward · distance, which changes no best behaviour (Ng, Harada, Russell 1999).
    */
-  | { readonly for: 'nearer'; readonly stars: number; readonly back: 'nothing' | 'same' | 'exact' }
+  | { readonly for: 'nearer'; readonly reward: number; readonly back: 'nothing' | 'same' | 'exact' }
 
-/** What a child may change: the stars of a rule, or the whole pay for another one. */
+/** What a child may change: the reward of a rule, or the whole pay for another one. */
 export type Mend =
   | {
       readonly rule: number

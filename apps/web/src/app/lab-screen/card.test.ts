@@ -12,7 +12,7 @@ test('on another map than its own the sentence of a card follows the map, and no
   expect(goals).toEqual([])
 })
 
-test('after the last start place a card leads to the next card, or home where its bed ends', async () => {
+test('after the last start place a card leads to the next card, or to the zoo or home where its bed ends', async () => {
   const stepAfter = async (id: string) => {
     const card = (await loadCard(id))!
     return nextStep(
@@ -25,5 +25,6 @@ test('after the last start place a card leads to the next card, or home where it
     href: '/lab/show-it',
     name: titleOf('show-it'),
   })
+  expect(await stepAfter('cheating')).toEqual({ kind: 'zoo', href: '/zoo' })
   expect(await stepAfter('new-colours')).toEqual({ kind: 'home', href: '/' })
 })

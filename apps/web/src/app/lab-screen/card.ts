@@ -26,7 +26,7 @@ export type NextStep =
   | { readonly kind: 'start'; readonly index: number }
   | { readonly kind: 'again'; readonly index: number }
   | { readonly kind: 'card'; readonly href: string; readonly name: string }
-  | { readonly kind: 'home'; readonly href: string }
+  | { readonly kind: 'home' | 'zoo'; readonly href: string }
 
 /** Another map than the card's, on which a child has its robot learn. */
 interface Elsewhere {
@@ -72,8 +72,7 @@ export function againFrom({ card }: LoadedCard, chosen: number, passedStarts: re
 export function nextStep(card: LoadedCard, passedStarts: readonly number[]): NextStep {
   const index = card.card.starts.findIndex((_, start) => !passedStarts.includes(start))
   if (index >= 0) return { kind: 'start', index }
-  const { next } = card.card
-  return next
-    ? { kind: 'card', href: resolve('/lab/[card]', { card: next }), name: titleOf(next) }
-    : { kind: 'home', href: resolve('/') }
+  const { next, place } = card.card
+  if (next) return { kind: 'card', href: resolve('/lab/[card]', { card: next }), name: titleOf(next) }
+  return place ? { kind: place, href: resolve('/zoo') } : { kind: 'home', href: resolve('/') }
 }

@@ -78,6 +78,7 @@ describe.each(allCards.map(({ id }) => id))('the card %s', (id) => {
       expect(session.progress.starts).toEqual(places.slice(0, place + 1))
       const next = nextStep(card, session.progress.starts)
       if (place + 1 < places.length) expect(next).toEqual({ kind: 'start', index: place + 1 })
+      else if (card.card.place) expect(next).toEqual({ kind: 'zoo', href: '/zoo' })
       else if (card.card.next === null) expect(next).toEqual({ kind: 'home', href: '/' })
       else
         expect(next).toMatchObject({

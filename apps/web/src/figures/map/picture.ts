@@ -100,11 +100,15 @@ function prepareStation(
   }))
   const words = [...node.querySelectorAll('text')].map((one) => ({
     one,
+    aside: Number(one.getAttribute('x')) - x,
     below: Number(one.getAttribute('y')) - y,
   }))
   const grow = (times: number) => {
     for (const { one, r } of circles) set(one, 'r', String(r * times))
-    for (const { one, below } of words) set(one, 'y', String(y + below * times))
+    for (const { one, aside, below } of words) {
+      set(one, 'x', String(x + aside * times))
+      set(one, 'y', String(y + below * times))
+    }
     const off = radius * times * 0.78
     tick.replaceChildren(...tickAt(x + off, y - off, radius / 40))
   }

@@ -21,6 +21,12 @@ export const stationName = ({ stations }: RoadMap, station: number): string => {
   return name ? `${station} · ${name}` : m['design.station']({ station })
 }
 
+/** The same for screen readers: `Station 7, Fountain`. */
+export const stationLabel = ({ stations }: RoadMap, station: number): string => {
+  const { name } = stations[station]!
+  return m['design.station']({ station }) + (name ? `, ${name}` : '')
+}
+
 /** All that is wrong with a drawing, a sentence each; of many the first ones. */
 export function problemsSaid(problems: readonly MapProblem[]): string {
   const shown = problems.slice(0, 6).map(({ kind, facts }) => message(`design.problem.${kind}`, facts))

@@ -1,18 +1,12 @@
 import zoo from 'content:zoo'
 import { readMap } from '@botgarten/maps'
-import { isMended, provedOf, settingsOf, untouched, type Cage } from '@botgarten/maps/zoo'
+import { isMended, settingsOf, type Cage } from '@botgarten/maps/zoo'
 
-/** What value iteration says of a cage: what Bo does, and the settings at which its wish comes true. */
-export interface Proved {
-  readonly outcomes: ReturnType<typeof provedOf>
-  readonly settings: readonly number[]
-}
-
-export async function provedIn(cage: Cage): Promise<Proved> {
+/** The settings at which the wish of a cage comes true, by value iteration. */
+export async function goodSettings(cage: Cage): Promise<readonly number[]> {
   const { map } = readMap(await zoo.map(cage.id))
   if (!map) throw new Error(`The map of the cage "${cage.id}" cannot be read.`)
-  const settings = settingsOf(cage.mend).filter((setting) => isMended(cage, map, setting))
-  return { outcomes: provedOf(cage, map, untouched(cage)), settings }
+  return settingsOf(cage.mend).filter((setting) => isMended(cage, map, setting))
 }
 
 /** Good settings as a teacher reads them: `1–17`, or the words of the options. */
@@ -25,6 +19,8 @@ export const mendedAt = (
     ? settings.map((index) => options[mend.options[index]!.id]).join(' ')
     : `${settings[0]}–${settings.at(-1)}`
 
-/** `20 ★ each time at the fountain · 50 ★ at the school` */
+/** `+20: each time at the fountain · +50: at the school` */
 export const paidIn = ({ pay }: Cage, words: readonly string[]): string =>
-  pay.map(({ stars }, index) => `${String(stars).replace('-', '−')} ★ ${words[index]}`).join(' · ')
+  pay.map(({ reward }, index) => `${signed(reward)}: ${words[index]}`).join(' · ')
+
+const signed = (reward: number) => `${reward > 0 ? '+' : ''}${String(reward).replace('-', '−')}`

@@ -35,7 +35,8 @@ export function slidesOf({ title, lead, sections }: ItemText): readonly Slide[] 
 /** Is a slide worked with, so that what it shows has the room below its words? */
 export const isWorkedWith = ({ shown }: Slide): boolean =>
   shown.some(
-    (node) => node.type === 'embed' && ['live', 'questions', 'race', 'sort'].includes(node.embed.kind),
+    (node) =>
+      node.type === 'embed' && ['live', 'questions', 'race', 'sort', 'trials'].includes(node.embed.kind),
   )
 
 /** How Bo stands on the slide with this number: Bo greets on the first one and thinks at a question. */

@@ -1,4 +1,8 @@
 import { Course, gridMap, layOutWorld, type Settings, type Task } from '@botgarten/learning/q-learning'
+import { readFileSync } from 'node:fs'
+import { content } from '@botgarten/content/files'
+import { readMap } from '@botgarten/maps'
+import { worldOf } from '@botgarten/maps/zoo'
 import { describe, expect, test } from 'vitest'
 import { RIDES, ridesOf, tieOn } from './rides.ts'
 
@@ -54,5 +58,18 @@ describe('what Bo has learned is walked', () => {
     const course = knows({ '3-2': 20, '3-5': 20, '2-1': 25, '5-0': 25, '0-1': 30 })
     expect(tieOn(course, [3, 2, 1])).toEqual({ station: 3, to: [2, 5] })
     expect(tieOn(knows({ '3-2': 20, '2-1': 25 }), [3, 2, 1])).toBeNull()
+  })
+
+  test('at the fountain both moves are told with a reward of 18, and not with one more or less', () => {
+    const { cage } = content.cages.find(({ cage: one }) => one.id === 'fountain')!
+    const { map } = readMap(readFileSync(content.mapOfCage('fountain'), 'utf8'))
+    const told = [17, 18, 19].map((reward) => {
+      const limits = { episodes: 300, steps: 100_000 }
+      const course = new Course(worldOf(cage, map!, reward, settings.gamma), settings, 1, limits)
+      course.advance(100_000)
+      return tieOn(course, [0, 1, 2, 3, 5])
+    })
+    // Back and forth is worth 18 + 0.8 · 0.8 · 50 = 50, as much as the school.
+    expect(told).toEqual([null, { station: 3, to: [2, 5] }, null])
   })
 })

@@ -1,4 +1,4 @@
-import { driveSeconds, wayFault } from '@botgarten/maps'
+import { driveSeconds, wayFault, type MapFile } from '@botgarten/maps'
 import type { Plan, QWorld } from '@botgarten/learning/q-learning'
 import type { LearnedRun, Project } from '@botgarten/programs'
 import { writeNumber } from '#drawing/numbers.ts'
@@ -73,6 +73,12 @@ function planSentence({ doubt, expected, best, reaches }: Plan, level: Level): s
     level === 'starter' ? '' : ` ${m['q.chanceWorth']({ value: worth(expected), best: worth(best) })}`
   const sure = doubt === null ? '' : ` ${m['q.chanceDoubt']({ station: doubt })}`
   return m['q.chance']({ rides: number(100 * reaches) }) + values + sure
+}
+
+/** `Station 7`, or `Station 7, Fountain` where the map names it. */
+export function stationName({ stations }: Pick<MapFile, 'stations'>, station: number): string {
+  const name = stations[station]?.name
+  return m['q.station']({ station }) + (name ? `, ${name}` : '')
 }
 
 /** Several moves of the way are worth the same; '' if none are. */

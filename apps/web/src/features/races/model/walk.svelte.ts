@@ -56,6 +56,8 @@ export class WalkModel {
   /** The action that the stars are asked for. */
   asked = $state<number | null>(null)
   answer = $state('')
+  /** Between two tries: doors are closed, notes are open. */
+  rests = $state(false)
   learned = $state.raw<Learned | null>(null)
   #dice = fastStream(stream(SEED, 'race/me/1'))
   #bo: QLearner
@@ -104,6 +106,11 @@ export class WalkModel {
     this.#return()
   }
 
+  /** Back at the start, for the next try. */
+  next(): void {
+    if (this.rests) this.#return()
+  }
+
   #learner(): QLearner {
     const settings = settingsOf(laneOf('q'))
     return createLearner(this.track.world, settings, stream(SEED, 'race/bo/1'))
@@ -111,13 +118,14 @@ export class WalkModel {
 
   #return(): void {
     const { start } = this.track.world
+    this.rests = false
     this.now = nothing(start)
     this.here = { state: start, from: null, fell: false }
   }
 
   /** Through a door. */
   take(action: number): void {
-    if (this.isOver) return
+    if (this.isOver || this.rests) return
     const { world } = this.track
     const end = outcomeOf(world, action, this.#dice)
     const [to, fell] = [world.to[end]!, world.isFall[end] === 1]
@@ -143,7 +151,7 @@ export class WalkModel {
     this.tries = [...this.tries, this.now]
     this.#boTries.push(oneTry(this.#bo))
     if (this.isOver) this.#show()
-    else this.#return()
+    else this.rests = true
   }
 
   #show(): void {

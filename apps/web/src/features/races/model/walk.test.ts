@@ -36,6 +36,7 @@ function tryShortest(): void {
   const way: number[] = []
   for (let at = world.task.goal; at !== world.start; at = world.from[way[0]!]!) way.unshift(next.get(at)!)
   for (const action of way) walk.take(action)
+  walk.next()
 }
 
 describe('a child that walks', () => {
@@ -66,6 +67,23 @@ describe('a child that walks', () => {
     const [first] = walk.tries
     expect([first!.atGoal, first!.states.length]).toEqual([true, shortestPath(world)])
     expect([walk.here.state, walk.now.states]).toEqual([world.start, [world.start]])
+  })
+
+  test('stops between two tries, where doors lead nowhere and the last door is still noted', () => {
+    const [first] = walk.doorsOf(world.start)
+    tryOnce()
+    expect([walk.rests, walk.tries.length, walk.now]).toEqual([true, 1, walk.tries[0]])
+    const door = walk.asked!
+    walk.take(first!.action)
+    expect([walk.now, walk.asked]).toEqual([walk.tries[0], door])
+    walk.note(door, 5)
+    walk.next()
+    expect([walk.rests, walk.here.state, walk.now.states, walk.notes[door]]).toEqual([
+      ...[false, world.start, [world.start], 5],
+    ])
+    const { now } = walk
+    walk.next()
+    expect(walk.now).toBe(now)
   })
 
   test('has three tries; then nothing moves any more until it begins again', () => {

@@ -1,7 +1,7 @@
 import { fetchWords } from '#words/message.ts'
 import { language } from '#words/language.svelte.ts'
 import { afterAll, expect, test } from 'vitest'
-import { doorName } from './messages.ts'
+import { doorName, number, tryEnd } from './messages.ts'
 
 afterAll(() => language.speak('en'))
 
@@ -13,4 +13,18 @@ test.each([
   await fetchWords('races')
   expect(doorName('left', 7)).toBe(side)
   expect(doorName(null, 7)).toBe('7')
+})
+
+test('a reward below zero has a minus sign, not a hyphen', async () => {
+  await language.speak('de')
+  expect([number(-4311.5, 1), number(-16_017), number(7)]).toEqual(['−4.311,5', '−16.017', '7'])
+  await language.speak('en')
+  expect(number(-4311.5, 1)).toBe('−4,311.5')
+})
+
+test('the end of a try has its number and its moves', async () => {
+  await language.speak('de')
+  await fetchWords('races')
+  const tried = { states: [3, 5, 0, 1], stars: 50, falls: 0, atGoal: true }
+  expect(tryEnd({ tries: [tried] })).toBe('Versuch 1: 3 Züge. Wie gut war die letzte Tür?')
 })

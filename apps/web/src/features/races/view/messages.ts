@@ -6,11 +6,11 @@ import { choices, type Setting } from '../model/lanes.ts'
 import { isSide } from '../model/room.ts'
 import type { Run, Runner } from '../model/race.svelte.ts'
 import type { Learned, WalkModel } from '../model/walk.svelte.ts'
-import type { Tried } from '../model/walked.ts'
+import { movesOf, type Tried } from '../model/walked.ts'
 
-/** A number in the language of now. */
+/** A number in the current language, with a minus sign. */
 export const number = (value: number, places = 0): string =>
-  value.toLocaleString(language.locale, { maximumFractionDigits: places })
+  value.toLocaleString(language.locale, { maximumFractionDigits: places }).replace('-', '−')
 
 const walk = (stations: readonly number[]) => stations.join(' → ')
 
@@ -77,6 +77,13 @@ export function waysSaid({ ways, runs }: LaneResult, at: number): string {
 }
 
 const sumOf = (ways: readonly { readonly runs: number }[]) => ways.reduce((sum, { runs }) => sum + runs, 0)
+
+/** The child's last try is over, and in how many moves. */
+export const tryEnd = ({ tries }: Pick<WalkModel, 'tries'>): string =>
+  m['race.tryEnd']({
+    number: tries.length,
+    moves: m['race.moves']({ count: number(movesOf(tries.at(-1)!)) }),
+  })
 
 /** The way of the child: whether there is a shorter one. */
 export function mineSaid({ track: { world } }: WalkModel, { states, atGoal }: Tried): string {

@@ -16,7 +16,8 @@ export class CageWork {
   readonly playback = new Playback(() => this.watched?.steps.length ?? 0)
   #guess = $state.raw<Outcome | null>(null)
   #setting = $state(0)
-  #watched = $state.raw<Watched | null>(null)
+  /** The last learned walk, and the setting it was learned with. */
+  #latest = $state.raw<Watched | null>(null)
   /** The pay was changed at least once: a cage that is safe from the beginning has to be tried as well. */
   #touched = $state(false)
   #mended = $state(false)
@@ -43,8 +44,13 @@ export class CageWork {
   get setting() {
     return this.#setting
   }
+  /** The walk learned with the current pay; null before Bo has learned with it. */
   get watched() {
-    return this.#watched
+    return this.isOld ? null : this.#latest
+  }
+  /** Bo has learned in this cage, with any pay. */
+  get hasLearned() {
+    return this.#latest !== null
   }
   /** What is paid now. */
   get paid() {
@@ -64,14 +70,14 @@ export class CageWork {
   }
   /** What was learned was learned with another pay. */
   get isOld() {
-    return this.#watched !== null && this.#watched.setting !== this.#setting
+    return this.#latest !== null && this.#latest.setting !== this.#setting
   }
   get reason() {
-    return this.#watched && reasonAt(this.cage, this.stage.map, this.#watched.setting)
+    return this.watched && reasonAt(this.cage, this.stage.map, this.#setting)
   }
   /** The move that is shown, and where Bo stands. */
   get step() {
-    return this.#watched?.steps[this.playback.index] ?? null
+    return this.watched?.steps[this.playback.index] ?? null
   }
 
   guessThat(guess: Outcome): void {
@@ -83,6 +89,7 @@ export class CageWork {
     if (setting === this.#setting) return
     this.#setting = setting
     this.#touched = true
+    this.playback.stop()
     if (!this.works) return
     this.#mended = true
     this.#note()
@@ -92,7 +99,7 @@ export class CageWork {
   learn(): void {
     if (this.#guess === null) return
     const learned = learnIn(this.cage, this.stage.map, this.#setting, SEED)
-    this.#watched = watch(learned, this.#setting)
+    this.#latest = watch(learned, this.#setting)
     this.playback.restart()
   }
 

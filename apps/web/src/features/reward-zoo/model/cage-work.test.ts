@@ -32,7 +32,23 @@ describe('the cage of the fountain', () => {
     work.set(solution)
     expect([work.works, work.mended]).toEqual([true, true])
     expect(work.proved).toEqual({ aLot: 'wish', aLittle: 'wish' })
-    expect(work.paid.pay[0]).toMatchObject({ for: 'station', stars: solution })
+    expect(work.paid.pay[0]).toMatchObject({ for: 'station', reward: solution })
+  })
+
+  test('shows nothing of a walk that was learned with another pay, and can learn again at once', () => {
+    const work = workOn('fountain')
+    work.guessThat('never')
+    work.learn()
+    draw(0)
+    draw(250)
+    expect([work.playback.playing, work.watched!.outcome]).toEqual([true, 'never'])
+    work.set(solution)
+    expect([work.playback.playing, work.playback.made, work.playback.progress]).toEqual([false, 0, 0])
+    expect([work.isOld, work.hasLearned]).toEqual([true, true])
+    expect([work.watched, work.step, work.reason]).toEqual([null, null, null])
+    // The walk belongs to the pay that it was learned with, and waits at its beginning.
+    work.set(20)
+    expect([work.isOld, work.watched!.outcome, work.playback.made]).toEqual([false, 'never', 0])
   })
 
   test('stays fixed once it was, also on the next visit', () => {
@@ -54,24 +70,22 @@ describe('the cage of the fountain', () => {
     expect(notedOf('fountain')).toEqual({ guess: 'wish', mended: true })
   })
 
-  test('is learned only after a guess; then Bo goes around the fountain and earns 20 stars on every visit', () => {
+  test('is learned only after a guess; then Bo goes around the fountain and earns 20 on every visit', () => {
     const work = workOn('fountain')
     work.learn()
     expect([work.watched, work.step, work.reason]).toEqual([null, null, null])
     work.guessThat('wish')
     work.learn()
-    const { outcome, goals, steps, stars } = work.watched!
+    const { outcome, goals, steps, reward } = work.watched!
     expect([outcome, goals, steps.length]).toEqual(['never', 0, 100])
-    expect(stars).toBe(20 * steps.filter(({ to }) => to === 2).length)
+    expect(reward).toBe(20 * steps.filter(({ to }) => to === 2).length)
     expect(work.playback.playing).toBe(true)
     draw(0)
     draw(250)
     expect(work.step).toEqual(steps[0])
     expect(work.isOld).toBe(false)
-    work.set(solution)
-    expect(work.isOld).toBe(true)
-    // The reason belongs to the pay that was learned with.
     expect(work.reason!.moves[0].isBest).toBe(false)
+    work.set(solution)
     work.learn()
     expect([work.isOld, work.watched!.outcome, work.watched!.goals]).toEqual([false, 'wish', 1])
     expect(work.reason!.moves[0].isBest).toBe(true)

@@ -52,6 +52,12 @@ export class Playback {
     this.#start(Math.floor(this.#at) + 1)
   }
 
+  /** Ends the walk: nothing is shown of it any more. */
+  stop(): void {
+    this.pause()
+    this.#at = 0
+  }
+
   pause(): void {
     cancelAnimationFrame(this.#frame)
     this.#frame = 0

@@ -13,8 +13,8 @@ const line = {
 const cage: Cage = {
   ...{ id: 'line', start: 0, goal: 3, wish: {}, solution: 0, why: { at: 2, to: 3 } },
   pay: [
-    { for: 'station', station: 2, stars: 20 },
-    { for: 'goal', stars: 50 },
+    { for: 'station', station: 2, reward: 20 },
+    { for: 'goal', reward: 50 },
   ],
   mend: { rule: 0, least: 0, most: 30, step: 10 },
   claim: { aLot: 'never', aLittle: 'wish' },
@@ -39,12 +39,19 @@ describe('the reason of a decision', () => {
     expect(reasonAt(cage, line, 20)!.moves.map(({ isBest }) => isBest)).toEqual([true, false])
   })
 
+  test('speaks for both moves where they are worth the same', () => {
+    // 0.8 · 22.5 / 0.36 = 50, as much as at once.
+    const { moves } = reasonAt(cage, line, 22.5)!
+    expect(moves.map(({ isBest }) => isBest)).toEqual([true, true])
+    expect(moves[1].sum).toBeCloseTo(50, 9)
+  })
+
   test('compares with the best of the other moves', () => {
     // Station 1 leads back, to a station that pays nothing, and to the one before the goal.
     const fork = {
       map: { actions: [[{ to: 1 }], [{ to: 0 }, { to: 2 }, { to: 3 }], [{ to: 1 }], [{ to: 4 }], []] },
     } as unknown as MapFile
-    const forked: Cage = { ...cage, goal: 4, pay: [{ for: 'goal', stars: 50 }], mend: { rule: 0, least: 0, most: 50, step: 1 }, why: { at: 1, to: 2 } } // prettier-ignore
+    const forked: Cage = { ...cage, goal: 4, pay: [{ for: 'goal', reward: 50 }], mend: { rule: 0, least: 0, most: 50, step: 1 }, why: { at: 1, to: 2 } } // prettier-ignore
     const { moves } = reasonAt(forked, fork, 50)!
     expect(moves.map(({ to, isBest }) => [to, isBest])).toEqual([
       [2, false],
@@ -79,20 +86,20 @@ describe('the reason of a decision', () => {
 
 describe('the robot that is watched', () => {
   test('earns what its moves pay, and comes to the goal once', () => {
-    const { steps, stars, goals, outcome, setting, learnedIn } = watch(learnIn(cage, line, 10, 1), 10)
+    const { steps, reward, goals, outcome, setting, learnedIn } = watch(learnIn(cage, line, 10, 1), 10)
     expect(steps).toEqual([
-      { from: 0, to: 1, stars: 0 },
-      { from: 1, to: 2, stars: 10 },
-      { from: 2, to: 3, stars: 50 },
+      { from: 0, to: 1, reward: 0 },
+      { from: 1, to: 2, reward: 10 },
+      { from: 2, to: 3, reward: 50 },
     ])
-    expect([stars, goals, outcome, setting]).toEqual([60, 1, 'wish', 10])
+    expect([reward, goals, outcome, setting]).toEqual([60, 1, 'wish', 10])
     expect(learnedIn).toBeGreaterThan(100)
   })
 
   test('is watched for 100 moves where it never ends', () => {
-    const { steps, goals, stars } = watch(learnIn(cage, line, 30, 1), 30)
+    const { steps, goals, reward } = watch(learnIn(cage, line, 30, 1), 30)
     expect([steps.length, goals]).toEqual([MOST_MOVES, 0])
     // Every second move leads to station 2.
-    expect(stars).toBe((MOST_MOVES / 2) * 30)
+    expect(reward).toBe((MOST_MOVES / 2) * 30)
   })
 })

@@ -21,12 +21,17 @@ export function reasonAt(
   const { at, to } = cage.why
   const gamma = offered.aLot
   const world = worldOf(cage, map, setting, gamma)
-  const { q } = optimumOf(world, gamma)
+  const { q, best } = optimumOf(world, gamma)
   const actions = [...q.keys()].filter((action) => world.from[action] === at)
-  const best = Math.max(...actions.map((action) => q[action]!))
   const worthOf = (action: number): Worth => {
     const [pays, sum] = [world.reward[action]!, q[action]!]
-    return { to: world.meant[action]!, pays, then: (sum - pays) / gamma, sum, isBest: sum === best }
+    return {
+      to: world.meant[action]!,
+      pays,
+      then: (sum - pays) / gamma,
+      sum,
+      isBest: best[at]!.includes(action),
+    }
   }
   const worths = actions.map(worthOf).toSorted((a, b) => b.sum - a.sum)
   return { at, moves: [worths.find((one) => one.to === to)!, worths.find((one) => one.to !== to)!] }

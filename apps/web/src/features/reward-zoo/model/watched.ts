@@ -7,7 +7,7 @@ export const MOST_MOVES = 100
 interface WatchedStep {
   readonly from: number
   readonly to: number
-  readonly stars: number
+  readonly reward: number
 }
 
 /** What Bo does with what it has learned. */
@@ -17,7 +17,7 @@ export interface Watched {
   /** Moves of all tries of learning. */
   readonly learnedIn: number
   readonly steps: readonly WatchedStep[]
-  readonly stars: number
+  readonly reward: number
   /** How often it came to the goal. */
   readonly goals: number
 }
@@ -26,11 +26,11 @@ export function watch({ world, moves, outcome, steps: learnedIn }: Learned, sett
   const walked = walkOf(world, moves, MOST_MOVES)
   const steps = walked.slice(1).map((to, index) => {
     const from = walked[index]!
-    return { from, to, stars: world.reward[actionBetween(world, from, to)]! }
+    return { from, to, reward: world.reward[actionBetween(world, from, to)]! }
   })
   return {
     ...{ setting, outcome, learnedIn, steps },
-    stars: steps.reduce((sum, { stars }) => sum + stars, 0),
+    reward: steps.reduce((sum, { reward }) => sum + reward, 0),
     goals: steps.filter(({ to }) => world.isGoal[to] === 1).length,
   }
 }

@@ -7,9 +7,12 @@ export const textOf = ({ text }: LoadedCage) => text[language.locale] ?? text['e
 
 export const cages = zoo.cages
 
-/** A number in the language of now, with its sign where stars are taken away. */
-export const stars = (value: number, places = 0): string =>
+/** A number in the current language, with a minus sign where something is taken away. */
+export const number = (value: number, places = 0): string =>
   value.toLocaleString(language.locale, { maximumFractionDigits: places }).replace('-', '−')
+
+/** A reward with its sign: `+20`, `−5`, `0`. */
+export const signed = (reward: number): string => `${reward > 0 ? '+' : ''}${number(reward)}`
 
 /** Where it was published, in one line. */
 export const sourceOf = ({ cage: { source } }: LoadedCage): string =>

@@ -67,7 +67,7 @@ interface Box {
   readonly look: 'end' | 'step' | 'question'
   readonly number?: number
   /** What stands beside it. */
-  readonly picture?: 'bo' | 'dice' | 'star' | 'pencil'
+  readonly picture?: 'bo' | 'dice' | 'coin' | 'pencil'
   readonly row: number
   readonly x: number
   readonly width: number

@@ -16,7 +16,7 @@ export const qLearning: Flow = {
     { id: 'new', look: 'step', row: 4, ...half, x: 195 },
     { id: 'best', look: 'step', row: 4, ...half, x: 455 },
     { id: 'go', look: 'step', number: 4, row: 5, ...middle },
-    { id: 'reward', look: 'step', number: 5, picture: 'star', row: 6, ...middle },
+    { id: 'reward', look: 'step', number: 5, picture: 'coin', row: 6, ...middle },
     { id: 'write', look: 'step', number: 6, picture: 'pencil', row: 7, ...middle },
     { id: 'over', look: 'question', row: 8, ...middle },
   ],

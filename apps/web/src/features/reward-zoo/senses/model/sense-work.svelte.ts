@@ -112,19 +112,25 @@ export class SenseWork {
   }
 
   #change(index: number, sentence: Sentence): void {
-    this.#pay = this.#pay.map((one, at) => (at === index ? sentence : one))
+    this.#set(this.#pay.map((one, at) => (at === index ? sentence : one)))
   }
 
   add(): void {
-    if (!this.isFull) this.#pay = [...this.#pay, { for: 'bump', coins: -5 }]
+    if (!this.isFull) this.#set([...this.#pay, { for: 'bump', coins: -5 }])
   }
 
   remove(index: number): void {
-    this.#pay = this.#pay.filter((_, at) => at !== index)
+    this.#set(this.#pay.filter((_, at) => at !== index))
   }
 
   restore(): void {
-    this.#pay = this.cage.trial.pay.map(inCoins)
+    this.#set(this.cage.trial.pay.map(inCoins))
+  }
+
+  /** Stops a drive that was learned with another pay. */
+  #set(pay: readonly Sentence[]): void {
+    this.#pay = pay
+    if (!this.isNow) this.player.stop()
   }
 
   /** Bo drives what it has learned with the cage's own pay. */

@@ -145,6 +145,18 @@ describe('the pay', () => {
     work.setCoins(0, 7)
     expect([work.isNow, work.isCagePay]).toEqual([false, true])
   })
+
+  test('ends the drive that was learned with the pay of before', () => {
+    work.guessThat('cheats')
+    work.watch()
+    const poses = Array.from({ length: 600 }, () => ({ x: 0, y: 0, heading: 0 }))
+    answers({ kind: 'seen', seen: { ...seen(null), watched: [{ poses, coins: [], posesAMove: 60 }] } })
+    expect(work.player.playing).toBe(true)
+    work.setCoins(0, work.pay[0]!.coins)
+    expect(work.player.playing).toBe(true)
+    work.setCoins(0, 7)
+    expect(work.player.playing).toBe(false)
+  })
 })
 
 describe('learning', () => {
