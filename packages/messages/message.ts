@@ -1,5 +1,6 @@
 // Messages in the inlang message format: https://inlang.com/m/reootnfj/plugin-inlang-messageFormat
 // paraglide.test.ts compares `fill` with the sentences of Paraglide, which reads the same format.
+import { writeNumber } from './numbers.ts'
 
 /** Values for a message's placeholders. */
 export type Facts = { readonly [name: string]: string | number }
@@ -60,10 +61,9 @@ function functions(locale: string): Functions {
   const made = known.get(locale)
   if (made) return made
   const rules = new Intl.PluralRules(locale)
-  const format = new Intl.NumberFormat(locale)
   const own: Functions = {
     plural: (value) => rules.select(value),
-    number: (value) => (Number.isFinite(value) ? format.format(value).replace('-', '−') : '–'),
+    number: (value) => writeNumber(value, locale),
   }
   known.set(locale, own)
   return own

@@ -9,9 +9,9 @@ const signs = {
   back: 'M0-8V8M-6 2L0 8L6 2',
   left: 'M5 8V1Q5-5-1-5H-6M-2-9L-6-5L-2-1',
   right: 'M-5 8V1Q-5-5 1-5H6M2-9L6-5L2-1',
-  stop: 'M-5.500-5.500H5.500V5.500H-5.500Z',
-  aheadLeft: 'M4 8Q4-2-5-6M-6.500 0.500L-5-6L1.500-7.500',
-  aheadRight: 'M-4 8Q-4-2 5-6M6.500 0.500L5-6L-1.500-7.500',
+  stop: 'M-5.5-5.5H5.5V5.5H-5.5Z',
+  aheadLeft: 'M4 8Q4-2-5-6M-6.5 0.5L-5-6L1.5-7.5',
+  aheadRight: 'M-4 8Q-4-2 5-6M6.5 0.5L5-6L-1.5-7.5',
 } as const
 
 /** One third more on one wheel is a bend. */

@@ -134,13 +134,13 @@ const white = (d: string, lineWidth = 1.6): Command => ({ kind: 'path', d, strok
 const pictures: { readonly [icon in Picture]: readonly Command[] } = {
   display: [
     { kind: 'rect', x: 4, y: 5.5, width: 12, height: 9, round: 1.5, stroke: '#fff', lineWidth: 1.8 },
-    { kind: 'path', d: 'M7 9h6M7 11.500h4', stroke: '#fff', lineWidth: 1.5 },
+    { kind: 'path', d: 'M7 9h6M7 11.5h4', stroke: '#fff', lineWidth: 1.5 },
   ],
   sound: [
-    { kind: 'path', d: 'M4.500 8v4h2.500l3.500 3V5L7 8z', fill: '#fff', stroke: '#fff', lineWidth: 1 },
+    { kind: 'path', d: 'M4.5 8v4h2.5l3.5 3V5L7 8z', fill: '#fff', stroke: '#fff', lineWidth: 1 },
     {
       kind: 'path',
-      d: 'M12.800 7.500c1.300 1.400 1.300 3.600 0 5M15 5.500c2.400 2.600 2.400 6.400 0 9',
+      d: 'M12.8 7.5c1.3 1.4 1.3 3.6 0 5M15 5.5c2.4 2.6 2.4 6.4 0 9',
       stroke: '#fff',
       lineWidth: 1.6,
     },
@@ -149,22 +149,19 @@ const pictures: { readonly [icon in Picture]: readonly Command[] } = {
     { kind: 'circle', x: 10, y: 10, r: 3, fill: '#fff' },
     {
       kind: 'path',
-      d: 'M10 3.500v1.500M10 15v1.500M3.500 10h1.500M15 10h1.500M5.500 5.500l1 1M13.500 13.500l1 1M14.500 5.500l-1 1M6.500 13.500l-1 1',
+      d: 'M10 3.5v1.5M10 15v1.5M3.5 10h1.5M15 10h1.5M5.5 5.5l1 1M13.5 13.5l1 1M14.5 5.5l-1 1M6.5 13.5l-1 1',
       stroke: '#fff',
       lineWidth: 1.6,
     },
   ],
-  bumper: [white('M4 9c3.500-4 8.500-4 12 0', 2.2), white('M10 9.500v5M7.500 12.500l2.500-3l2.500 3')],
-  turn: [white('M15 10a5 5 0 1 1-2-4'), white('M13.500 2.800l-.200 3.600l-3.500-.600')],
+  bumper: [white('M4 9c3.5-4 8.5-4 12 0', 2.2), white('M10 9.5v5M7.5 12.5l2.5-3l2.5 3')],
+  turn: [white('M15 10a5 5 0 1 1-2-4'), white('M13.5 2.8l-.2 3.6l-3.5-.6')],
   ear: [
-    white('M10 4v7M10 4a1.500 1.500 0 0 0-1.500 1.500v4a1.500 1.500 0 0 0 3 0v-4A1.500 1.500 0 0 0 10 4', 2),
-    white('M6 9.500a4 4 0 0 0 8 0M10 13.500v2.500'),
+    white('M10 4v7M10 4a1.5 1.5 0 0 0-1.5 1.5v4a1.5 1.5 0 0 0 3 0v-4A1.5 1.5 0 0 0 10 4', 2),
+    white('M6 9.5a4 4 0 0 0 8 0M10 13.5v2.5'),
   ],
-  compass: [
-    white('M10 4l2.500 6l-2.500 6l-2.500-6z'),
-    { kind: 'circle', x: 10, y: 10, r: 1.2, fill: '#fff' },
-  ],
-  speech: [white('M4 5.500h12v7h-6l-3 3v-3h-3z'), white('M7 9h6', 1.4)],
+  compass: [white('M10 4l2.5 6l-2.5 6l-2.5-6z'), { kind: 'circle', x: 10, y: 10, r: 1.2, fill: '#fff' }],
+  speech: [white('M4 5.5h12v7h-6l-3 3v-3h-3z'), white('M7 9h6', 1.4)],
 }
 
 function iconOf({ icon, side, idle }: Badge, x: number, y: number): readonly Command[] {

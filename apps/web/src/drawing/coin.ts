@@ -1,5 +1,5 @@
 import type { Command } from './commands.ts'
-import { writeNumber } from './numbers.ts'
+import { writeNumber } from '@botgarten/messages'
 import type { Point } from './points.ts'
 
 /** What has just been paid. */

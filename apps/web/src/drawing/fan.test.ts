@@ -106,7 +106,7 @@ test('the picture of all fields leaves none of them out', () => {
 test.each([
   [{ left: 50, right: 50 }, 'M0 8V-8'],
   [{ left: -40, right: -40 }, 'M0-8V8'],
-  [{ left: 0, right: 0 }, 'M-5.500'],
+  [{ left: 0, right: 0 }, 'M-5.5'],
   [{ left: 20, right: 60 }, 'M4 8'],
   [{ left: 60, right: 0 }, 'M-5 8'],
 ])('the arrow of %o', (wheels, begins) => {

@@ -155,7 +155,7 @@ function field(
 const question: readonly Command[] = [
   {
     kind: 'path',
-    d: 'M-4-4a4 4 0 1 1 6.300 3.200c-1.600 1-2.300 1.700-2.300 3.300M0 7v.1',
+    d: 'M-4-4a4 4 0 1 1 6.3 3.2c-1.6 1-2.3 1.7-2.3 3.3M0 7v.1',
     stroke: '#6B5545',
     lineWidth: 2.4,
   },

@@ -302,9 +302,9 @@ export class LabSession {
     return this.#progress.counts
   }
 
-  /** @param hints number of hints that the child has asked for now */
-  askHint(hints: number): void {
-    this.apply({ kind: 'progress', after: { ...this.progress, hints } })
+  askHint(shown: number): void {
+    const { hints } = this.progress
+    this.apply({ kind: 'progress', after: { ...this.progress, hints: Math.max(shown, hints) } })
   }
 }
 

@@ -1,4 +1,4 @@
-import { writeNumber } from '#drawing/numbers.ts'
+import { writeNumber } from '@botgarten/messages'
 import senses from 'content:senses'
 import type { LoadedSenseCage } from '@botgarten/content/catalogue'
 import { countOf, isCage, type Measured } from '@botgarten/experiments/cages'

@@ -35,7 +35,7 @@ export class FindingIcon extends Blockly.icons.Icon {
     const sign = robot ? '#fff' : ink
     draw('circle', { class: `blocklyIconShape${robot ? ' robot' : ''}`, r: radius })
     // A plug that is pulled out; or “!”.
-    const d = robot ? 'M-3 -7v4M3 -7v4M-5.500 -3h11v2a5.500 5.500 0 0 1-11 0zM0 5v3' : 'M0 -6.5v7M0 6v.1'
+    const d = robot ? 'M-3 -7v4M3 -7v4M-5.5 -3h11v2a5.5 5.5 0 0 1-11 0zM0 5v3' : 'M0 -6.5v7M0 6v.1'
     const width = robot ? 2 : 3.4
     draw('path', { d, fill: 'none', stroke: sign, 'stroke-width': width, 'stroke-linecap': 'round' })
     draw('circle', { r: reach, fill: 'transparent' })

@@ -1,4 +1,4 @@
-import { writeNumber } from '#drawing/numbers.ts'
+import { writeNumber } from '@botgarten/messages'
 import type { MapProblem } from '@botgarten/maps'
 import type { RoadMap, MapRoad } from '@botgarten/programs'
 import { language } from '#words/language.svelte.ts'

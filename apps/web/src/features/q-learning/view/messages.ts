@@ -1,7 +1,7 @@
 import { driveSeconds, wayFault, type MapFile } from '@botgarten/maps'
 import type { Plan, QWorld } from '@botgarten/learning/q-learning'
 import type { LearnedRun, Project } from '@botgarten/programs'
-import { writeNumber } from '#drawing/numbers.ts'
+import { writeNumber } from '@botgarten/messages'
 import { language } from '#words/language.svelte.ts'
 import { levelWord, settings, type Setting } from '#figures/map/levels.ts'
 import { mapName } from '#figures/map/names.ts'

@@ -39,7 +39,7 @@ export const looks = [
   { colour: '#5B7A12', mark: 'M-8 -8H8V8H-8z' },
   { colour: '#8C6A00', mark: 'M0 -11L11 0 0 11 -11 0z' },
   { colour: '#6F55C4', mark: 'M0 10L-10 -8H10z' },
-  { colour: '#B25A00', mark: 'M-3.5 -10h7v6.5h6.500v7h-6.500v6.500h-7v-6.500h-6.500v-7h6.500z' },
+  { colour: '#B25A00', mark: 'M-3.5 -10h7v6.5h6.5v7h-6.5v6.5h-7v-6.5h-6.5v-7h6.5z' },
   { colour: '#0B7C88', mark: 'M-5 -9H5L10 0 5 9H-5L-10 0z' },
-  { colour: '#3A2A20', mark: 'M0 -11l3 7.500 8 .5-6 5 2 8-7-4.500-7 4.500 2-8-6-5 8-.5z' },
+  { colour: '#3A2A20', mark: 'M0 -11l3 7.5 8 .5-6 5 2 8-7-4.5-7 4.5 2-8-6-5 8-.5z' },
 ] as const

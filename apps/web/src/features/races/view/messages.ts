@@ -1,5 +1,6 @@
 import type { LaneResult, WayThen } from '@botgarten/experiments/race'
 import { shortestPath } from '@botgarten/learning/q-learning'
+import { writeNumber } from '@botgarten/messages'
 import { language } from '#words/language.svelte.ts'
 import { m, message } from '#words/message.ts'
 import { choices, type Setting } from '../model/lanes.ts'
@@ -10,7 +11,7 @@ import { movesOf, type Tried } from '../model/walked.ts'
 
 /** A number in the current language, with a minus sign. */
 export const number = (value: number, places = 0): string =>
-  value.toLocaleString(language.locale, { maximumFractionDigits: places }).replace('-', '−')
+  writeNumber(value, language.locale, { most: places })
 
 const walk = (stations: readonly number[]) => stations.join(' → ')
 

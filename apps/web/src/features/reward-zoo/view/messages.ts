@@ -1,5 +1,6 @@
 import zoo from 'content:zoo'
 import type { LoadedCage } from '@botgarten/content/catalogue'
+import { writeNumber } from '@botgarten/messages'
 import { language } from '#words/language.svelte.ts'
 
 /** The words of a cage in the language of now; what is not translated yet is said in English. */
@@ -9,7 +10,7 @@ export const cages = zoo.cages
 
 /** A number in the current language, with a minus sign where something is taken away. */
 export const number = (value: number, places = 0): string =>
-  value.toLocaleString(language.locale, { maximumFractionDigits: places }).replace('-', '−')
+  writeNumber(value, language.locale, { most: places })
 
 /** A reward with its sign: `+20`, `−5`, `0`. */
 export const signed = (reward: number): string => `${reward > 0 ? '+' : ''}${number(reward)}`

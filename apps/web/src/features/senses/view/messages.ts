@@ -2,7 +2,7 @@ import { colours } from '@botgarten/blocks'
 import type { Action, Sensor, TableBrain, TryTrace } from '@botgarten/learning/q-senses'
 import { COLOURS, type RobotConfig } from '@botgarten/simulation'
 import type { Row } from '../model/table.ts'
-import { writeNumber } from '#drawing/numbers.ts'
+import { writeNumber } from '@botgarten/messages'
 import { language } from '#words/language.svelte.ts'
 import { message, m } from '#words/message.ts'
 

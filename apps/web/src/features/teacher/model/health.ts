@@ -1,3 +1,4 @@
+import { writeNumber } from '@botgarten/messages'
 import { addressFor, isOwnMachine, type Place } from '#parts/page/address.ts'
 import { m } from '#words/message.ts'
 import type { Health } from './answers.ts'
@@ -15,8 +16,7 @@ export interface Fact {
 const limits = { memory: 192_000_000, freeSpace: 500_000_000, clock: 120_000 }
 
 const megabytes = (bytes: number) => Math.round(bytes / 1_000_000)
-const gigabytes = (bytes: number, locale: string) =>
-  (bytes / 1_000_000_000).toLocaleString(locale, { maximumFractionDigits: 1 })
+const gigabytes = (bytes: number, locale: string) => writeNumber(bytes / 1_000_000_000, locale, { most: 1 })
 
 function addressFact(at: Place, announced: string | null, wifi: string | null): Fact {
   const address = new URL(addressFor(at, announced))
