@@ -36,6 +36,6 @@ it('a step that no program shows counts as followed once a later one is', () => 
   const solution = content.program('chameleon', 'solution')!
   expect(hintDue([null, card.hintSteps![1]!], start)).toBe(0)
   expect(hintDue([null, card.hintSteps![1]!], solution)).toBe(2)
-  expect(hintDue(card.hintSteps!, green)).toBe(1)
+  expect(hintDue(card.hintSteps, green)).toBe(1)
   expect(hintDue([{ ai_nn_input_node: 3 }, { knobs: 1 }], green)).toBe(0)
 })

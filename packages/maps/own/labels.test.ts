@@ -1,4 +1,4 @@
-import type { MapStation, RoadMap } from '@botgarten/programs'
+import type { RoadMap } from '@botgarten/programs'
 import { paper } from '@botgarten/programs'
 import fc from 'fast-check'
 import { describe, expect, test } from 'vitest'
@@ -36,7 +36,7 @@ const maps = fc
       const [from, to] = [a % stations.length, b % stations.length]
       return from === to ? [] : [{ from, to, bends: [], ...(pays && { reward: -5 }) }]
     })
-    return { ...emptyMap('x'), stations: stations as MapStation[], roads: between, start: 0, goals: [0] }
+    return { ...emptyMap('x'), stations, roads: between, start: 0, goals: [0] }
   })
 
 describe('the names of stations', () => {
