@@ -95,7 +95,8 @@ async function run(steps: readonly Step[], id: string): Promise<void> {
     const rows = own && JSON.stringify(own.table.rows)
     const looks = ['own', 'table', 'source', 'things', 'trap'].includes(kinds[kind % kinds.length]!)
     const before = own && left.get(own.set)
-    if (before && (looks || kind % 12 === 0) && before !== rows) throw new Error(`Own points are lost: ${before} became ${rows}.`)
+    if (before && (looks || kind % 12 === 0) && before !== rows)
+      throw new Error(`Own points are lost: ${before} became ${rows}.`)
     if (own) left.set(own.set, rows!)
   }
   playground.close()
