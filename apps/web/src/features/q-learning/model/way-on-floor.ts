@@ -35,7 +35,10 @@ export class WayOnFloor {
     const session = this.#session
     await nextFrame()
     const { scene } = drawWay(stage.map, stations)
-    if (this.#isThere(scene)) return session.toStart()
+    if (this.#isThere(scene)) {
+      if (wanted()) session.toStart()
+      return
+    }
     await nextFrame()
     await this.#floors.load(session.lab.document.world, session.pictures)
     const floor = this.#floors.paint(scene)
