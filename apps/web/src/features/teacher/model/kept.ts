@@ -19,7 +19,7 @@ function backupsLabel(backups: Data['backups']): string {
 
 function backupRow({ backups }: Data): KeptRow {
   return {
-    ...{ id: 'backups', icon: 'database' },
+    ...{ id: 'backups', icon: 'save' },
     title: m['teacher.keptBackups'](),
     text: m['teacher.keptBackupsText'](),
     much: backupsLabel(backups),
