@@ -4,7 +4,7 @@ import { worldOf } from './task.ts'
 import { offered, type Cage, type Offered, type Outcome, type Wish } from './types.ts'
 
 /**
- * What value iteration says that the best behaviour comes to, at both offered discount factors. `tie`: several behaviours
+ * The outcome of the best behaviour by value iteration, at both offered discount factors. `tie`: several behaviours
  * are equally good, and come to different outcomes.
  */
 export function provedOf(

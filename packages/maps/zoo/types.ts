@@ -64,7 +64,7 @@ export type Pay =
    */
   | { readonly for: 'nearer'; readonly reward: number; readonly back: 'nothing' | 'same' | 'exact' }
 
-/** What a child may change: the reward of a rule, or the whole pay for another one. */
+/** The change that a child may make: another reward of a rule, or another set of rules. */
 export type Mend =
   | {
       readonly rule: number
