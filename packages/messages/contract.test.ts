@@ -1,6 +1,7 @@
 // The folder content/words: German and English have every message, any other language some, with the same facts.
 import { expect, test } from 'vitest'
 import { doubledIn, missingIn, unlikeIn, wrongForms } from './check.ts'
+import { formsOf } from './message.ts'
 import { completeLanguages, filesIn, languagesIn, ownTableOf } from './folder.ts'
 
 test('the languages that are promised complete are there', () => {
@@ -26,3 +27,17 @@ test.each(languagesIn())(
     expect(all.flatMap(([key, message]) => wrongForms(language, key, message))).toEqual([])
   },
 )
+
+test('a number and its unit stay on one line: the space between them does not break', () => {
+  const breaks = /[\d}] (?:%|°|(?:cm|mm|km|m|s|min|h|GB|MB|kB)(?![\p{L}\p{N}-]))/u
+  // A terminal breaks no lines, and the rows of blocks are split at their spaces.
+  const shown = filesIn().filter((file) => !['cli', 'doctor'].includes(file))
+  const found = languagesIn().flatMap((language) =>
+    shown.flatMap((file) =>
+      Object.entries(ownTableOf(file, language)).flatMap(([key, message]) =>
+        /\.row\d+$/.test(key) ? [] : formsOf(message).filter((form) => breaks.test(form)),
+      ),
+    ),
+  )
+  expect(found).toEqual([])
+})
