@@ -8,7 +8,7 @@ import type { Child } from '../child.ts'
 import { expect, test } from '../house.ts'
 import { languages } from '../words.ts'
 
-/** Most words in the strip of the task, and most presses and drags up to the first goal. */
+/** Most words in the strip of the task, and most presses, drags and typed numbers up to the first goal. */
 const most = { words: 40, actions: 4 }
 
 /** The first card of each bed, and how a child reaches a goal there without a hint. */
@@ -65,6 +65,8 @@ for (const language of languages)
         await page.evaluate(() => {
           const counted = Object.assign(globalThis, { actions: 0 })
           addEventListener('pointerdown', () => (counted.actions += 1), true)
+          // A number that was typed.
+          addEventListener('keydown', ({ key }) => (counted.actions += key === 'Enter' ? 1 : 0), true)
         })
         await solves(child)
         const actions = await page.evaluate(() => (globalThis as unknown as { actions: number }).actions)

@@ -27,7 +27,7 @@ export interface Card {
   readonly checks: readonly Check[]
   /** Id of the card that comes next. */
   readonly next: string | null
-  /** By hint: the measures of the program that show that it was followed; null if only a run shows it. Absent at the end: the same. */
+  /** By hint: the measures of the program that show that it was followed; null, or nothing at the end: only a run shows it. */
   readonly hintSteps?: readonly (HintStep | null)[]
   /** Where the last card of a bed leads. */
   readonly place?: 'zoo'
@@ -39,7 +39,7 @@ export interface Card {
 
 /**
  * The least values of some measures of a program: `knobs`, weights that are not 0; `examples`, rows of the table; `rounds` of
- * practice; `#id`, the number in the first field of this block; any other name counts blocks whose type begins with it.
+ * practice; `#id`, the number in the first field of this block; `3-2`, blocks that close the road from 3 to 2; any other name counts blocks whose type begins with it.
  */
 export interface HintStep {
   readonly [measure: string]: number

@@ -162,25 +162,32 @@ export class LabScreenState {
   )
   #hintOpener: HTMLElement | null = null
   toggleHint = (): void => {
-    this.ui.hintOpen = !this.ui.hintOpen
-    if (!this.ui.hintOpen) return
+    const { ui } = this
+    if (ui.hintOpen) {
+      ui.hintOpen = false
+      return
+    }
     this.#hintOpener = document.activeElement as HTMLElement | null
-    this.#askDue()
+    void this.#askDue()
+      .catch((cause: unknown) => console.warn('The hint that is due is not known.', cause))
+      .then(() => (ui.hintOpen = true))
   }
   /** The miss that the newest hint has followed. */
   #answered: LabUi['missed'] = null
-  /** The first hint; after a further run that missed something the next one. */
-  #askDue(): void {
-    const { missed } = this.ui
-    const { shown = 0 } = this.hints ?? {}
-    if (shown === 0 || (missed !== null && missed !== this.#answered)) this.askHints(shown + 1)
-    this.#answered = missed
-  }
-  /** Asks for the first `wanted` hints. The last one comes not before something was tried. */
-  askHints(wanted: number): void {
+  /**
+   * Asks for the first hint, after a further run that missed something for the next one, and for the one after those that were
+   * followed. The last hint comes after a miss alone, and not before something was tried.
+   */
+  async #askDue(): Promise<void> {
+    const { hintDue } = await import('@botgarten/content/hint-due')
+    const { card, session } = this
+    const { missed, tried } = this.ui
     const { shown = 0, list = [] } = this.hints ?? {}
-    const count = Math.min(wanted, list.length - (this.ui.tried ? 0 : 1))
-    if (count > shown) this.session.askHint(count)
+    const next = shown === 0 || (missed !== null && missed !== this.#answered) ? shown + 1 : 0
+    const due = Math.min(hintDue(card?.card.hintSteps, session.project) + 1, list.length - 1)
+    const count = Math.max(due, Math.min(next, list.length - (tried ? 0 : 1)))
+    if (count > shown) session.askHint(count)
+    this.#answered = missed
   }
   /** The focus goes back to where the hint was opened. */
   closeHint = (): void => {
