@@ -61,6 +61,31 @@ test.describe('with a finger', () => {
   })
 })
 
+test('a child who walks blind by keys keeps the focus from door to door and from try to try', async ({
+  child,
+  page,
+}) => {
+  await opensFromHome(child, 'home.race')
+  await child.presses('race.map')
+  const railway = child.word(`choice.${mapField('railway')}`)
+  await child.press(page.getByRole('dialog').getByRole('button', { name: railway, exact: true }))
+  await child.presses('race.toYou')
+  const door = (room: number) =>
+    page.getByRole('button', { name: new RegExp(`^${child.word('race.doorTo')} ${room} `) })
+  await door(5).focus()
+  await child.types('Enter')
+  const anyDoor = page.locator('.room button:focus')
+  await expect(anyDoor).toHaveCount(1)
+  await child.tabsTo(door(0))
+  await child.types('Enter')
+  await expect(anyDoor).toHaveCount(1)
+  await child.tabsTo(door(1))
+  await child.types('Enter')
+  await expect(child.button('race.nextTry', { number: 2 })).toBeFocused()
+  await child.types('Enter')
+  await expect(anyDoor).toHaveCount(1)
+})
+
 for (const [width, height] of [
   [1366, 768],
   [1024, 768],

@@ -32,7 +32,7 @@ export type Moves = readonly (readonly number[])[]
 export const bestMoves = (world: QWorld, gamma: number): Moves =>
   optimumOf(world, gamma).best.map((actions) => actions.map((action) => world.meant[action]!))
 
-/** All ways to choose one of the moves at each station that is come to. */
+/** All ways to choose one of the moves at each station that can be reached. */
 function policies(world: QWorld, moves: Moves): readonly Moves[] {
   const reached = reachedFrom(world, moves)
   return moves.reduce<readonly Moves[]>(

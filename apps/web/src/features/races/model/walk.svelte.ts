@@ -69,6 +69,10 @@ export class WalkModel {
     this.begin()
   }
 
+  /** Did the child go through a door? */
+  get hasBegun() {
+    return this.taken.length > 0
+  }
   get isOver() {
     return this.tries.length >= TRIES
   }

@@ -13,7 +13,7 @@ export const number = (value: number, places = 0): string =>
   writeNumber(value, language.locale, { most: places })
 
 /** A reward with its sign: `+20`, `−5`, `0`. */
-export const signed = (reward: number): string => `${reward > 0 ? '+' : ''}${number(reward)}`
+export const signed = (reward: number): string => writeNumber(reward, language.locale, { plus: true })
 
 /** Where it was published, in one line. */
 export const sourceOf = ({ cage: { source } }: LoadedCage): string =>
