@@ -23,9 +23,20 @@ export function sightOf(net: NetworkOutline | null, { drive }: RobotConfig): Sig
 /** Where the tour is: null it is not on the screen, −1 it is offered, else which move is next. It is offered once on a device. */
 export class Guide {
   #move = $state(readSetting<unknown>('tour', null) === 'seen' ? null : -1)
+  #reached = $state(-1)
 
   get move() {
     return this.#move
+  }
+
+  /** True once the part that this move asks for was touched, even if another part is touched afterwards. */
+  get isReached() {
+    return this.#move !== null && this.#reached >= this.#move
+  }
+
+  /** The child has touched the part that this move asks for. */
+  reach(): void {
+    this.#reached = Math.max(this.#reached, this.#move ?? -1)
   }
 
   go(move: number): void {

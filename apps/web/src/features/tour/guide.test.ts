@@ -32,6 +32,16 @@ test('a network that drives the right wheel alone has its tour there', () => {
   expect(sightOf(netOf('friendship'), right)).toMatchObject({ neuron: { id: 'wheelLeft' }, side: 'right' })
 })
 
+test('a move that was reached stays reached; the next one is not', () => {
+  const guide = new Guide()
+  guide.go(0)
+  expect(guide.isReached).toBe(false)
+  guide.reach()
+  expect(guide.isReached).toBe(true)
+  guide.go(1)
+  expect(guide.isReached).toBe(false)
+})
+
 test('the tour is offered once on a device: closed it does not come again', () => {
   const guide = new Guide()
   expect(guide.move).toBe(-1)

@@ -1,4 +1,5 @@
 import { expect, test } from 'vitest'
+import { nothing } from '@botgarten/blocks'
 import type { PortSense, RobotView } from '@botgarten/lab'
 import type { Uses } from '@botgarten/programs'
 import { cardConfig } from '@botgarten/simulation'
@@ -28,7 +29,7 @@ test('touch, gyro, compass and sound stand beside Bo where the program uses thei
   ]
   expect(said(bo, { ports: ['1', '2', '3', '4'] }, ports)).toEqual([
     { label: word('bumper'), value: [word('pressed')], idle: false },
-    { label: word('turned'), value: ['-45°'], idle: false },
+    { label: word('turned'), value: ['−45°'], idle: false },
     { label: word('hears'), value: ['0'], idle: true },
     { label: word('compass'), value: ['90°'], idle: false },
   ])
@@ -50,6 +51,11 @@ test('what Bo says is cut where it is long; silence is pale', () => {
     ...{ label: word('says'), idle: false },
     value: [word('word', { text: `${'a'.repeat(28)}…` })],
   })
+})
+
+test('a word stands in quotation marks; that a row shows none stands without them', () => {
+  const [badge] = said({ ...bo, display: ['Gras', nothing] }, { display: true })
+  expect(badge?.value).toEqual([word('word', { text: 'Gras' }), message('neuron.empty')])
 })
 
 test('a program that only looks with its distance sensors has no badge of a sense', () => {

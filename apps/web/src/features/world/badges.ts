@@ -1,9 +1,11 @@
 import { colours, nothing } from '@botgarten/blocks'
 import type { PortSense, RobotView, Senses } from '@botgarten/lab'
+import { writeNumber } from '@botgarten/messages'
 import type { Uses } from '@botgarten/programs'
 import type { LedColour, RobotConfig, SensorKind } from '@botgarten/simulation'
 import type { Badge } from '#drawing/badges.ts'
 import { lamps } from '#drawing/bo.ts'
+import { language } from '#words/language.svelte.ts'
 import { message, m } from '#words/message.ts'
 
 /** Of the floor where no sensor sees a colour. */
@@ -82,7 +84,12 @@ const touched = (pressed: boolean): Said => ({
 })
 
 const degrees = (icon: 'turn' | 'compass', label: string, angle: unknown): readonly Said[] =>
-  rounded(angle).map((value) => ({ icon, label, value: [`${value}°`], idle: false }))
+  rounded(angle).map((value) => ({
+    icon,
+    label,
+    value: [`${writeNumber(value, language.locale)}°`],
+    idle: false,
+  }))
 
 const heard = (level: unknown): readonly Said[] =>
   rounded(level).map((loud) => ({
@@ -96,8 +103,9 @@ const lamp = ({ led }: RobotView): Badge => ({
   value: [led ? lampNames[led]() : m['world.badge.off']()],
 })
 
+/** A word in quotation marks; that there is none stands without them. */
 const wordIn = (row: string) =>
-  m['world.badge.word']({ text: row === nothing ? m['neuron.empty']() : row.trim() })
+  row === nothing ? m['neuron.empty']() : m['world.badge.word']({ text: row.trim() })
 
 function display({ display }: RobotView): Badge {
   const rows = display.filter((row) => row.trim() !== '')
