@@ -56,9 +56,10 @@ export function labelsOf(map: RoadMap): readonly (StationLabel | null)[] {
         return isOnPaper(own) && !areas.some((other) => meet(own, other))
       }),
     )
-    const covered = free.map(
-      (label) => near.filter((point) => meet(labelArea(station, label, 1), point)).length,
-    )
+    const covered = free.map((label) => {
+      const own = labelArea(station, label, 1)
+      return near.filter((point) => meet(own, point)).length
+    })
     const best = free[covered.indexOf(Math.min(...covered))]
     if (!best) return null
     for (const { times, areas } of taken) areas.push(labelArea(station, best, times))
@@ -73,15 +74,17 @@ const isOnPaper = ({ x, y, w, h }: Area) =>
 function candidatesOf(name: string): readonly StationLabel[] {
   const letters = [...name]
   if (!name) return []
-  return lengths.flatMap((most) => {
-    const text = letters.length > most ? `${letters.slice(0, most - 1).join('')}…` : name
-    return sizes.flatMap((size) =>
+  const texts = lengths.map((most) =>
+    letters.length > most ? `${letters.slice(0, most - 1).join('')}…` : name,
+  )
+  return [...new Set(texts)].flatMap((text) =>
+    sizes.flatMap((size) =>
       sides.map(([x, y]) => ({
         ...{ text, size, y: y * (RADIUS + 0.62 * size) },
         x: x * (RADIUS + 12 + 0.31 * size * [...text].length),
       })),
-    )
-  })
+    ),
+  )
 }
 
 /** Stations with their rewards and flags, signs and rewards of roads: the lab puts both at the middle of any road. */

@@ -268,7 +268,7 @@ export class LabSession {
   /** Puts everything back. On a card the robot comes to a start pose that counts, even if it was moved by hand before. */
   toStart(): void {
     this.lab.reset()
-    if (this.chosenStart < 0) this.chooseStart(this.#lastStart)
+    if (this.opened.card && this.chosenStart < 0) this.chooseStart(this.#lastStart)
   }
 
   /** Index of the start pose the robot is set on, −1 for another place. */

@@ -1,6 +1,8 @@
 import zoo from 'content:zoo'
 import { readMap } from '@botgarten/maps'
 import { isMended, settingsOf, type Cage } from '@botgarten/maps/zoo'
+import { writeNumber } from '@botgarten/messages'
+import { language } from '#words/language.svelte.ts'
 
 /** The settings at which the wish of a cage comes true, by value iteration. */
 export async function goodSettings(cage: Cage): Promise<readonly number[]> {
@@ -23,4 +25,4 @@ export const mendedAt = (
 export const paidIn = ({ pay }: Cage, words: readonly string[]): string =>
   pay.map(({ reward }, index) => `${signed(reward)}: ${words[index]}`).join(' · ')
 
-const signed = (reward: number) => `${reward > 0 ? '+' : ''}${String(reward).replace('-', '−')}`
+const signed = (reward: number) => writeNumber(reward, language.locale, { plus: true })

@@ -44,7 +44,8 @@ export class Learning {
   #stage = $state.raw<Stage | null>(null)
   #state = $state<State>('ready')
   #seed = $state(1)
-  /** Did an earlier task come before the one that is opened now? */
+  readonly #startsOfCard: LabSession['starts']
+  /** Was another task opened before? */
   #hasTask = false
   #isOpen = false
   /** Has this run been written into the table? */
@@ -59,8 +60,8 @@ export class Learning {
     this.records = new Records(kept?.runs ?? [])
     this.#seed = pinned ?? kept?.seed ?? throwSeed()
     session.learnFirst = () => this.#learnFirst()
-    const { starts } = session
-    session.starts = () => this.drive.starts ?? starts()
+    this.#startsOfCard = session.starts
+    session.starts = () => this.drive.starts ?? this.#startsOfCard()
   }
 
   get outline() {
@@ -132,6 +133,7 @@ export class Learning {
       this.pause()
       this.watch.stop()
       this.session.learnFirst = () => this.session.learns
+      this.session.starts = this.#startsOfCard
       this.drive.showMap(null)
       // A way that is being laid on the floor belongs to a closed project now.
       this.#clear()

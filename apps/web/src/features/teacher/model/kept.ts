@@ -19,7 +19,7 @@ function backupsLabel(backups: Data['backups']): string {
 
 function backupRow({ backups }: Data): KeptRow {
   return {
-    ...{ id: 'backups', icon: 'save' },
+    ...{ id: 'backups', icon: 'server' },
     title: m['teacher.keptBackups'](),
     text: m['teacher.keptBackupsText'](),
     much: backupsLabel(backups),
