@@ -61,7 +61,8 @@ export class Learning {
     this.#seed = pinned ?? kept?.seed ?? throwSeed()
     session.learnFirst = () => this.#learnFirst()
     this.#startsOfCard = session.starts
-    session.starts = () => this.drive.starts ?? this.#startsOfCard()
+    // On a way that is not the learned one no start counts: Bo is put back to where it was placed.
+    session.starts = () => this.drive.starts ?? (session.below ? [] : this.#startsOfCard())
   }
 
   get outline() {

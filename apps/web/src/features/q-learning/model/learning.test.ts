@@ -2,6 +2,7 @@ import { addBlocks, knowMaps, mapField } from '@botgarten/blocks'
 import { learning } from '@botgarten/blocks/packs/learning'
 import { cardProject } from '@botgarten/content'
 import { content } from '@botgarten/content/files'
+import { drawWay } from '@botgarten/maps'
 import type { Learned, LearnedRun } from '@botgarten/programs'
 import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest'
 import type { LoadedCard } from '#content/cards.ts'
@@ -82,6 +83,18 @@ describe('the map of the task', () => {
     const { elsewhere } = opened({ map: 'forest' }).playground.task
     expect(elsewhere).toMatchObject({ start: 3, goal: 1 })
   })
+})
+
+test('back to the start leaves Bo on a drawn way until the map is learned again', () => {
+  const { session, playground } = ready()
+  const { scene } = drawWay(stage.map, [3, 2, 1])
+  session.apply({ kind: 'scene', after: scene })
+  playground.drive.showMap({ ...stage, picture: { pale: '' } } as Stage)
+  const placed = { x: scene.starts[0]!.x + 10, y: scene.starts[0]!.y, heading: 90 }
+  session.apply({ kind: 'place', id: session.robotId, after: placed })
+  session.toStart()
+  expect(session.lab.view.robots[0]!.pose).toEqual(placed)
+  expect(playground.drive.starts).toBeNull()
 })
 
 describe('playing', () => {

@@ -22,6 +22,7 @@ const kinds = Object.keys(edits)
 const sequences = Number(process.env['BOTGARTEN_EDITS'] ?? (isLong ? 10_000 : 60))
 /** `BOTGARTEN_EDITS_COUNT=1` counts the sequences that fail instead of ending with the first. */
 const counts = process.env['BOTGARTEN_EDITS_COUNT'] === '1'
+const seed = Number(process.env['BOTGARTEN_SEED'] ?? (isLong ? Date.now() % 1e9 : 1))
 const log = new Log()
 
 let draw: ReturnType<typeof screen>
@@ -46,7 +47,7 @@ afterAll(() => {
     writeFileSync(
       log.file,
       log.report(
-        sequences,
+        { sequences, seed },
         allCards.map(({ id }) => id),
       ),
     )
@@ -164,7 +165,7 @@ test('random edits while a card runs end in no exception, lose nothing and stop 
     },
   )
   const errors = vi.spyOn(console, 'error')
-  await fc.assert(property, { numRuns: sequences })
+  await fc.assert(property, { numRuns: sequences, seed })
   expect(errors.mock.calls).toEqual([])
   if (isLong) for (const kind of kinds) expect([kind, log.whileMoving(kind) >= 300]).toEqual([kind, true])
 }, 7_200_000)

@@ -36,7 +36,7 @@ export class Log {
 
   whileMoving = (kind: string): number => this.#moving.get(kind) ?? 0
 
-  report(sequences: number, cards: readonly string[]): string {
+  report({ sequences, seed }: { sequences: number; seed: number }, cards: readonly string[]): string {
     const all = [...this.#costs.values()].flat().sort((a, b) => a - b)
     const median = at(all, 0.5)
     const rows = [...this.#costs]
@@ -51,7 +51,7 @@ export class Log {
     const failed = [...this.#failures].map(([text, count]) => `- ${count} sequences: ${text}`)
     return `# Random edits while a card runs
 
-${sequences} sequences of 6 to 14 edits over the session of the lab, on a fake clock: \`BOTGARTEN_LONG=1 npm run --silent test:unit -- apps/web/src/features/q-learning/testing/edits\`. Each sequence starts with the solution of a card, ${Math.min(...started)} to ${Math.max(...started)} times for each card.
+${sequences} sequences of 6 to 14 edits over the session of the lab, on a fake clock: \`BOTGARTEN_SEED=${seed} BOTGARTEN_LONG=1 npm run --silent test:unit -- apps/web/src/features/q-learning/testing/edits\`. Each sequence starts with the solution of a card, ${Math.min(...started)} to ${Math.max(...started)} times for each card.
 
 Sequences that failed: ${[...this.#failures.values()].reduce((sum, count) => sum + count, 0)}
 ${failed.join('\n')}
