@@ -65,9 +65,9 @@ test('the straight path, left as it begins: fifty centimetres driven of a metre 
   lab.advance(1200)
   const [one] = lab.missing()
   await language.speak('en')
-  expect(sentenceOf(one!, 'flag')).toBe('Bo stopped 1.2 m before the flag.')
+  expect(sentenceOf(one!, 'flag')).toBe('Bo stopped 1.2\u00a0m before the flag.')
   await language.speak('de')
-  expect(sentenceOf(one!, 'flag')).toBe('Bo hat 1,2 m vor der Fahne gehalten.')
+  expect(sentenceOf(one!, 'flag')).toBe('Bo hat 1,2\u00a0m vor der Fahne gehalten.')
 })
 
 describe('facts are read', () => {

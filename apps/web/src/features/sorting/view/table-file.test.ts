@@ -47,7 +47,7 @@ describe.each(['de', 'en'] as const)('what is said of a table in %s', (locale) =
     expect(await said('x;y\n1;apple')).toBe(m['sorting.table.noNumber']({ row: 2, column: 2, cell: 'apple' }))
     expect(await said('1;2\n3')).toBe(m['sorting.table.unequalRows']({ row: 2, cells: 1, columns: 2 }))
     expect(await said('1\n'.repeat(1_000_000))).toBe(m['sorting.table.manyRows']({ most: 5000 }))
-    expect(await said('1\n'.repeat(2_500_001))).toContain('5 MB')
+    expect(await said('1\n'.repeat(2_500_001))).toContain('5\u00a0MB')
     expect(await said('PK\u0003\u0004')).toContain('CSV')
     const { table } = await openTable(file('1e140;-1e140\n1;2'))
     expect(table!.rows).toHaveLength(2)
