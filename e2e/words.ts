@@ -22,11 +22,14 @@ export function languagesOf(file: string): readonly Language[] {
 
 const words = new Map(languages.map((language) => [language, wordsOf(language)]))
 
-/** What the screen says for a message key (`lab.start`) in a language. Throws where nobody wrote it. */
+/**
+ * What the screen says for a message key (`lab.start`) in a language. Throws where nobody wrote it. Spaces that do not break
+ * come as plain ones, which is how Playwright reads the page.
+ */
 export function message(language: Language, key: string, facts: Facts = {}): string {
   const found = words.get(language)?.[key]
   if (found === undefined) throw new Error(`No word for ${key} in ${language}`)
-  return fill(found, facts, language)
+  return fill(found, facts, language).replaceAll('\u00a0', ' ')
 }
 
 /** What a card's check is called in a language. Throws where nobody wrote it. */
