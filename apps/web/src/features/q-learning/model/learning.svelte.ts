@@ -61,7 +61,7 @@ export class Learning {
     this.#seed = pinned ?? kept?.seed ?? throwSeed()
     session.learnFirst = () => this.#learnFirst()
     this.#startsOfCard = session.starts
-    // On a way that is not the learned one no start counts: Bo is put back to where it was placed.
+    // On a way that is not the learned one no start counts: Bo goes back to the place that it was moved to.
     session.starts = () => this.drive.starts ?? (session.below ? [] : this.#startsOfCard())
   }
 
