@@ -179,15 +179,15 @@ export class LabScreenState {
    * followed. The last hint comes after a miss alone, and not before something was tried.
    */
   async #askDue(): Promise<void> {
-    const { hintDue } = await import('@botgarten/content/hint-due')
     const { card, session } = this
     const { missed, tried } = this.ui
     const { shown = 0, list = [] } = this.hints ?? {}
-    const next = shown === 0 || (missed !== null && missed !== this.#answered) ? shown + 1 : 0
-    const due = Math.min(hintDue(card?.card.hintSteps, session.project) + 1, list.length - 1)
-    const count = Math.max(due, Math.min(next, list.length - (tried ? 0 : 1)))
-    if (count > shown) session.askHint(count)
+    const ask = (count: number) => count > shown && session.askHint(count)
+    if (shown === 0 || (missed !== null && missed !== this.#answered))
+      ask(Math.min(shown + 1, list.length - (tried ? 0 : 1)))
     this.#answered = missed
+    const { hintDue } = await import('@botgarten/content/hint-due')
+    ask(Math.min(hintDue(card?.card.hintSteps, session.project) + 1, list.length - 1))
   }
   /** The focus goes back to where the hint was opened. */
   closeHint = (): void => {
