@@ -44,3 +44,34 @@ test('a hint has room of its own, and an open list leaves its buttons free', asy
   await expect(page.getByRole('region', { name: child.word('lab.hint') })).toBeVisible()
   await expect.poll(async () => (await fitOf(page)).over).toEqual([])
 })
+
+test('a long name leaves the bar of a phone in one row, and the task below it free', async ({
+  child,
+  page,
+}) => {
+  await page.setViewportSize({ width: 390, height: 844 })
+  await child.opensLab('chameleon')
+  await page.getByTitle(child.word('lab.rename')).click()
+  await page
+    .getByRole('textbox', { name: child.word('lab.rename') })
+    .fill('Entweder, oder: geübt. '.repeat(3))
+  await child.types('Enter')
+  const outside = () =>
+    page.locator('header.page-bar').evaluate((bar) => {
+      const { top, bottom } = bar.getBoundingClientRect()
+      return [...bar.querySelectorAll(':is(a, button):not(:scope [popover] *)')]
+        .filter((one) => one.checkVisibility())
+        .map((one) => ({
+          name: one.getAttribute('title') ?? one.textContent.trim(),
+          box: one.getBoundingClientRect(),
+        }))
+        .filter(({ box }) => box.top < top || box.bottom > bottom || box.right > innerWidth)
+        .map(({ name }) => name)
+    })
+  for (const width of [390, 320]) {
+    await page.setViewportSize({ width, height: 844 })
+    await expect.poll(outside).toEqual([])
+    await child.presses('lab.hint')
+    await child.types('Escape')
+  }
+})
