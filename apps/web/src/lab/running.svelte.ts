@@ -36,6 +36,8 @@ export class RunningLab {
   /** A moment that is asked for; it is shown with the next frame. */
   #wanted: number | null = null
   #chosen = $state('')
+  /** Called when a run has changed a network or a table. */
+  onlearned = (): void => {}
   /** Simulated seconds a real second; Infinity: as fast as it can. */
   speed = $state(1)
 
@@ -129,7 +131,13 @@ export class RunningLab {
     this.#view = this.#lab.view(this.#chosen)
     if (!this.#view.time.past) this.#effort?.bumped(this.#view.robots[0]?.bumps ?? 0)
     this.#facts = renewed(this.#facts, factsOf(this.#view, this.#chosen))
+    const { brains, tables } = this.#document ?? {}
     this.#document = this.#lab.document()
+    if (
+      this.#view.phase !== 'ready' &&
+      (this.#document.brains !== brains || this.#document.tables !== tables)
+    )
+      this.onlearned()
   }
 
   /** Id of the robot whose networks the view has, whom keys drive and steps wait for; '' the first. */

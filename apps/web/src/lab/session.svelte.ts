@@ -95,6 +95,7 @@ export class LabSession {
     this.listen(this.undo.hear)
     this.listen(this.effort.hear)
     this.listen(savesTo(this.autosave, () => this.project))
+    this.lab.onlearned = () => this.autosave.learned(() => this.project)
   }
 
   /** The robot whose program and network are on the screen. */

@@ -1,12 +1,18 @@
+import { addBlocks } from '@botgarten/blocks'
+import { learning } from '@botgarten/blocks/packs/learning'
+import { cardProject } from '@botgarten/content'
+import { content } from '@botgarten/content/files'
 import { parseProject, sceneOf, type Program } from '@botgarten/programs'
-import { samePose, type Pose } from '@botgarten/simulation'
+import { samePose, TICKS_PER_SECOND, type Pose } from '@botgarten/simulation'
 import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest'
-import { PAUSE } from '#storage/autosave.ts'
+import { LEARNED, PAUSE } from '#storage/autosave.ts'
 import { load, save } from '#storage/projects.ts'
 import { fillDisk, freshDevice, openTab, until } from '#storage/testing/device.ts'
 import { friendship, hash, withPicture } from '#storage/testing/sample.ts'
 import type { LabSession } from './session.svelte.ts'
 import { card, closeSessions, screen, sessionOf } from './testing/session.ts'
+
+addBlocks(learning)
 
 // A session as the screen has it: real lab, real undo, real storage. Only the clock is not.
 beforeEach(async () => {
@@ -35,11 +41,48 @@ function runs(session: LabSession, ticks: number, lookAt = ticks) {
   session.lab.speed = 16
   const stop = session.lab.run()
   session.lab.resume()
-  while (session.lab.view.tick < ticks) draw()
+  while (session.lab.view.tick < ticks && session.lab.view.phase === 'running') draw()
   stop()
   vi.unstubAllGlobals()
   session.lab.goTo(lookAt)
 }
+
+describe('what a run has learned', () => {
+  const { card, world } = content.card('try-dodge')!
+  const { tables: _, ...solution } = content.program('try-dodge', 'solution')!
+  const short = JSON.stringify(solution).replace(/"MINUTES":"\d+"/, '"MINUTES":"1"')
+  const trying = cardProject(world, card, JSON.parse(short) as typeof solution, 'friendship')
+  const learns = () => {
+    const { session } = sessionOf(trying)
+    expect(session.project.tables).toBeUndefined()
+    runs(session, 70 * TICKS_PER_SECOND)
+    expect(Object.keys(session.project.tables!)).toHaveLength(1)
+    return session
+  }
+
+  test('is saved when the page is left, though no hand has changed anything', async () => {
+    const session = learns()
+    await session.autosave.flush()
+    expect((await savedProject())?.tables).toEqual(session.project.tables)
+  })
+
+  test('is saved every few seconds while the run goes on', async () => {
+    const session = learns()
+    vi.advanceTimersByTime(LEARNED - 1)
+    await settle()
+    expect(await savedProject()).toBeNull()
+    vi.advanceTimersByTime(1)
+    await until(() => session.autosave.revision > 0)
+    expect((await savedProject())?.tables).toEqual(session.project.tables)
+  })
+
+  test('is nothing where Bo only drives: such a run saves no project', async () => {
+    const { session } = sessionOf()
+    runs(session, 400)
+    await session.autosave.flush()
+    expect(await savedProject()).toBeNull()
+  })
+})
 
 describe('every change', () => {
   test('is saved after a pause, and two of them in one save', async () => {

@@ -7,6 +7,8 @@ import { save, type Saved } from './projects.ts'
 export const PAUSE = 250
 /** While a hand goes on without a pause it is saved so often all the same, in milliseconds. */
 export const LONGEST = 500
+/** Longest time between learning something in a run and saving it, in milliseconds. */
+export const LEARNED = 5_000
 /** So long after a save that failed it is tried again, in milliseconds. */
 export const AGAIN = 10_000
 
@@ -37,6 +39,7 @@ export class Autosave {
   #pause: ReturnType<typeof setTimeout> | undefined
   #limit: ReturnType<typeof setTimeout> | undefined
   #again: ReturnType<typeof setTimeout> | undefined
+  #learned: ReturnType<typeof setTimeout> | undefined
   #busy: Promise<void> = Promise.resolve()
   #closed = false
   #stopListening: () => void
@@ -87,6 +90,16 @@ export class Autosave {
     this.#limit ??= setTimeout(() => void this.flush(), LONGEST)
   }
 
+  /**
+   * A run has learned something. It is saved after `LEARNED`, with the next change, or when the page is hidden; the status
+   * speaks of changes by hand, so it stays.
+   */
+  learned(project: GetProject): void {
+    if (this.#isTaken) return
+    this.#waiting ??= project
+    this.#learned ??= setTimeout(() => void this.flush(), LEARNED)
+  }
+
   /** Tries again what has failed. */
   retry(): void {
     this.#set({ state: 'saving' })
@@ -104,7 +117,8 @@ export class Autosave {
     clearTimeout(this.#pause)
     clearTimeout(this.#limit)
     clearTimeout(this.#again)
-    this.#limit = undefined
+    clearTimeout(this.#learned)
+    this.#limit = this.#learned = undefined
   }
 
   async #saveWaiting(): Promise<void> {
