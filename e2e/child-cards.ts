@@ -42,6 +42,9 @@ export const option = (child: Child, name: 'projector' | 'quiet' | 'letters' | '
 /** The name of an input that sees a colour, or how much of it there is, with the sensor at the front. */
 export const colourInput = (child: Child, kind: 'colour' | 'channel', colour: string): string =>
   child.word('network.name', {
-    label: child.word(`neuron.${kind}`, { COLOUR: child.word(`choice.${colour}`), SENSORPORT: '1' }),
+    label: child.word('neuron.port', {
+      label: child.word(`neuron.${kind}`, { COLOUR: child.word(`choice.${colour}`) }),
+      port: '1',
+    }),
     place: child.word('network.place.front'),
   })

@@ -203,7 +203,7 @@ export class Child {
   nameOf(neuron: Sensor | Motor): string {
     const label =
       'sensor' in neuron
-        ? this.word(`neuron.${neuron.sensor}`, { INPUTNODE: neuron.port, SENSORPORT: neuron.port })
+        ? this.word('neuron.port', { label: this.word(`neuron.${neuron.sensor}`), port: neuron.port })
         : this.word('neuron.motor', { OUTPUTNODE: neuron.motor })
     return this.word('network.name', { label, place: this.word(`network.place.${neuron.place}`) })
   }

@@ -7,13 +7,21 @@ import { expect, test } from '../house.ts'
 import { fitOf } from '../lab-fit.ts'
 import { languagesOf } from '../words.ts'
 
-const sees = (child: Child, colour: string) =>
-  child.word('network.name', {
-    label: child.word('neuron.colour', { COLOUR: child.word(`choice.${colour}`), SENSORPORT: '1' }),
-    place: child.word('network.place.front'),
-  })
+const sees = (child: Child, colour: string) => colourInput(child, 'colour', colour)
 const lamp = (child: Child, colour: string) =>
   child.word('neuron.lamp', { OUTPUTNODE: child.word(`choice.${colour}`) })
+
+test('all three leaves are in view as the card opens', async ({ child, page }) => {
+  await child.opensLab('chameleon')
+  /** Of Bo, and of the middle of the red leaf, in cm from the left. */
+  const [start, red] = [20, 164]
+  const middle = async () => {
+    const [bo, track] = [await child.painted.place('bo'), await child.painted.wheelsApart()]
+    return bo.x + ((red - start) * track) / 18
+  }
+  const pane = (await page.getByRole('application', { name: child.word('world.label') }).boundingBox())!
+  await expect.poll(middle).toBeLessThan(pane.x + pane.width)
+})
 
 for (const language of languagesOf(import.meta.filename)) {
   test.describe(`in ${language}`, () => {

@@ -49,7 +49,7 @@ for (const language of languagesOf(import.meta.filename)) {
     test('so does the button beside a chosen block, and all of it goes by keys', async ({ child, page }) => {
       const hands = new AskingHands(child)
       await child.opensProjectAtHome('Waits', waits)
-      await expect(child.button('editor.what')).toHaveCount(0)
+      await expect(child.button('editor.what')).toBeDisabled()
       await child.block('b4').click(hands.blocks.corner)
       await child.presses('editor.what')
       await hands.isTold('robControls_wait_time')

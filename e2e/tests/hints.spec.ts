@@ -1,6 +1,6 @@
 // Rooms: app, editor, q-learning
 import { content } from '@botgarten/content/files'
-import { setsKnob } from '../child-cards.ts'
+import { colourInput, setsKnob } from '../child-cards.ts'
 import { Learner } from '../child-learning.ts'
 import { TimeHands } from '../child-time.ts'
 import type { Child } from '../child.ts'
@@ -102,10 +102,7 @@ test('after a run that missed something the next hint is due', async ({ child })
 test('a hint that was followed gives way to the next one when it is opened again', async ({ child }) => {
   await child.opensLab('chameleon')
   const title = (number: number) => hintOf(child).getByText(child.word('lab.hintTitle', { number, of: 3 }))
-  const green = child.word('network.name', {
-    label: child.word('neuron.colour', { COLOUR: child.word('choice.green'), SENSORPORT: '1' }),
-    place: child.word('network.place.front'),
-  })
+  const green = colourInput(child, 'colour', 'green')
   const lamp = child.word('neuron.lamp', { OUTPUTNODE: child.word('choice.green') })
   await child.presses('lab.hint')
   await expect(title(1)).toBeVisible()

@@ -170,7 +170,10 @@ describe.each([...all, ...plain])('%s', (_type, { look, words, neuron, example }
   it('labels its neuron with its fields', () => {
     if (!neuron) return
     const visible = look.fields.filter(({ kind }) => kind !== 'hidden').map(({ name }) => name)
-    expectMessage(neuron.label, visible)
+    // A sensor's port is named only where sensors of its kind have two.
+    const named = neuron.sensor ? visible.filter((name) => name !== neuron.port) : visible
+    expectMessage(neuron.label, named)
+    expectMessage('neuron.port', ['label', 'port'])
     if (neuron.port !== undefined) expect(visible).toContain(neuron.port)
     if (typeof neuron.colour === 'object') expect(visible).toContain(neuron.colour.field)
     expect(look.output).toBe(neuron.layer === 'input' ? 'InputNode' : 'OutputNode')

@@ -39,6 +39,12 @@ describe('written weights', () => {
     expect(written([0, 50, 100].map((y) => ({ x: 0, y })))).toEqual(['above', 'right', 'below'])
   })
 
+  test('leave free the name of a neuron that is in their way', () => {
+    const knobs = lowered([0, 50, 100].map((y) => ({ x: 0, y })))
+    const name = { x: 50, y: 250 }
+    expect(labelSides(knobs, [0.5, 0.5, 0.5], stage, [name])).toEqual(['above', 'left', 'below'])
+  })
+
   test('of 0 take no room', () => {
     const knobs = [0, 90].map((x) => ({ x, y: 0 }))
     const all = lowered([{ x: 45, y: -39 }, ...knobs])

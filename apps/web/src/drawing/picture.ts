@@ -18,8 +18,11 @@ export function pictureOf(
     draw(canvas.getContext('2d')!)
     return canvas
   }
-  easel ??= new OffscreenCanvas(width, height)
-  Object.assign(easel, { width, height })
-  draw(easel.getContext('2d')!)
-  return easel.transferToImageBitmap()
+  const own = easel ?? new OffscreenCanvas(width, height)
+  // A picture may need another one, such as a pattern, while it is painted: that one takes another canvas.
+  easel = null
+  Object.assign(own, { width, height })
+  draw(own.getContext('2d')!)
+  easel = own
+  return own.transferToImageBitmap()
 }

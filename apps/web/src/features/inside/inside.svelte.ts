@@ -55,7 +55,7 @@ export class Inside {
   /** It has not run so: the numbers are what would be. */
   readonly would = $derived.by(() => this.trace?.ran === false)
   readonly inputs: readonly Neuron[] = $derived.by(
-    () => this.net?.inputs.map((neuron) => drawn(neuron, this.session.config, nothing)) ?? [],
+    () => this.net?.inputs.map((neuron, _, all) => drawn(neuron, this.session.config, nothing, all)) ?? [],
   )
   readonly outputs: readonly Neuron[] = $derived.by(
     () => this.net?.outputs.map((neuron) => drawn(neuron, this.session.config, nothing)) ?? [],

@@ -53,7 +53,7 @@ export class Training {
 
   #drawn(layer: 'inputs' | 'outputs'): readonly Neuron[] {
     const { net } = this.practice
-    return net?.[layer].map((neuron) => drawn(neuron, this.session.config, nothing)) ?? []
+    return net?.[layer].map((neuron, _, all) => drawn(neuron, this.session.config, nothing, all)) ?? []
   }
 
   /** What the neurons say of the example that is open, as far as it has come; null: none is open. */

@@ -3,7 +3,7 @@ import type { Pose } from '@botgarten/simulation'
 import type { LabUi } from '#lab/ui.svelte.ts'
 import type { LabSession } from '#lab/session.svelte.ts'
 import { Viewport } from '#figures/world/viewport.svelte.ts'
-import { goalsOf } from './goals.ts'
+import { asksForColours, goalsOf } from './goals.ts'
 import { Hand } from './hand.svelte.ts'
 import type { Workshop } from './workshop.ts'
 
@@ -21,13 +21,15 @@ export class BuildMode {
     this.session = session
     this.ui = ui
     this.#loadTools = loadTools
-    const goals = goalsOf(session.opened.card?.card.checks ?? [])
+    const checks = session.opened.card?.card.checks ?? []
+    const goals = goalsOf(checks)
     this.viewport = new Viewport(
       () => this.shop?.world ?? session.lab.document.world,
       () => session.robotId,
       () => session.learns,
       () => goals,
       () => session.tries,
+      asksForColours(checks),
     )
     this.hand = new Hand((id, pose, phase) => this.place(id, pose, phase))
   }

@@ -10,3 +10,7 @@ export const goalsOf = (checks: readonly Check[]): readonly Sight[] =>
       y: Number(numbers['y']),
       radius: Number(numbers['cm']),
     }))
+
+/** Does a card ask for something on colours? They may be anywhere on the floor, so all of it matters. */
+export const asksForColours = (checks: readonly Check[]): boolean =>
+  checks.some(({ kind, numbers }) => kind !== 'neverSees' && 'colour' in numbers)

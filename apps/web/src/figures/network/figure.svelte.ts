@@ -166,6 +166,9 @@ export class NetFigure {
       this.knobs.map(({ at }) => at),
       this.seen.map((i) => this.values[i]!),
       layout.stage,
+      layout.labels === 'beside'
+        ? []
+        : layout.columns.flat().map(({ x, y }) => ({ x, y: y + layout.radius + 20 })),
     )
     return this.knobs.map(({ index, at, grip }, n) => {
       const { id, from, to } = this.links[index]!

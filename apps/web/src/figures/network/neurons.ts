@@ -2,14 +2,14 @@ import type { Track } from '#drawing/track.ts'
 import type { NeuronOutline } from '@botgarten/programs'
 import type { RobotConfig } from '@botgarten/simulation'
 import { message } from '#words/message.ts'
-import { colourOf, labelOf, placeOf } from './words.ts'
+import { colourOf, labelOf, placeOf, shortLabelOf } from './words.ts'
 
 /** A neuron as it is drawn. */
 export interface Neuron {
   readonly id: string
   readonly label: string
   readonly place: string | null
-  /** Label and place in one, for the ear. */
+  /** The whole label and the place in one, for the ear. */
   readonly name: string
   readonly colour: string
   readonly missing: boolean
@@ -17,13 +17,19 @@ export interface Neuron {
   readonly bare?: boolean
 }
 
-export function drawn(neuron: NeuronOutline, config: RobotConfig, problems: ReadonlySet<string>): Neuron {
+/** @param layer all neurons of its layer */
+export function drawn(
+  neuron: NeuronOutline,
+  config: RobotConfig,
+  problems: ReadonlySet<string>,
+  layer: readonly NeuronOutline[] = [],
+): Neuron {
   const label = labelOf(neuron)
   const key = placeOf(neuron, config)
   const place = key === null ? null : message(key)
   return {
     id: neuron.id,
-    label,
+    label: shortLabelOf(neuron, layer),
     place,
     name: place === null ? label : message('network.name', { label, place }),
     colour: colourOf(neuron),

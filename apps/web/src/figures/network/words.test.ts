@@ -3,7 +3,8 @@ import type { NeuronOutline } from '@botgarten/programs'
 import type { RobotConfig } from '@botgarten/simulation'
 import { describe, expect, test } from 'vitest'
 import { language } from '#words/language.svelte.ts'
-import { colourOf, labelOf, placeOf } from './words.ts'
+import { drawn } from './neurons.ts'
+import { colourOf, labelOf, placeOf, shortLabelOf } from './words.ts'
 
 function neuron(type: keyof typeof definitions, fields: NeuronOutline['fields']): NeuronOutline {
   return { id: 'n', type, fields, look: definitions[type].neuron! }
@@ -31,6 +32,25 @@ describe('the words at a node', () => {
     expect([labelOf(distance('2')), labelOf(motor('C'))]).toEqual(['distance, port 2', 'motor C'])
     await language.speak('de')
     expect([labelOf(distance('2')), labelOf(motor('C'))]).toEqual(['Abstand, Anschluss 2', 'Motor C'])
+  })
+
+  test('name a port only where sensors of one kind have two, and say the whole label to a screen reader', async () => {
+    const colour = (COLOUR: string, SENSORPORT = '1') =>
+      neuron('ai_nn_input_node_coloursensor_color', { COLOUR, SENSORPORT })
+    const light = neuron('ai_nn_input_node_coloursensor_light', { SENSORPORT: '1' })
+    const labels = (...layer: NeuronOutline[]) => layer.map((one) => shortLabelOf(one, layer))
+    await language.speak('en')
+    expect(labels(distance('2'))).toEqual(['distance'])
+    expect(labels(colour('#00642E'), light, distance('2'))).toEqual(['colour green', 'light', 'distance'])
+    expect(labels(distance('2'), distance('3'))).toEqual(['distance, port 2', 'distance, port 3'])
+    expect(labels(colour('#00642E'), light, colour('#B30006', '4'))).toEqual([
+      'colour green, port 1',
+      'light, port 1',
+      'colour red, port 4',
+    ])
+    expect(labels(motor('C'), lamp)).toEqual(['motor C', 'lamp orange-yellow'])
+    const red = drawn(colour('#B30006'), config, new Set(), [colour('#B30006')])
+    expect([red.label, red.name]).toEqual(['colour red', 'colour red, port 1 front'])
   })
 
   test('never show the code of a colour', async () => {

@@ -21,13 +21,27 @@ function shownChoice({ options }: Extract<FieldLook, { kind: 'choice' }>, value:
   return near?.words ? message('choice.almost', { name: message(near.words) }) : value
 }
 
-/** What stands beside a node: "distance, port 2". */
-export const labelOf = (neuron: NeuronOutline): string => message(neuron.look.label, shownFields(neuron))
+const nameOf = (neuron: NeuronOutline) => message(neuron.look.label, shownFields(neuron))
+
+/** A neuron's whole label: "distance, port 2". */
+export const labelOf = (neuron: NeuronOutline): string =>
+  neuron.look.sensor
+    ? message('neuron.port', { label: nameOf(neuron), port: portOf(neuron)! })
+    : nameOf(neuron)
+
+/** What stands at a node: "distance" where no sensor of this kind in the layer is at another port, else its whole label. */
+export const shortLabelOf = (neuron: NeuronOutline, layer: readonly NeuronOutline[]): string =>
+  layer.every((one) => one.look.sensor !== neuron.look.sensor || portOf(one) === portOf(neuron))
+    ? nameOf(neuron)
+    : labelOf(neuron)
+
+/** `ULTRASONIC_PORT_2` and `MOTORPORT_C` end with their port. */
+const portOf = ({ look, fields }: NeuronOutline) => look.port && fields[look.port]?.at(-1)
 
 /** Where the sensor or wheel of a neuron is: a message key, or null where there is no place to name. */
-export function placeOf({ look, fields }: NeuronOutline, config: RobotConfig): string | null {
-  // `ULTRASONIC_PORT_2` and `MOTORPORT_C` end with their port.
-  const port = look.port && fields[look.port]?.at(-1)
+export function placeOf(neuron: NeuronOutline, config: RobotConfig): string | null {
+  const { look } = neuron
+  const port = portOf(neuron)
   if (!port) return null
   if (look.layer === 'output') return wheelPlace(port, config)
   const sensor = config.sensors[port as SensorPort]

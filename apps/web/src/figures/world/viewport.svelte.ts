@@ -49,6 +49,7 @@ export class Viewport {
   #whole: () => boolean
   #goals: () => readonly Sight[]
   #alone: () => boolean
+  #wide: boolean
   /** How close the camera was sent to show something. */
   #sent: number | null = null
   #radii = $derived.by(() => radiiOf(this.#world()))
@@ -60,6 +61,7 @@ export class Viewport {
    * @param whole is the whole floor the thing, as a map is?
    * @param goals places on the floor that matter as things do
    * @param alone is it the robot and what is drawn round it that is looked at, and no thing?
+   * @param wide is as much of the floor's width shown as leaves the robot large enough?
    */
   constructor(
     world: () => World,
@@ -67,12 +69,14 @@ export class Viewport {
     whole: () => boolean = () => false,
     goals: () => readonly Sight[] = () => [],
     alone: () => boolean = () => false,
+    wide = false,
   ) {
     this.#world = world
     this.#chosen = followed
     this.#whole = whole
     this.#goals = goals
     this.#alone = alone
+    this.#wide = wide
   }
 
   get scale(): number {
@@ -102,6 +106,7 @@ export class Viewport {
     if (this.#whole() || !robot) return scaleFor(this.pane, size, 'whole')
     // Of several robots none should be out of sight.
     if (robots.length > 1) return scaleFor(this.pane, size, needOfAll(robots.map(({ pose }) => pose)))
+    if (this.#wide) return scaleFor(this.pane, size, { width: size.width, height: 0 })
     if (this.#alone()) return scaleFor(this.pane, size, { width: around, height: around })
     return scaleFor(this.pane, size, needOf(robot.pose, [...things, ...this.#goals()]))
   }

@@ -19,6 +19,18 @@ function rowsOf(type: string): readonly string[] {
   return rows.map((names) => names.filter(Boolean).join(' ')).filter(Boolean)
 }
 
+it('names what goes into the mouth of the start block and of a function', () => {
+  const workspace = new Blockly.Workspace()
+  const labelOf = (type: string) =>
+    workspace
+      .newBlock(type)
+      .getInput('ST')
+      ?.fieldRow.map((field) => field.getText())
+  expect(labelOf('robControls_start')).toEqual(['variables'])
+  expect(labelOf('robProcedures_defreturn')).toEqual(['parameters'])
+  workspace.dispose()
+})
+
 it('keeps a function’s parameters behind its name, also where a field of the block is built later', () => {
   expect(rowsOf('robProcedures_defreturn')).toEqual(['NAME TYPE ST_ANCHOR', 'ST', 'STACK', 'RETURN'])
   expect(rowsOf('robProcedures_defnoreturn')).toEqual(['NAME ST_ANCHOR', 'ST', 'STACK'])

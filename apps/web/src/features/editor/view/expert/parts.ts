@@ -61,19 +61,25 @@ function matchChecks(block: BotBlock) {
 const isThere = (block: BotBlock, input: InputLook): boolean =>
   !input.when || (input.kind === 'statements' && input.holds !== undefined) || holds(block, input.when)
 
-function matchParts(block: BotBlock) {
+function matchParts(block: BotBlock, language: Language) {
   for (const input of block.definition.look.inputs) {
     if (!input.when) continue
     const there = block.getInput(input.name) !== null
     if (there && !isThere(block, input)) block.removeInput(input.name)
     // A field may change while the block is still being built: the rest of it comes.
-    if (!there && isThere(block, input) && block.getInput(anchorOf(input.name))) append(block, input)
+    if (!there && isThere(block, input) && block.getInput(anchorOf(input.name)))
+      append(block, input, language)
   }
 }
 
-function append(block: BotBlock, { name, kind }: InputLook) {
+function append(block: BotBlock, input: InputLook, { words }: Language) {
+  const { name, kind } = input
   if (kind === 'value') block.appendValueInput(name)
-  else block.appendStatementInput(name)
+  else {
+    const mouth = block.appendStatementInput(name)
+    // It is empty in most programs: only a label can name the blocks that go in.
+    if (input.holds) mouth.appendField(new Blockly.FieldLabel(words(`more.${input.holds}`)))
+  }
   const anchor = block.inputList.findIndex((input) => input.name === anchorOf(name))
   const after = block.inputList[anchor + 1]
   if (after && after.name !== name) moveBefore(block, name, after)
@@ -203,7 +209,7 @@ const declarations: { readonly [type: string]: string } = {
 
 function match(block: BotBlock, language: Language) {
   matchShape(block)
-  matchParts(block)
+  matchParts(block, language)
   matchWays(block, language)
   matchCall(block)
   matchChecks(block)
