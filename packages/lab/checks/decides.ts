@@ -1,11 +1,15 @@
 import { TICKS_PER_SECOND } from '@botgarten/simulation'
 import { numberOf, tooShort, type Kind } from './kind.ts'
+import type { Moment } from './moment.ts'
 
 /**
- * The eyes decide which way the robot turns: had each seen what the other one saw, its program would have turned it the other
- * way, in both cases by `percent` between the wheels at least. For `seconds` in all; it stays passed.
+ * Something decides how the robot turns: it turns by `percent` between the wheels at least, and had that been otherwise, it
+ * would have turned otherwise. For `seconds` in all; it stays passed.
+ * @param isOther compares the turn with the one that it would have been; `least`: `percent`
  */
-export const eyesDecide: Kind<{ ticks: number; done: boolean }> = {
+const decides = (
+  isOther: (moment: Moment, turn: number, least: number) => boolean,
+): Kind<{ ticks: number; done: boolean }> => ({
   needs: ['percent'],
   lacks: ['alike', 'short'],
   begin: () => ({ ticks: 0, done: false }),
@@ -14,10 +18,20 @@ export const eyesDecide: Kind<{ ticks: number; done: boolean }> = {
     const least = numberOf(check, 'percent')
     const turn = moment.nextTurn(false) ?? 0
     if (Math.abs(turn) < least) return false
-    const mirrored = moment.nextTurn(true) ?? 0
-    if (Math.abs(mirrored) >= least && turn > 0 !== mirrored > 0) memory.ticks++
+    if (isOther(moment, turn, least)) memory.ticks++
     memory.done = memory.ticks > 0 && memory.ticks >= check.seconds * TICKS_PER_SECOND
     return memory.done
   },
   missing: (check, { ticks }) => (ticks > 0 ? tooShort(check, ticks) : { what: 'alike', facts: {} }),
-}
+})
+
+/** The eyes: had they seen the opposite sides, the robot would have turned the other way, by as much at least. */
+export const eyesDecide = decides((moment, turn, least) => {
+  const mirrored = moment.nextTurn(true) ?? 0
+  return Math.abs(mirrored) >= least && turn > 0 !== mirrored > 0
+})
+
+/** The network: had it put out 0, the robot would have turned less or the other way, by `percent` at least. */
+export const netDecides = decides(
+  (moment, turn, least) => Math.abs(turn - (moment.nextTurn(false, false) ?? 0)) >= least,
+)
