@@ -33,7 +33,7 @@ const limits: readonly string[] = ['needed', 'most', 'least']
 const limited: readonly string[] = ['seconds', 'off', 'hertz', 'speed']
 const anyUnit = /^(s|%|Prozent|percent|Hz)(?![a-z])/
 
-/** Where the value brings its unit along, or is none of these. */
+/** Placeholders whose value includes its unit, or is none of these. */
 const exempt: { readonly [key: string]: string } = {
   'call.noItem near': 'names of materials',
   'call.noPack near': 'names of packs',

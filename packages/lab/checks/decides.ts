@@ -9,18 +9,17 @@ import type { Moment } from './moment.ts'
  */
 const decides = (
   isOther: (moment: Moment, turn: number, least: number) => boolean,
-): Kind<{ ticks: number; done: boolean }> => ({
+): Kind<{ ticks: number }> => ({
   needs: ['percent'],
   lacks: ['alike', 'short'],
-  begin: () => ({ ticks: 0, done: false }),
+  begin: () => ({ ticks: 0 }),
   observe(check, moment, memory) {
-    if (memory.done) return true
     const least = numberOf(check, 'percent')
+    const isDone = () => memory.ticks > 0 && memory.ticks >= check.seconds * TICKS_PER_SECOND
+    if (isDone()) return true
     const turn = moment.nextTurn(false) ?? 0
-    if (Math.abs(turn) < least) return false
-    if (isOther(moment, turn, least)) memory.ticks++
-    memory.done = memory.ticks > 0 && memory.ticks >= check.seconds * TICKS_PER_SECOND
-    return memory.done
+    if (Math.abs(turn) >= least && isOther(moment, turn, least)) memory.ticks++
+    return isDone()
   },
   missing: (check, { ticks }) => (ticks > 0 ? tooShort(check, ticks) : { what: 'alike', facts: {} }),
 })

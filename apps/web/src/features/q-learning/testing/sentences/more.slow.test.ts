@@ -26,7 +26,7 @@ knowMaps(content)
 const faulty = (sentences: readonly string[], locale: string) =>
   [...new Set(sentences)].flatMap((text) => faultsIn(text, locale).map((fault) => `${fault}: ${text}`))
 
-// ---- what there is to fix in blocks ----
+// ---- findings in blocks ----
 
 /** Findings of all programs of the cards, in their robot and in one without any part. */
 const findings = content.cards.flatMap(({ id }) => {
@@ -40,7 +40,7 @@ const findings = content.cards.flatMap(({ id }) => {
   const robots = [config, ...[{}, moved, turned].map((sensors) => ({ ...config, sensors }))]
   return files.flatMap((file) =>
     Object.values(content.program(id, file)!.programs).flatMap((program) =>
-      robots.flatMap((robot) => check(program, robot as typeof config)),
+      robots.flatMap((robot) => check(program, robot)),
     ),
   )
 })
@@ -170,7 +170,7 @@ describe.each(['de', 'en'] as const)('in %s', (locale) => {
 
   test('so are the notes on a network that does not run', () => {
     const notes = (['off', 'behind', 'loose'] as const).flatMap((idle) => {
-      const note = idleNote(idle as Parameters<typeof idleNote>[0], undefined)!
+      const note = idleNote(idle, undefined)!
       return [note.title, note.text, note.label]
     })
     expect(faulty(notes, locale)).toEqual([])
