@@ -5,8 +5,9 @@ import { dirname, join } from 'node:path'
 export interface EditSequence {
   readonly sequence: number
   readonly card: string
-  /** Edits that happened, and attempts at them. */
+  /** Edits that happened, those of them that changed the project, and attempts. */
   readonly edits: number
+  readonly changes: number
   readonly tried: number
   readonly passed: boolean
 }

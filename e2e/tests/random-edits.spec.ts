@@ -11,8 +11,11 @@ const asked = process.env['BOTGARTEN_EDITS']
  * each sequence, and leaves out those that have passed in an earlier run: a run that was ended is resumed.
  */
 const sequences = asked !== undefined ? Number(asked) : isLong ? 300 : 10
-/** Edits of one sequence, and attempts at them at most: a control may be covered, off or gone by the time. */
-const [wanted, attempts] = [8, 24]
+/**
+ * Edits of one sequence, how many of them change the project, and attempts at most: a control may be covered, off or gone by the
+ * time.
+ */
+const [wanted, changing, attempts] = [8, 2, 40]
 
 /** Numbers from a seed: 0 to below `count`. */
 function pickerOf(seed: number) {
@@ -34,10 +37,36 @@ const controls = [
 ]
 const usable = `main :is(${controls.join(', ')}):not(:disabled, [aria-disabled=true])`
 
-/** Uses one control of the lab, whichever it is. @returns did it happen? */
-async function usesOne(child: Child, below: (count: number) => number): Promise<boolean> {
+/** Deletes a block, copies it, or undoes the last step. @returns did it happen? */
+async function editsBlock({ page }: Child, below: (count: number) => number): Promise<boolean> {
+  const all = page.locator('.blocklySvg .blocklyBlockCanvas .blocklyDraggable > .blocklyPath')
+  const count = await all.count()
+  if (count === 0) return false
+  const clicked = await all
+    .nth(below(count))
+    .click({ timeout: 1_000, position: { x: 10, y: 10 } })
+    .then(
+      () => true,
+      () => false,
+    )
+  if (!clicked) return false
+  for (const key of [['Delete'], ['Control+c', 'Control+v'], ['Control+z']][below(3)]!)
+    await page.keyboard.press(key)
+  return true
+}
+
+/** Edits a block, turns a knob, or uses any control of the lab. @returns did it happen? */
+async function editsOne(child: Child, below: (count: number) => number): Promise<boolean> {
+  const how = below(3)
+  return how === 0
+    ? editsBlock(child, below)
+    : usesOne(child, below, how === 1 ? 'main [role=slider]:not([aria-disabled=true])' : usable)
+}
+
+/** Uses one of these controls. @returns did it happen? */
+async function usesOne(child: Child, below: (count: number) => number, which: string): Promise<boolean> {
   const { page } = child
-  const all = page.locator(usable).filter({ visible: true })
+  const all = page.locator(which).filter({ visible: true })
   const count = await all.count()
   if (count === 0) return false
   // The element itself: a moment later another control may have its number.
@@ -90,15 +119,21 @@ const savedIn = (child: Child) =>
 type Facts = { readonly [fact: string]: string }
 
 /** The lab as the page shows and paints it: name, blocks, knobs and other values, networks, robots and things. */
-async function shownIn(child: Child) {
+async function shownIn(child: Child, withWorld = true) {
   const { page } = child
-  const blocks = await page
-    .locator('.blocklySvg .blocklyBlockCanvas .blocklyDraggable')
-    .evaluateAll((all) =>
-      all
-        .map((one) => `${one.getAttribute('data-id')}: ${one.textContent.replaceAll(/\s+/g, ' ')}`)
-        .toSorted(),
-    )
+  const blocks = await page.locator('.blocklySvg .blocklyBlockCanvas .blocklyDraggable').evaluateAll((all) =>
+    all
+      .map((one) => {
+        // Only its own words: those of the blocks in it may come in another order.
+        const own = [...one.querySelectorAll('text')].filter(
+          (text) => text.closest('.blocklyDraggable') === one,
+        )
+        const above = one.parentElement?.closest('.blocklyDraggable')?.getAttribute('data-id') ?? ''
+        const words = own.map((text) => text.textContent.replaceAll(/\s+/g, ' ')).toSorted()
+        return `${one.getAttribute('data-id')} in ${above}: ${words.join(', ')}`
+      })
+      .toSorted(),
+  )
   const values = await page.evaluate((): Facts => {
     const sliders = [...document.querySelectorAll('main [role=slider][aria-valuetext]')].map((one) => [
       one.ariaLabel,
@@ -117,7 +152,13 @@ async function shownIn(child: Child) {
       poses: [...robots, ...obstacles].map((one) => `${one.id}: ${rounded(one)}`),
     }
   })
-  return { blocks, values, world: await worldIn(child), ...lab }
+  return { blocks, values, world: withWorld ? await worldIn(child) : {}, ...lab }
+}
+
+/** The parts of the project that an edit changes, as text. */
+async function projectIn(child: Child): Promise<string> {
+  const { blocks, networks, robots } = await shownIn(child, false)
+  return JSON.stringify([blocks, networks, robots])
 }
 
 /**
@@ -158,6 +199,12 @@ const comparable = (one: Shown, other: Shown, atRest: boolean) => ({
   poses: atRest ? one.poses : [],
 })
 
+/** The lab is open; its program may have no block any more. */
+async function seesOpened(child: Child) {
+  await expect(child.button('lab.start').or(child.button('lab.stop')).first()).toBeVisible()
+  await child.page.waitForFunction(() => globalThis.botgarten?.view())
+}
+
 /** Stops Bo and puts it back to its start. @returns false if the pane that can do so is not on the screen */
 async function comesToRest(child: Child): Promise<boolean> {
   const stop = child.button('lab.stop').first()
@@ -183,29 +230,39 @@ for (let sequence = 0; sequence < sequences; sequence++) {
     child,
   }) => {
     test.skip(asked !== undefined && wasPassed(sequence), 'It has passed in an earlier run.')
+    const begun = { sequence, card: id, edits: 0, changes: 0, tried: 0, passed: false }
+    if (asked !== undefined) noteSequence(begun)
     const below = pickerOf(sequence + 1)
     await child.opensLab(id)
     const address = child.page.url()
     await child.pressesStart()
-    let [edits, tried] = [0, 0]
-    for (; edits < wanted && tried < attempts; tried++) {
-      if (await usesOne(child, below)) edits++
+    let [edits, changes, tried] = [0, 0, 0]
+    let before = await projectIn(child)
+    for (; (edits < wanted || changes < changing) && tried < attempts; tried++) {
+      if (await editsOne(child, below)) edits++
       await child.page.keyboard.press('Escape')
       if (new URL(child.page.url()).pathname !== new URL(address).pathname) {
         await child.page.goBack()
-        await child.seesLab()
+        await seesOpened(child)
       }
+      const after = await projectIn(child)
+      if (after !== before) changes++
+      before = after
     }
-    if (asked !== undefined) noteSequence({ sequence, card: id, edits, tried, passed: false })
-    expect(edits).toBe(wanted)
+    const done = { ...begun, edits, changes, tried }
+    if (asked !== undefined) noteSequence(done)
+    expect(edits).toBeGreaterThanOrEqual(wanted)
+    expect(changes).toBeGreaterThanOrEqual(changing)
     const atRest = await comesToRest(child)
     await child.seesSaved()
     const [saved, shown] = [await savedIn(child), await shownIn(child)]
-    await child.reloads()
+    await child.page.reload()
+    await seesOpened(child)
     await expect.poll(() => savedIn(child)).toEqual(saved)
     await seesAgain(child, shown, atRest)
-    await child.reloads()
+    await child.page.reload()
+    await seesOpened(child)
     await seesAgain(child, shown, atRest)
-    if (asked !== undefined) noteSequence({ sequence, card: id, edits, tried, passed: true })
+    if (asked !== undefined) noteSequence({ ...done, passed: true })
   })
 }
