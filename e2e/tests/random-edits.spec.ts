@@ -253,10 +253,11 @@ for (let sequence = 0; sequence < sequences; sequence++) {
     for (; (edits < wanted || changes < changing) && tried < attempts; tried++) {
       if (await editsOne(child, below)) edits++
       await child.page.keyboard.press('Escape')
-      if (new URL(child.page.url()).pathname !== new URL(address).pathname) {
-        await child.page.goBack()
-        await seesOpened(child)
-      }
+      // A link of the lab leads to another page, which may take a moment.
+      await expect(async () => {
+        if (new URL(child.page.url()).pathname !== new URL(address).pathname) await child.page.goBack()
+        expect(await child.page.evaluate(() => Boolean(globalThis.botgarten?.view()))).toBe(true)
+      }).toPass({ timeout: 30_000 })
       const after = await projectIn(child)
       if (after !== before) changes++
       before = after
