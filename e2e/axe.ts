@@ -1,6 +1,7 @@
 import AxeBuilder from '@axe-core/playwright'
 import { expect, test, type Page } from '@playwright/test'
 import type { Child } from './child.ts'
+import { atBorder } from './dialog-border.ts'
 
 // No rule that is on asks for the style sheets: to read them all again takes its time.
 const options = { resultTypes: ['violations' as const], preload: { assets: ['media'] } }
@@ -33,7 +34,7 @@ export interface States {
   readonly [state: string]: (child: Child, phone: boolean) => Promise<unknown>
 }
 
-/** Goes from state to state; axe must find nothing in any of them. @param more other faults of a page, a line each */
+/** Goes from state to state; axe must find nothing in any of them, and nothing may touch the border of a dialog. @param more other faults of a page, a line each */
 export async function findsNothing(
   child: Child,
   states: States,
@@ -45,7 +46,7 @@ export async function findsNothing(
     await test.step(state, async () => {
       await show(child, page.viewportSize()!.width < 640)
       await settles(page)
-      found[state] = [...(await more(page)), ...(await axeFindings(page))]
+      found[state] = [...(await more(page)), ...(await atBorder(page)), ...(await axeFindings(page))]
     })
   expect(found).toEqual(Object.fromEntries(Object.keys(states).map((state) => [state, []])))
 }

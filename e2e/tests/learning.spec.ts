@@ -45,6 +45,24 @@ for (const language of languagesOf(import.meta.filename)) {
       await expect(child.words('q.nothingYet')).toBeVisible()
     })
 
+    test('after a setting is changed all parts say that nothing is learned, also with the world in front', async ({
+      child,
+    }) => {
+      const learner = new Learner(child)
+      await learner.opens('railway')
+      await learner.learnsToTheEnd()
+      await child.presses('q.largeFloor')
+      await expect(learner.floor).toBeVisible()
+      await expect(child.words('q.nothingYet')).toHaveCount(0)
+      await child.presses('q.largeMap')
+      await learner.makesStation(4, 'startHere')
+      for (const part of ['q.largeFloor', 'q.largeMap']) {
+        await expect(child.words('q.nothingYet')).toBeVisible()
+        await expect(learner.floor).toHaveCount(0)
+        await child.presses(part)
+      }
+    })
+
     test('by keys alone', async ({ child }) => {
       const learner = new Learner(child)
       await learner.opens('railway')

@@ -26,6 +26,15 @@ const decks = globSync('materials/slides/*/item.json', { cwd: content }).map(
   (file) => (read(file) as { readonly id: string }).id,
 )
 
+/** Sets of cards that are printed with hints, and how many backs each has. */
+const cardSets = globSync('materials/card/*/de.md', { cwd: content })
+  .map((file) => ({
+    id: file.replace(/^.*?\d+-([^/]+)\/.*$/, '$1'),
+    backs: readFileSync(new URL(file, content), 'utf8').split('side=back').length - 1,
+  }))
+  // The back of a card with a map is a table for runs, without hints.
+  .filter(({ id, backs }) => backs > 0 && !id.startsWith('q-'))
+
 const home = 'https://botgarten.example.org'
 
 async function opensPaper(page: Page, item: string, option = 'paper=a4', address = home) {
@@ -51,7 +60,39 @@ for (const language of languagesOf(import.meta.filename))
       expect(shown.get('chameleon')).not.toMatch(/distance|abstand/i)
       expect([...wrong, ...[...shown].flatMap(numbersOfNoProgram)]).toEqual([])
     })
+
+    test('on every card the last hint, which is the solution, is upside down, and no other one', async ({
+      page,
+    }) => {
+      for (const { id, backs } of cardSets) {
+        await opensPaper(page, `card/${id}`, 'paper=a5')
+        const turned = await page.evaluate(hintsUpsideDown)
+        expect([id, turned.length]).toEqual([id, backs])
+        expect(turned.filter(([, hints]) => String(hints) !== 'false,false,true')).toEqual([])
+      }
+    })
   })
+
+/** Of each card by its name: does its hint run from right to left? */
+function hintsUpsideDown(): (readonly [card: string | null, isTurned: readonly boolean[]])[] {
+  const range = document.createRange()
+  const boxOf = (text: Node, at: number) => {
+    range.setStart(text, at)
+    range.setEnd(text, at + 1)
+    return range.getBoundingClientRect()
+  }
+  return [...document.querySelectorAll('.a-card')].flatMap((card) => {
+    const hints = [...card.querySelectorAll('.hints li')].map((hint) => {
+      const texts = document.createTreeWalker(hint, NodeFilter.SHOW_TEXT, (node) =>
+        node.textContent!.trim().length > 1 ? NodeFilter.FILTER_ACCEPT : NodeFilter.FILTER_SKIP,
+      )
+      const first = texts.nextNode()!
+      const start = first.textContent!.search(/\S/)
+      return boxOf(first, start).left > boxOf(first, start + 1).left
+    })
+    return hints.length > 0 ? [[card.ariaLabel, hints] as const] : []
+  })
+}
 
 /** Words on blocks below 8 pt, and boxes that hold more than is seen. */
 function smallOrCut(): string[] {

@@ -1,5 +1,6 @@
 // Rooms: races, q-learning
 import { mapField } from '@botgarten/blocks'
+import type { Page } from '@playwright/test'
 import { expect, test } from '../house.ts'
 import { opensFromHome } from '../navigation.ts'
 
@@ -121,6 +122,47 @@ for (const [width, height] of [
       await expect(page.locator('.bill, .curves').getByText(/-\d/)).toHaveCount(0)
     })
   })
+
+/** Options that the closed select is too narrow for. */
+const cutOptions = (page: Page) =>
+  page.locator('select').evaluateAll((selects) =>
+    (selects as HTMLSelectElement[])
+      .filter((select) => select.checkVisibility())
+      .flatMap((select) => {
+        const alone = select.cloneNode() as HTMLSelectElement
+        alone.style.cssText = 'position:absolute;width:max-content;min-width:0;max-width:none'
+        select.after(alone)
+        const cut = [...select.options].filter((option) => {
+          alone.replaceChildren(option.cloneNode(true))
+          return alone.offsetWidth > select.offsetWidth
+        })
+        alone.remove()
+        return cut.map((option) => `${option.text}: ${select.offsetWidth} px`)
+      }),
+  )
+
+for (const language of ['de', 'en'] as const)
+  for (const [width, height] of [
+    [1366, 768],
+    [1024, 768],
+    [390, 844],
+  ] as const)
+    test.describe(`at ${width}x${height} in ${language}`, () => {
+      test.use({ language, viewport: { width, height } })
+
+      test('every option of every select fits into it', async ({ child, page }) => {
+        await opensFromHome(child, 'home.race')
+        const learner = page.locator('li > button[aria-expanded]').first()
+        await learner.click()
+        const kind = page.getByRole('combobox', { name: child.word('race.kind') })
+        const kinds = await kind.locator('option').evaluateAll((all) => all.map((one) => one.textContent))
+        expect(kinds.length).toBeGreaterThan(3)
+        for (const label of kinds) {
+          await kind.selectOption({ label })
+          expect([label, await cutOptions(page)]).toEqual([label, []])
+        }
+      })
+    })
 
 test.describe('in a window 683 wide', () => {
   test.use({ viewport: { width: 683, height: 768 } })

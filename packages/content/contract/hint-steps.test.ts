@@ -4,6 +4,41 @@ import { describe, expect, it } from 'vitest'
 import { content } from '../files.ts'
 import { hintDue } from '../hintDue.ts'
 import type { CardProgram } from '../index.ts'
+import { lines } from '../items/cardWords.ts'
+
+type Words = { readonly [language: string]: RegExp }
+
+/** Words of which a hint has one if its step is this measure. */
+const named: { readonly [measure: string]: Words } = {
+  '#driveDistance': { de: /Tippe auf die 50 /, en: /Tap the 50 / },
+  '#experience': { de: /Versuche/, en: /tries/ },
+  '#limit': { de: /statt der 0 eine Zahl/, en: /Instead of the 0, type a number/ },
+  '#rightLimit': { de: /Zahlen neben ist kleiner/, en: /numbers beside is smaller/ },
+  '#times': { de: /wiederholen/, en: /Repeat/ },
+  '#turnDegree': { de: /Grad/, en: /degrees/ },
+  ai_neural_network: { de: /Netz einsetzen/, en: /Put a network in/ },
+  ai_nn_hidden_layer: { de: /Plus bei Schicht/, en: /plus at Layer/ },
+  ai_nn_input_node: { de: /Sensoren/, en: /sensors/ },
+  ai_nn_output_node: { de: /Plus .*(Ausgängen|Motoren)/, en: /plus .*(outputs|motors)/ },
+  ai_sorting_find: { de: /sucht .*Gruppen.* Sortieren/, en: /looks for groups.* Sorting/ },
+  ai_sorting_name: { de: /Gruppe einen Namen|nenne Gruppe/, en: /group a name|call group/ },
+  ai_try_pay: { de: /Block für … gib/, en: /block for … pay/ },
+  examples: { de: /Zeig’s mir/, en: /Show it/ },
+  knobs: {
+    de: /(Zieh|zieh)\b.* Kn(o|ö)pfe?\b|bringt das Signal/,
+    en: /(P|p)ull\b.* knobs?\b|brings the signal/,
+  },
+  robActions_motorDiff_turn_for: { de: /Hol drehe /, en: /Fetch turn / },
+  rounds: { de: /drück auf Üben/, en: /press Practise/ },
+}
+
+/** A road is named by its two stations. */
+function wordsFor(measure: string, language: string): RegExp | undefined {
+  const road = /^(\d+)-(\d+)$/.exec(measure)
+  if (!road) return named[measure]?.[language]
+  const [from, to] = road.slice(1).toSorted()
+  return new RegExp(`(zwischen|between) ${from} (und|and) ${to}\\b`)
+}
 
 const cards = content.cards
   .map(({ id }) => ({ id, ...content.card(id)!, solution: content.program(id, 'solution')! }))
@@ -24,6 +59,14 @@ describe.each(cards)('the hints of $id', ({ card, text, start, solution }) => {
     for (const { hints } of Object.values(text)) expect(steps.length).toBeLessThan(hints.length)
   })
 
+  it.each(Object.keys(text))('each speak of what their step measures, in "%s"', (language) => {
+    const hints = text[language]!.hints.map((hint) => lines(hint).replaceAll(/\s+/g, ' '))
+    const unnamed = steps.flatMap((step, at) =>
+      Object.keys(step ?? {}).filter((measure) => !wordsFor(measure, language)?.test(hints[at]!)),
+    )
+    expect(unnamed).toEqual([])
+  })
+
   it('each name a measure that changes between start and solution', () => {
     for (const step of steps)
       if (step) {
@@ -31,6 +74,13 @@ describe.each(cards)('the hints of $id', ({ card, text, start, solution }) => {
         expect(hintDue([step], solution)).toBe(1)
       }
   })
+})
+
+it('every measure that has words here is a step of some card', () => {
+  const used = new Set(
+    cards.flatMap(({ card }) => card.hintSteps!.flatMap((step) => Object.keys(step ?? {}))),
+  )
+  expect(Object.keys(named).filter((measure) => !used.has(measure))).toEqual([])
 })
 
 it('a step that no program shows counts as followed once a later one is', () => {

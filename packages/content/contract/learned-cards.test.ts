@@ -80,3 +80,9 @@ describe.each(learnedCards)('the card %s is learned from examples', (id) => {
     expect(bold.filter((words) => !labels.has(words.toLowerCase()))).toEqual([])
   })
 })
+
+it('blocks alone drive past both places of the card who-knows, and do not solve it', () => {
+  const without = content.program('who-knows', 'wrong/without-network')!
+  const { card, failures } = solved('who-knows', () => without)
+  for (const place of card.starts.keys()) expect(failures(place, 1, {})).toEqual(['netDecides'])
+})

@@ -148,7 +148,7 @@ const readFrom = (drive: Drive, dialect: Dialect) =>
   read(dialect === 'spike' ? { ...drive, words: drive.words.map(asOnHub) } : drive)
 
 /** These checks look into the blocks' program, for its network and for the table that it drives by. */
-const insideBlocks = ['tried', 'eyesDecide', 'cheats']
+const insideBlocks = ['tried', 'eyesDecide', 'netDecides', 'cheats']
 const seen = ({ checks }: Drive) => checks.filter(([id]) => !insideBlocks.includes(id))
 
 /** The blocks drive once for all dialects. */

@@ -9,6 +9,7 @@ import {
 import { describe, expect, it } from 'vitest'
 import type { Check } from '../types.ts'
 import { observe, results, watch } from './checks.ts'
+import { seenBy } from '../testing/seen.ts'
 
 const world: World = {
   size: { width: 400, height: 400 },
@@ -43,7 +44,8 @@ function watching(checks: readonly Check[]) {
     ) {
       Object.assign(robot, { y, touching })
       robot.motors.B.percent = robot.motors.C.percent = percent
-      for (const end = tick + seconds * 60; tick < end;) observe(checks, watches, ++tick / 60, simulation)
+      for (const end = tick + seconds * 60; tick < end;)
+        observe(checks, watches, ++tick / 60, seenBy(simulation))
       return Object.fromEntries(results(checks, watches).map(({ id, passed }) => [id, passed]))
     },
     results: () => results(checks, watches),
@@ -90,7 +92,8 @@ function crossing(checks: readonly Check[]) {
       const robot = simulation.state.robots[0]!
       robot.led = led
       robot.motors.B.percent = robot.motors.C.percent = percent
-      for (const end = tick + seconds * 60; tick < end;) observe(checks, watches, ++tick / 60, simulation)
+      for (const end = tick + seconds * 60; tick < end;)
+        observe(checks, watches, ++tick / 60, seenBy(simulation))
       return results(checks, watches).map(({ passed }) => passed)
     },
   }
@@ -161,7 +164,8 @@ describe('checks of the senses', () => {
       simulation.place('bo', { x, y, heading: 90 })
       Object.assign(robot, rest)
       robot.motors.B.percent = robot.motors.C.percent = percent
-      for (const end = tick + seconds * 60; tick < end;) observe(checks, watches, ++tick / 60, simulation)
+      for (const end = tick + seconds * 60; tick < end;)
+        observe(checks, watches, ++tick / 60, seenBy(simulation))
       return results(checks, watches).map(({ passed }) => passed)
     }
   }

@@ -1,8 +1,8 @@
-import type { Simulation } from '@botgarten/simulation'
 import type { Check, CheckResult, Missing } from '../types.ts'
 import type { AnyKind } from './kind.ts'
 import { kinds } from './kinds.ts'
 import type { Moment } from './moment.ts'
+import type { Seen } from './seen.ts'
 
 /** One check under way. Plain data, so that a keyframe holds it. */
 export interface Watch {
@@ -18,30 +18,24 @@ export const watch = (checks: readonly Check[]): Watch[] =>
 
 function kindOf(check: Check): AnyKind {
   const kind = Object.hasOwn(kinds, check.kind) ? kinds[check.kind] : undefined
-  if (!kind) throw new RangeError(`No kind of check is called "${check.kind}".`)
+  if (!kind) throw new RangeError(`No check "${check.kind}".`)
   return kind
 }
-
-type Sight = Pick<Simulation, 'world' | 'state' | 'read'> &
-  Partial<Pick<Moment, 'taught' | 'nextTurn' | 'trying' | 'table' | 'raced' | 'closed'>>
-
-const noTurn: Moment['nextTurn'] = () => null
 
 const momentOf = (
   checks: readonly Check[],
   watches: readonly Watch[],
   seconds: number,
-  seen: Sight,
-): Moment => {
-  const { world, state, read, taught = null, nextTurn = noTurn, trying = false } = seen
-  const { table = null, raced = null, closed = [] } = seen
-  const passed = (id: string) => watches[checks.findIndex((check) => check.id === id)]?.passed ?? false
-  const learned = { taught, trying, table, raced, closed }
-  return { seconds, world, simulation: state, read, nextTurn, ...learned, passed }
-}
+  seen: Seen,
+): Moment => ({
+  ...seen,
+  seconds,
+  simulation: seen.state,
+  passed: (id) => watches[checks.findIndex((check) => check.id === id)]?.passed ?? false,
+})
 
 /** Every check looks at one tick. */
-export function observe(checks: readonly Check[], watches: Watch[], seconds: number, seen: Sight): void {
+export function observe(checks: readonly Check[], watches: Watch[], seconds: number, seen: Seen): void {
   const moment = momentOf(checks, watches, seconds, seen)
   checks.forEach((check, index) => {
     const kept = watches[index]!
@@ -60,7 +54,7 @@ export function missing(
   checks: readonly Check[],
   watches: readonly Watch[],
   seconds: number,
-  seen: Sight,
+  seen: Seen,
 ): readonly Missing[] {
   const moment = momentOf(checks, watches, seconds, seen)
   const open = checks.flatMap((check, index): readonly Missing[] => {

@@ -2,7 +2,7 @@ import { arrives } from './arrives.ts'
 import { clean } from './clean.ts'
 import { closed } from './closed.ts'
 import { cruises } from './cruises.ts'
-import { eyesDecide } from './eyesDecide.ts'
+import { eyesDecide, netDecides } from './decides.ts'
 import { judged } from './judged.ts'
 import { keptBack } from './keptBack.ts'
 import type { AnyKind } from './kind.ts'
@@ -41,6 +41,7 @@ export const kinds: { readonly [kind: string]: AnyKind } = {
   learned,
   led,
   near,
+  netDecides,
   neverCheats,
   neverSees,
   neverTouches,

@@ -3,6 +3,7 @@ import { describe, expect, it, test } from 'vitest'
 import type { Check } from '../types.ts'
 import { missing, observe, watch } from './checks.ts'
 import { kinds } from './kinds.ts'
+import { seenBy } from '../testing/seen.ts'
 
 const world: World = {
   size: { width: 400, height: 400 },
@@ -68,8 +69,8 @@ function after(checks: readonly Check[], y: number, seconds: number, robot: obje
   const state = simulation.state.robots[0]!
   Object.assign(state, robot)
   state.motors.B.percent = state.motors.C.percent = percent
-  for (let tick = 1; tick <= seconds * 60; tick++) observe(checks, watches, tick / 60, simulation)
-  return missing(checks, watches, seconds, simulation)
+  for (let tick = 1; tick <= seconds * 60; tick++) observe(checks, watches, tick / 60, seenBy(simulation))
+  return missing(checks, watches, seconds, seenBy(simulation))
 }
 
 describe.each(Object.keys(kinds))('the kind %s', (kind) => {
@@ -122,8 +123,8 @@ describe('what is missing', () => {
     const missed = (x: number, percent: number) => {
       simulation.place('bo', { x, y: 340, heading: 90 })
       motors.B.percent = motors.C.percent = percent
-      observe(checks, watches, ++tick / 60, simulation)
-      return missing(checks, watches, tick / 60, simulation)[0]!.what
+      observe(checks, watches, ++tick / 60, seenBy(simulation))
+      return missing(checks, watches, tick / 60, seenBy(simulation))[0]!.what
     }
     expect([missed(40, 0), missed(40, 30), missed(40, 0), missed(200, 0), missed(40, 30)]).toEqual([
       ...['some', 'some', 'blind', 'some', 'some'],

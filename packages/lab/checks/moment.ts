@@ -27,9 +27,10 @@ export interface Moment {
   readonly read: Simulation['read']
   /**
    * How the first robot's program would turn it in the next tick, right wheel minus left wheel in percent; `mirrored`: had each
-   * of its sensors seen what the one on the other side sees. null where it would set no wheel.
+   * of its sensors seen what the one on the other side sees; `thinks` false: had its networks put out 0. null where it would
+   * set no wheel.
    */
-  nextTurn(mirrored: boolean): Percent | null
+  nextTurn(mirrored: boolean, thinks?: boolean): Percent | null
   /** The first network of the first robot, with what it was shown; null where it has none. */
   readonly taught: Brain | null
   /** Does the first robot learn by trying in this tick? What it does then is no result. */

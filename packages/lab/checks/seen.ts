@@ -23,8 +23,8 @@ interface Watched {
 /** Made once for a run: every tick looks through the same one. */
 export function seenIn(run: Watched): Seen {
   const { world, state, read } = run.simulation
-  const turn: Moment['nextTurn'] = (mirrored) =>
-    nextTurn(run.robots[0]!, world.robots[0]!.config, run.seconds, mirrored)
+  const turn: Moment['nextTurn'] = (mirrored, thinks) =>
+    nextTurn(run.robots[0]!, world.robots[0]!.config, run.seconds, mirrored, thinks)
   return {
     ...{ world, state, read, nextTurn: turn, raced: run.raced, closed: run.closed },
     get taught() {

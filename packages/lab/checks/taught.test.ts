@@ -6,6 +6,7 @@ import { describe, expect, it } from 'vitest'
 import { worldWith } from '../testing/scene.ts'
 import type { Check } from '../types.ts'
 import { missing, observe, results, watch } from './checks.ts'
+import { seenBy } from '../testing/seen.ts'
 
 const world = worldWith()
 const neuron = (id: string) => ({ id, activation: 'identity' as const, bias: 0 })
@@ -39,8 +40,7 @@ const check = (kind: string, numbers: Check['numbers'], seconds = 1): Check => (
 function said(one: Check, taught: Brain) {
   const simulation = createSimulation(world, paintFloor(world), 1)
   const watches = watch([one])
-  const { state, read } = simulation
-  const seen = { world, state, read, taught }
+  const seen = seenBy(simulation, { taught })
   observe([one], watches, 1 / 60, seen)
   return results([one], watches)[0]!.passed || missing([one], watches, 1 / 60, seen)[0]
 }
@@ -109,9 +109,11 @@ describe('cruises', () => {
     const watches = watch([one])
     ticks.forEach(([cm, touches], tick) => {
       Object.assign(robot, { x: robot.x + cm, touching: touches ? ['wall'] : [] })
-      observe([one], watches, (tick + 1) / 60, simulation)
+      observe([one], watches, (tick + 1) / 60, seenBy(simulation))
     })
-    return results([one], watches)[0]!.passed || missing([one], watches, ticks.length / 60, simulation)[0]
+    return (
+      results([one], watches)[0]!.passed || missing([one], watches, ticks.length / 60, seenBy(simulation))[0]
+    )
   }
   const steps = (count: number, cm: number, touches = false) =>
     Array.from({ length: count }, () => [cm, touches] as const)

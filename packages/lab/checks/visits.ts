@@ -34,4 +34,4 @@ const pointsOf = (check: Check): readonly (readonly [x: number, y: number])[] =>
   nameOf(check, 'points')
     .split(',')
     .map((point) => point.trim().split(' ').map(Number))
-    .map(([x = NaN, y = NaN]) => [x, y])
+    .map(([x, y]) => [x!, y!])

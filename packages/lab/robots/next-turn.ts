@@ -5,7 +5,8 @@ import type { RobotRun } from './run.ts'
 
 /**
  * How the robot's program would turn it in its next tick: right wheel minus left wheel, in percent; null where it would set
- * no wheel. With `mirrored`, had each sensor seen what its mirror image on the other side sees. Nothing is changed by it.
+ * no wheel. With `mirrored`, had each sensor seen what its mirror image on the other side sees; without `thinks`, had its
+ * networks put out 0. Nothing is changed by it.
  * @param now simulated seconds at that tick
  */
 export function nextTurn(
@@ -13,6 +14,7 @@ export function nextTurn(
   { drive, sensors }: RobotConfig,
   now: number,
   mirrored: boolean,
+  thinks = true,
 ): Percent | null {
   const { left, right } = drive
   const own = robot.context.robot
@@ -22,7 +24,7 @@ export function nextTurn(
     ...{
       now,
       robot: onlyWheels(own, read, drive, wheels),
-      think: (id, inputs) => robot.brains.would(id, inputs),
+      think: (id, inputs) => (thinks ? robot.brains.would(id, inputs) : []),
     },
     ...(robot.context.brain && { brain: robot.context.brain }),
   } satisfies Host)

@@ -11,15 +11,8 @@ const files = globSync('**/*.svelte', { cwd: root })
 /** A dialog that the user has to answer: it is closed by its own buttons alone. */
 const answered = ['features/class/view/Gate.svelte', 'features/class/view/live/Attention.svelte']
 
-/** The frame of a card has the padding. */
-const framed = 'app/lab-screen/CardDialog.svelte'
-
 describe.each(files.map(({ path, text }) => [path, text] as const))('the dialog in %s', (path, text) => {
   const tag = /<Dialog[\s\S]*?>\n/.exec(text)![0]
-
-  test('keeps its content away from its border', () => {
-    if (path !== framed) expect(text.slice(text.indexOf('<style>'))).toMatch(/padding(-block|-inline)?:/)
-  })
 
   test('has a name, and closes by Escape unless it has to be answered', () => {
     expect(tag).toMatch(/labelledby|label=|\{label\}/)

@@ -1,6 +1,6 @@
 import type { Course } from '@botgarten/learning/q-learning'
 
-/** Time that one frame can be late for: a page that slept does not catch up. */
+/** Longest step of the clock, ms: after the page was hidden it does not catch up. */
 const LONGEST = 250
 
 /** Milliseconds of a frame that learning may take in turbo. The rest is for drawing: after a late frame there is more of it. */
@@ -34,11 +34,11 @@ export class Clock {
   }
 }
 
-/** Resolves when a frame has been drawn: what follows is a task of its own. */
+/** Resolves in the task after the next frame has been drawn. */
 export const nextFrame = (): Promise<unknown> =>
   new Promise((done) => requestAnimationFrame(() => setTimeout(done)))
 
-/** Calls at most once in so many ms. Gets the time of every frame. */
+/** Calls `act` at most once in `ms`; the returned function is called in every frame with its time. */
 export function atMostEvery(ms: number, act: () => void): (now: number) => void {
   let last = 0
   return (now) => {
@@ -48,7 +48,7 @@ export function atMostEvery(ms: number, act: () => void): (now: number) => void 
   }
 }
 
-/** Learns again up to a move, in slices that leave time for frames. Returns false once it is not wanted any more. */
+/** Repeats a course up to a move, in slices between frames. Returns false as soon as `isWanted` is false. */
 export async function replay(course: Course, moves: number, isWanted: () => boolean): Promise<boolean> {
   while (course.made < moves && !course.over) {
     course.advance(Math.min(20_000, moves - course.made))
@@ -58,7 +58,7 @@ export async function replay(course: Course, moves: number, isWanted: () => bool
   return true
 }
 
-/** Pauses what plays when the page is hidden or Escape is pressed. Returns how to end it. */
+/** Calls `pause` when the page is hidden or Escape is pressed. Returns the function that ends this. */
 export function pauseWhenAway(pause: () => void): () => void {
   const away = () => document.hidden && pause()
   const escape = ({ key }: KeyboardEvent) => key === 'Escape' && pause()
@@ -71,8 +71,8 @@ export function pauseWhenAway(pause: () => void): () => void {
 }
 
 /**
- * Mascots beside the playground hold still: nothing moves beside what is to be seen, and an animation would be worked out
- * again with every frame. Returns how to let them go on.
+ * Pauses endless animations outside the playground, such as those of the mascots: they distract, and cost time in every
+ * frame. Returns the function that resumes them.
  */
 export function holdStill(playground: Element): () => void {
   const held = document.getAnimations().filter(({ effect }) => {
@@ -85,7 +85,7 @@ export function holdStill(playground: Element): () => void {
   }
 }
 
-/** Shows the last of many values with the next frame; the frame after that one is for the words. */
+/** Shows the latest value in the next frame, and no other in the frame after it, in which the words are updated. */
 export function onNextFrame(show: (value: number) => void): (value: number) => void {
   let wanted: number | null = null
   let waiting = false

@@ -16,22 +16,22 @@ export interface LearnedWay {
   readonly blocks: LearningOutline['blocks']
 }
 
-/** Cm from the goal, the same as in the cards' check `arrives`, and ticks without a moving wheel before the drive ends. */
+/** The drive ends within `near` cm of the goal (as in the check `arrives`) after `patience` ticks with both wheels at 0. */
 const [near, patience] = [6, 2 * TICKS_PER_SECOND]
 
-/** What comes after learning: the way lies on the floor, and Bo drives it. */
+/** After learning: draws the way on the floor and lets Bo drive it. */
 export class Drive {
   readonly #session: LabSession
   readonly #ui: LabUi
   readonly #floor: WayOnFloor
   readonly #learned: () => LearnedWay | null
-  /** What stands large in the middle; the other one is small beside it. */
+  /** Shown large in the middle; the other one is shown small next to it. */
   front = $state<'map' | 'floor'>('map')
 
   /** Tick since which Bo stands at the goal; null: it does not. */
   #arrived: number | null = null
 
-  /** @param learned what there is to drive now */
+  /** @param learned returns the learned way, or null while there is none */
   constructor(session: LabSession, ui: LabUi, learned: () => LearnedWay | null) {
     this.#session = session
     this.#ui = ui
@@ -39,19 +39,19 @@ export class Drive {
     this.#learned = learned
   }
 
-  /** Lays the way on the floor, where a block says so; then Bo drives it, where one says that and `drives`. */
+  /** Draws the way if the program has the block that draws; then, with `drives` and the block that drives, starts Bo. */
   async draw(drives: boolean): Promise<void> {
     const learned = this.#learned()
     if (learned?.blocks.draw === undefined || learned.stations.length < 2) return
     const { course, stage, stations, blocks } = learned
     if (wayFault(stage.map, stations) !== null) return
-    // Meanwhile a hand may have begun again.
+    // While the way is drawn the user may start another learning, or Bo.
     const stands = () => this.#learned()?.course === course && this.#session.lab.view.phase !== 'running'
     await this.#floor.lay(stage, stations, stands)
     if (stands() && drives && blocks.drive !== undefined) this.#ui.start()
   }
 
-  /** The way does not lie on the floor yet: lays it, and drives then. Returns whether there was something to lay. */
+  /** If the way is not drawn yet, draws it and then starts Bo. Returns false if nothing has to be drawn. */
   drawFirst(): boolean {
     const learned = this.#learned()
     if (learned?.blocks.draw === undefined || learned.stations.length < 2) return false
@@ -68,7 +68,7 @@ export class Drive {
     return this.#floor.starts(learned.stage, learned.stations)
   }
 
-  /** Shows the map pale under the way that was drawn from it, so that floor and map are seen to be one. */
+  /** Shows a pale picture of the map below its drawn way: the floor is recognised as that map. */
   showMap(stage: Stage | null): void {
     const { world } = this.#session.lab.document
     const lies = stage && liesOn(stage.map, world)
@@ -76,7 +76,7 @@ export class Drive {
     this.#session.below = lies ? { url: stage.picture.pale, stations } : null
   }
 
-  /** Bo drives: the floor stands large, and where one part is seen at a time it is the one. */
+  /** Bo drives: shows the floor large; on a phone, which shows one part at a time, turns to the world. */
   comeForward(): void {
     this.front = 'floor'
     if (this.#ui.page === 'network') this.#ui.page = 'world'

@@ -25,6 +25,18 @@ function covered([x, y]: Spot, chip: Area, map: Area, points: readonly Point[], 
   ).length
 }
 
+/** Units of the map from a station up to Bo or the flag above it. */
+const above = 80
+
+/**
+ * Points that a chip must not cover: the stations, Bo above its start and the flag above the goal. While another map loads, the
+ * blocks already name its start and goal: stations that this map does not have are left out.
+ */
+export const keptFree = (stations: readonly Point[], ends: readonly number[]): readonly Point[] => [
+  ...stations,
+  ...ends.flatMap((at) => stations[at] ?? []).map(({ x, y }) => ({ x, y: y - above })),
+]
+
 /**
  * The place at which a chip covers no station and the fewest points of roads; null if each place covers a station. All in
  * units of the map.

@@ -2,7 +2,7 @@ import type { QWorld } from '@botgarten/learning/q-learning'
 import type { LearningOutline } from '@botgarten/programs'
 import { movesFrom } from './shown.ts'
 
-/** What a guess is about: with another of it, it means nothing. */
+/** Identifies the question of a guess; a guess for another key is void. */
 export const taskKey = ({ map, start, goal, closed }: LearningOutline): string =>
   JSON.stringify([map, start, goal, closed])
 

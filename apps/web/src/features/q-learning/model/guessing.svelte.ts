@@ -7,7 +7,7 @@ export class Guessing {
   #stations = $state.raw<Guess>([])
   /** Do taps on the map belong to the guess? */
   open = $state(false)
-  /** Is it to be compared with what came out, or was that read already? */
+  /** Is the guess still to be compared with the learned way? False once the user has closed the comparison. */
   compares = $state(true)
 
   get stations() {
@@ -15,7 +15,7 @@ export class Guessing {
   }
 
   readonly isDone = $derived.by(() => this.#world !== null && reachesGoal(this.#world, this.#stations))
-  /** Where it can go on. */
+  /** Stations to which the guess can be continued. */
   readonly next = $derived.by(() =>
     this.open && this.#world && this.#stations.length > 0 ? nextStations(this.#world, this.#stations) : [],
   )
@@ -25,7 +25,7 @@ export class Guessing {
     return this.isDone ? this.#stations.join('-') : ''
   }
 
-  /** Another task: what was guessed for the one before means nothing now. */
+  /** Deletes the guess, because the task has changed. */
   forget(): void {
     this.#stations = []
     this.open = false
@@ -49,7 +49,7 @@ export class Guessing {
     this.#stations = this.#stations.slice(0, 1)
   }
 
-  /** Goes past: what is not a way to the goal is no guess. */
+  /** Ends guessing; a guess that does not reach the goal is deleted. */
   close(): void {
     this.open = false
     if (!this.isDone) this.#stations = []

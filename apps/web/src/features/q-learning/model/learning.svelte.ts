@@ -16,18 +16,18 @@ import { Screen } from './screen.svelte.ts'
 import { Task } from './task.svelte.ts'
 import { Watch } from './watch.svelte.ts'
 
-/** `over`: a limit stopped it · `stopped`: a hand did. */
+/** `over`: a limit of the program ended it · `stopped`: the user did. */
 export type State = 'ready' | 'playing' | 'paused' | 'over' | 'stopped'
 
-/** The state is kept on the device so often while it plays. */
+/** Milliseconds between two saves while it plays. */
 const KEEP_EVERY = 2000
 
-/** One playground: a course of learning, its map, and the verbs of a child's hand. */
+/** A playground: a course of learning, its map, and the actions of the user on both. */
 export class Learning {
   readonly session: LabSession
   readonly records: Records
   readonly screen = new Screen()
-  /** What the child thinks before Bo learns. */
+  /** The user's guess of the shortest way, before Bo learns. */
   readonly guess = new Guessing()
   readonly drive: Drive
   /** Bo walks on the map as it has learned. */
@@ -45,13 +45,13 @@ export class Learning {
   #state = $state<State>('ready')
   #seed = $state(1)
   readonly #startsOfCard: LabSession['starts']
-  /** Was another task opened before? */
+  /** False until the first task has been opened. */
   #hasTask = false
   #isOpen = false
-  /** Has this run been written into the table? */
+  /** Has this run been added to the table of experiments? */
   #noted = false
 
-  /** @param pinned the dice that a link asks for; null: the project's own, or new ones of this device */
+  /** @param pinned seed from the address; null: that of the project, or a random one */
   constructor(session: LabSession, ui: LabUi, blocks: Blocks, pinned: number | null) {
     this.session = session
     this.drive = new Drive(session, ui, () => this.#learned())
@@ -68,7 +68,7 @@ export class Learning {
   get outline() {
     return this.task.outline
   }
-  /** The map that is learned on. After another map was chosen in the block, the earlier one until the course on the new one begins. */
+  /** The map of the course. It stays the earlier one until the map that the block names has loaded. */
   get stage() {
     return this.#stage
   }
@@ -81,11 +81,11 @@ export class Learning {
   get state() {
     return this.#state
   }
-  /** Of the dice: the same seed learns the same. */
+  /** Seed of the random stream: with the same seed the same is learned. */
   get seed() {
     return this.#seed
   }
-  /** It has come to an end, by a limit or by a hand. */
+  /** Has a limit or the user ended it? */
   get ended() {
     return this.#state === 'over' || this.#state === 'stopped'
   }
@@ -93,7 +93,7 @@ export class Learning {
   get compares() {
     return this.ended && this.guess.isDone && this.guess.compares
   }
-  /** 0..1 of the move that is shown. */
+  /** How much of the shown move has been animated, 0..1. */
   get progress() {
     return this.player.progress
   }
@@ -102,10 +102,10 @@ export class Learning {
     return this.#course && sectionsOf(this.#course)
   }
 
-  /** By length where length counts, else by sections. */
+  /** Is a way as short as the shortest one? By length if roads cost their length, else by number of roads. */
   isShortest = (stations: readonly number[]) => this.#course !== null && isShortest(this.#course, stations)
 
-  /** Begins to follow the blocks and to listen to the page. Returns how to end it. */
+  /** Starts to follow the blocks and the page. Returns the function that ends this. */
   open(): () => void {
     const { session } = this
     this.#isOpen = true
@@ -136,15 +136,15 @@ export class Learning {
       this.session.learnFirst = () => this.session.learns
       this.session.starts = this.#startsOfCard
       this.drive.showMap(null)
-      // A way that is being laid on the floor belongs to a closed project now.
+      // A way that is being drawn must not reach the project that is open next: without a course it is not wanted.
       this.#clear()
     }
   }
 
-  /** The blocks say something else: a new course on the map they name, or the one that was kept. */
+  /** The task in the blocks has changed: begins its course, or restores the saved one. */
   async #follow(key: string): Promise<void> {
     this.#halt('ready')
-    // Bo may be driving for an earlier task, also on a map without a course.
+    // Bo may still drive for the earlier task.
     if (this.#hasTask && this.session.lab.facts.phase === 'running') this.session.lab.stop()
     this.#hasTask = true
     this.drive.front = 'map'
@@ -177,7 +177,7 @@ export class Learning {
     return this.#course !== null
   }
 
-  /** Learns again what was learned when the page was left: the same seed gives the same (running.md 2). */
+  /** Restores saved progress: only the number of moves is saved, and the same seed repeats them (running.md 2). */
   async #goOn(kept: Learned, key: string): Promise<void> {
     const course = this.#course!
     const isWanted = () => key === this.task.key && course === this.#course
@@ -193,7 +193,7 @@ export class Learning {
     if (this.#course) this.player.show(progress)
   }
 
-  /** Where nothing drives, Bo walks on the map instead: a circle, rides on ice, a way that is half learned. */
+  /** Does Bo walk on the map, because no way can be driven: a circle, moves by chance, or no block that drives? */
   get walks() {
     const { shown, outline } = this
     if (!this.ended || !shown || shown.t === 0 || shown.way.reason === 'neverReached') return false
@@ -208,7 +208,7 @@ export class Learning {
 
   // ---- the guess ----
 
-  /** The map takes taps for a guess. What was learned is set aside: another learning begins. */
+  /** Taps on the map make a guess from now on. After moves have been made, begins another learning. */
   guessFirst(): void {
     if (!this.#course) return
     this.#halt('ready')
@@ -234,14 +234,14 @@ export class Learning {
     if (this.#state === 'playing') this.#halt('paused')
   }
 
-  /** Ends this learning; what was learned stays. */
+  /** Ends this learning; its values stay. */
   stop(): void {
     if (!this.#course || this.#state === 'ready') return
     this.#halt('stopped')
     this.#finish()
   }
 
-  /** One move, from where it is shown. */
+  /** Makes one move after the shown one. */
   step(): void {
     if (!this.#course || this.ended) return
     if (this.#state === 'playing') this.player.endAfterMove()
@@ -260,7 +260,7 @@ export class Learning {
     this.player.start(single)
   }
 
-  /** From the beginning, with equal dice. */
+  /** From the beginning, with the same seed. */
   again(): void {
     this.#halt('ready')
     this.#renew(this.#seed)
@@ -306,12 +306,12 @@ export class Learning {
       this.records.note(rowOf(this.outline!, course, this.#seed, this.guess.text), course.episodes)
     this.#noted = true
     this.#keep()
-    // With a guess there is something to compare before.
+    // After a guess the user compares it with the way first, and starts Bo then.
     void this.drive.draw(!this.guess.isDone)
     if (this.walks) this.walk()
   }
 
-  /** Start was pressed: what a program wants learned comes first. Returns whether there is something to learn. */
+  /** Start was pressed: learns, or draws the way, before the program runs. Returns false if it can run now. */
   #learnFirst(): boolean {
     const { outline } = this
     if (!outline || outline.blocks.experience === undefined || !this.#course) return false

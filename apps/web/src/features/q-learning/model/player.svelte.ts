@@ -3,7 +3,7 @@ import { budgetFor, Clock } from './clock.ts'
 import type { Screen } from './screen.svelte.ts'
 import { MOVE } from './time.ts'
 
-/** After so many moves the clock is looked at again. */
+/** Moves between two readings of the clock in turbo. */
 const SLICE = 400
 
 interface Host {
@@ -66,7 +66,7 @@ export class Player {
     this.#host.onframe(now)
   }
 
-  /** A slice of learning a frame: nothing waits, and no frame is late. */
+  /** Turbo: learns for a limited time in every frame. */
   #hurry(passed: number): void {
     const course = this.#host.course()
     const end = performance.now() + budgetFor(passed)

@@ -2,7 +2,7 @@ import { qProof, type Proof } from '@botgarten/learning/proof'
 import { courseOn } from '#figures/map/stage.ts'
 import type { Learning } from './learning.svelte.ts'
 
-/** The number that has changed last at the step that is shown: it is learned again from the beginning. */
+/** The value that the shown step has changed, computed again from the first move on. */
 export function proofOf({ stage, outline, seed, shown }: Learning): Proof | null {
   const trace = shown?.trace
   const course = stage && outline && courseOn(stage, outline, seed)

@@ -3,10 +3,10 @@ import { sectionsOf } from '@botgarten/maps'
 import { ownText, type LearnedRun, type LearningOutline, type Pay } from '@botgarten/programs'
 
 const MOST_RUNS = 200
-/** So many runs are drawn over each other. */
+/** Number of runs whose curves are drawn over each other. */
 const OVERLAID = 5
 
-/** What earlier runs have left: their rows and their curves. */
+/** Rows and curves of earlier runs. */
 export class Records {
   #runs = $state.raw<readonly LearnedRun[]>([])
   #curves = $state.raw<readonly (readonly Episode[])[]>([])
@@ -62,7 +62,7 @@ export interface RunsOfTask {
   readonly rows: readonly { readonly run: LearnedRun; readonly row: number }[]
 }
 
-/** A table a task: what was learned on another map is another story. */
+/** Groups runs by task, a table each: runs on another map cannot be compared. */
 export function byTask(runs: readonly LearnedRun[]): readonly RunsOfTask[] {
   const rows = runs.map((run, index) => ({ run, row: index + 1 }))
   const tasks = Map.groupBy(rows, ({ run: { map, start, goal, closed } }) =>
@@ -94,7 +94,7 @@ export function csvOf(runs: readonly LearnedRun[]): string {
   return [columns, ...rows].map((row) => row.join(',')).join('\r\n') + '\r\n'
 }
 
-/** A spreadsheet takes what begins so for a formula; whoever opens the table did not write it. */
+/** Cells that begin like this are formulas to a spreadsheet: prefixed, so that opening the table runs nothing. */
 const formula = /^[=+@\t]/
 
 function cell(value: string | number): string {

@@ -42,7 +42,7 @@ export function sideOf({ names }: QWorld, action: number): Side | null {
   return side in arrows ? (side as Side) : null
 }
 
-/** Off the cliff nobody stays. */
+/** A fall from the cliff leads back to the start: such a room is never left by an action. */
 export const isShown = ({ grid }: MapFile, state: number): boolean =>
   grid?.letters[state % grid.letters.length] !== 'C'
 

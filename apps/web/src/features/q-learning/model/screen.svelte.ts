@@ -1,12 +1,12 @@
 import type { Course } from '@botgarten/learning/q-learning'
 import { shownOf, type Shown } from './shown.ts'
 
-/** A moment that has stood for so long can be read, in ms. */
+/** Milliseconds that a move has to be shown so that it can be read. */
 const CALM = 250
 
 /**
- * What the screen has of a course. Where moves fly by, the map is drawn in one frame, numbers and words in the next: each
- * frame has half of the work, and none is late.
+ * State of a course as the screen shows it. At high speed the map is updated in one frame, numbers and words in the next:
+ * each frame has half of the work.
  */
 export class Screen {
   #drawn = $state.raw<Shown | null>(null)
@@ -28,7 +28,7 @@ export class Screen {
     return this.#waiting !== 0
   }
 
-  /** Do moves fly by, so that nobody could read each? */
+  /** Do moves follow each other too fast to be read? */
   get isFleeting() {
     return this.#isFleeting
   }

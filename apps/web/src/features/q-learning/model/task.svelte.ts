@@ -6,22 +6,22 @@ import { loadStage, type Stage } from '#figures/map/stage.ts'
 import { type Blocks, BlockEdits } from './block-edits.ts'
 import { taskKey } from './guess.ts'
 
-/** The map that a card begins with; undefined where it learns on none. */
+/** Map of the card's start program; undefined if that learns on no map. */
 const mapOfCard = (card: LabSession['opened']['card']): string | undefined =>
   Object.values(card?.start.programs ?? {}).flatMap((program) => learningIn(program)?.map ?? [])[0]
 
-/** What the blocks want learned, and the map that they name. */
+/** The learning task as the blocks describe it, and its map. */
 export class Task {
   readonly #session: LabSession
   readonly edits: BlockEdits
   #stage = $state.raw<Stage | null>(null)
   readonly outline = $derived.by(() => learningIn(this.#session.program))
-  /** Of everything that decides what is learned. */
+  /** Identifies the task: it changes with every setting that changes what is learned. */
   readonly key = $derived(this.outline ? learningKey(this.outline) : '')
-  /** Map, start, goal and closed roads: what a guess is about. */
+  /** Identifies map, start, goal and closed roads: a guess is void when one of them changes. */
   readonly question = $derived(this.outline ? taskKey(this.outline) : '')
 
-  /** The map that is learned on instead of that of the card, with its start and goal; null: it is the card's. */
+  /** Map, start and goal if the map is not the one of the card; else null. */
   readonly elsewhere = $derived.by(() => {
     const { outline } = this
     const ours = mapOfCard(this.#session.opened.card)
@@ -39,12 +39,12 @@ export class Task {
     return this.#stage
   }
 
-  /** Is the map there that the blocks name? */
+  /** Is the loaded map the one that the blocks name? */
   get hasMap(): boolean {
     return this.#stage?.id === this.outline?.map
   }
 
-  /** Loads the map that the blocks name, unless they say something else by then. */
+  /** Loads the map that the blocks name; drops it if the task has changed by then. */
   async loadMap(): Promise<void> {
     const { key, outline } = this
     const stage = outline && (await this.#load(outline.map))
@@ -53,7 +53,7 @@ export class Task {
 
   #load = (id: string) => loadStage(id, this.#session.maps)
 
-  /** Another map, from where it begins to where it ends. */
+  /** Chooses another map, with its own start and goal. */
   async chooseMap(id: string): Promise<void> {
     const stage = await this.#load(id)
     if (!stage || this.outline?.map === id) return

@@ -5,7 +5,7 @@ import { ridesOf, type Ride } from './rides.ts'
 /** Milliseconds of a move, of one ride and of many. */
 const MOVE = { one: 700, many: 130 }
 
-/** Bo walks on the map as it has learned, however foolish that is. */
+/** Bo walks on the map by its learned values, also where they lead in a circle or to no end. */
 export class Watch {
   readonly #clock = new Clock((passed) => this.#turn(passed))
   #rides = $state.raw<readonly Ride[]>([])
@@ -13,7 +13,7 @@ export class Watch {
   #ride = $state(0)
   #moved = $state(0)
 
-  /** Has something been watched, or is it? */
+  /** Is a ride shown, or has one been shown? */
   get on() {
     return this.#rides.length > 0
   }
@@ -30,7 +30,7 @@ export class Watch {
   readonly arrived = $derived.by(
     () => this.#rides.slice(0, this.#ride).filter(({ end }) => end === 'goal').length,
   )
-  /** The move that is shown, and its share 0..1; the last one stays. */
+  /** The shown move and how much of it has been animated, 0..1; after the end the last move stays. */
   readonly move = $derived.by(() => {
     const states = this.#rides[Math.min(this.#ride, this.#rides.length - 1)]?.states
     if (!states) return null

@@ -6,7 +6,7 @@ import { Floors } from '#lab/floor/floors.ts'
 import type { Stage } from '#figures/map/stage.ts'
 import { nextFrame } from './clock.ts'
 
-/** The way as the floor of the robot's world. */
+/** Draws the learned way as lines on the floor of the robot's world. */
 export class WayOnFloor {
   readonly #session: LabSession
   readonly #floors = new Floors()
@@ -15,11 +15,11 @@ export class WayOnFloor {
     this.#session = session
   }
 
-  /** Does this way lie there already? */
+  /** Is this way drawn on the floor already? */
   lies = (stage: Stage, stations: readonly number[]): boolean =>
     stations.length > 1 && this.#isThere(drawWay(stage.map, stations).scene)
 
-  /** Where the robot stands to drive it. */
+  /** Start poses of the robot on this way. */
   starts = (stage: Stage, stations: readonly number[]): readonly Pose[] =>
     drawWay(stage.map, stations).scene.starts
 
@@ -28,8 +28,9 @@ export class WayOnFloor {
   }
 
   /**
-   * Lays it; the robot stands on its start. In tasks of their own: what was learned is on the screen before.
-   * `wanted`: whether it still is, once there was time for a hand.
+   * Draws the way and places the robot on its start. Waits for a frame before each costly step, so that the screen shows the
+   * end of learning first.
+   * @param wanted asked after the waits: false if the user has started something else or closed the playground by then
    */
   async lay(stage: Stage, stations: readonly number[], wanted: () => boolean): Promise<void> {
     const session = this.#session

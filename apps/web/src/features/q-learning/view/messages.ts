@@ -68,7 +68,7 @@ function whyNot(reason: Shown['way']['reason'], walked: readonly number[]): stri
 }
 
 function planSentence({ doubt, expected, best, reaches }: Plan, level: Level): string {
-  const worth = (value: number | null) => number(value ?? NaN, 3)
+  const worth = (value: number | null) => (value === null ? '–' : number(value, 3))
   const values =
     level === 'starter' ? '' : ` ${m['q.chanceWorth']({ value: worth(expected), best: worth(best) })}`
   const sure = doubt === null ? '' : ` ${m['q.chanceDoubt']({ station: doubt })}`

@@ -1,24 +1,24 @@
 import type { Band, Criterion, LaneResult, Series } from '@botgarten/experiments/race'
 
-/** What is drawn of what counts. */
+/** The chart of the measure that decides the race. */
 export const seriesOf: { readonly [criterion in Criterion]: Series } = {
   ...{ way: 'pace', stars: 'stars', falls: 'falls' },
 }
 
-/** Who has this many times as much as the next would make flat lines of all others. */
+/** A lane with values this many times those of the next one is cut off: it would flatten all other curves. */
 const TOO_MUCH = 4
 
 export interface Scale {
   readonly low: number
   readonly high: number
-  /** Lanes that leave the picture. */
+  /** Lanes whose curves are cut off at the edge. */
   readonly outside: readonly number[]
 }
 
 const extent = (bands: readonly Band[]) =>
   bands.reduce((most, { low, high }) => Math.max(most, Math.abs(low), Math.abs(high)), 0)
 
-/** From 0 to what the lanes need, those left out that would press all others flat. */
+/** The range of the axis, from 0, without the lanes that are cut off. */
 export function scaleOf(results: readonly LaneResult[], series: Series): Scale {
   const needs = results
     .map(({ curves }, lane) => ({ lane, need: extent(curves[series]) }))
@@ -33,7 +33,7 @@ export function scaleOf(results: readonly LaneResult[], series: Series): Scale {
   }
 }
 
-/** Two to five round numbers between two ends, 0 among them where it lies there. */
+/** Two to five round numbers between two ends, with 0 if it is between them. */
 export function ticksOf(low: number, high: number): readonly number[] {
   const rough = (high - low) / 3
   const power = 10 ** Math.floor(Math.log10(rough))

@@ -1,6 +1,6 @@
 import type { Lane, Racer } from '@botgarten/experiments/race'
 
-/** What a racer is set to, in a child's words: the values of the blocks. */
+/** Choices for each setting of a learner; the values are those of the blocks. */
 export const choices = {
   alpha: [
     { value: 0.1, word: 'slowly' },
@@ -25,14 +25,14 @@ export const choices = {
 } as const
 export type Setting = keyof typeof choices
 
-/** What can be set: who throws dice alone, or always takes the best, has nothing to choose there. */
+/** Settings of a kind of learner: one that always explores, or never does, has no choice of how much. */
 export const settingsOf = (racer: Racer): readonly Setting[] =>
   racer === 'q' || racer === 'sarsa' ? ['rho', 'alpha', 'gamma', 'nu'] : ['alpha', 'gamma', 'nu']
 
 const usual = { alpha: 0.5, gamma: 0.8, nu: 0, rho: 0.1 }
 export const laneOf = (racer: Racer): Lane => ({ racer, ...usual })
 
-/** Colour and shape of a lane: no lane is told by its colour alone. */
+/** Colour and shape of each lane: they differ in both, for users who do not see the colours. */
 export const looks = [
   { colour: '#1F67B3', mark: 'M0 -9a9 9 0 1 0 .01 0z' },
   { colour: '#C2335F', mark: 'M0 -10L10 8H-10z' },

@@ -1,7 +1,7 @@
-/** A whole race lasts so long at ×1, in ms. */
+/** Duration of a race at ×1, in ms. */
 const WHOLE = 16_000
 
-/** Which moment of a race is shown, and how it goes on by itself. */
+/** The shown moment of a race, and its playback. */
 export class Playback {
   /** Index of a point of the curves. */
   #at = $state(0)
@@ -24,7 +24,7 @@ export class Playback {
     return this.#at >= this.#count - 1
   }
 
-  /** A race with so many points was run: from its beginning, or at its end where nothing is to move. */
+  /** Starts the playback of a race with `count` points; shows its end at once in turbo and where motion is reduced. */
   begin(count: number): void {
     this.#count = count
     const still = this.speed === Infinity || matchMedia('(prefers-reduced-motion: reduce)').matches

@@ -15,7 +15,7 @@ import { Runners } from './runners.ts'
 import type { Track } from './track.ts'
 import { resultOfWalk, type Tried } from './walked.ts'
 
-/** `me`: the child, with what it walked. */
+/** A learner, or `me`: the user with the recorded tries. */
 export type Runner = Lane | { readonly racer: 'me'; readonly tries: readonly Tried[] }
 
 /** A race as it was run: what is shown until the next one. */
@@ -30,7 +30,7 @@ export interface Run {
   readonly order: readonly number[]
 }
 
-/** What a child sets before, and the race that was run last. */
+/** The settings of a race, and the last race that was run. */
 export class RaceModel {
   readonly track: Track
   readonly offered: readonly Criterion[]
@@ -55,14 +55,14 @@ export class RaceModel {
   get me() {
     return this.runners.find((one) => one.racer === 'me')
   }
-  /** Everybody has as many tries as a child that runs with them. */
+  /** Tries of each lane: as many as the user has made, if the user takes part. */
   get triesOfAll() {
     return this.me?.racer === 'me' ? this.me.tries.length : this.tries
   }
   get isFull() {
     return this.runners.length >= limits.lanes.most
   }
-  /** A race needs two, and one of them that is no child. */
+  /** Can a lane be removed? A race needs two lanes, one of them a learner. */
   get canDrop() {
     return this.runners.length > limits.lanes.least
   }
@@ -78,7 +78,7 @@ export class RaceModel {
     if (this.canDrop) this.runners = this.runners.toSpliced(index, 1)
   }
 
-  /** Runs it; the next time with other dice. */
+  /** Runs the race. The next one uses another seed. */
   async start(): Promise<void> {
     const { criterion, runners } = this
     if (!criterion || this.share !== null) return

@@ -1,6 +1,6 @@
 import type { Door } from './walk.svelte.ts'
 
-/** Where a door stands, in shares of the room: none is told to be where it is on the map, but those of a grid are. */
+/** Position of a door, 0..1 of the room. Only in a grid is it the side on which the door is on the map. */
 export interface Place {
   readonly x: number
   readonly y: number
@@ -11,7 +11,7 @@ const sides: { readonly [side: string]: Place } = {
   ...{ up: { x: 0.5, y: 0.12 }, down: { x: 0.5, y: 0.88 } },
 }
 
-/** Doors of a place in a ring, the first on the upper left, as Bo has them: in the order of their numbers. */
+/** Places the doors of a station in a ring in the order of their actions, the first on the upper left. */
 export function placesOf(doors: readonly Door[]): readonly Place[] {
   return doors.map(({ side }, index) => {
     if (side && sides[side]) return sides[side]
@@ -27,5 +27,5 @@ export const isSide = (side: string | null): side is Side => side !== null && Ob
 
 export const arrows: { readonly [side: string]: string } = { left: '←', right: '→', up: '↑', down: '↓' }
 
-/** Each once, in the order they first come. */
+/** The values without repeats, in the order of their first occurrence. */
 export const distinct = (values: readonly number[]): readonly number[] => [...new Set(values)]

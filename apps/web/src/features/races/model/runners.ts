@@ -2,14 +2,14 @@ import { heatsOf, resultOf, type LaneResult, type Race, type RunRecord } from '@
 import { newWorker } from './new-worker.ts'
 import type { Answered, Asked } from './worker.ts'
 
-/** A school laptop has two cores to spare. */
+/** Number of workers: a school laptop has two free cores. */
 const WORKERS = 2
 
 /** Two workers that share the heats of a race. One race at a time. */
 export class Runners {
   #workers: readonly Worker[] = []
 
-  /** @param done hears which share 0..1 of the race is run */
+  /** @param done is called with the finished share of the race, 0..1 */
   run(race: Race, done: (share: number) => void): Promise<readonly LaneResult[]> {
     this.close()
     const heats = [...heatsOf(race)]
@@ -35,7 +35,7 @@ export class Runners {
     })
   }
 
-  /** A race that is still running never ends. */
+  /** Ends the workers. The promise of a race that is still running stays pending. */
   close(): void {
     for (const worker of this.#workers) worker.terminate()
     this.#workers = []

@@ -6,13 +6,13 @@ import { mapName } from '#figures/map/names.ts'
 import { courseOn, loadStage, type Stage } from '#figures/map/stage.ts'
 import { open } from '#storage/projects.ts'
 
-/** Where a race is run: a map, and what is to be learned on it. */
+/** The map of a race and the learning task on it. */
 export interface Track {
   readonly stage: Stage
   readonly task: Task
   readonly world: QWorld
   readonly name: string
-  /** The project it belongs to; null: a map that everybody has. */
+  /** The project that the map belongs to; null: a built-in map. */
   readonly project: string | null
 }
 
@@ -24,14 +24,14 @@ interface Asked {
 /** The first map of a race: Q and SARSA differ most there. */
 const FIRST = 'cliff'
 
-/** Null where this device has no such project, it learns nothing, or there is no such map. */
+/** @returns null if this device has no such project, its program does not learn, or the map is missing */
 export async function openTrack({ project: id, map }: Asked): Promise<Track | null> {
   if (id === null) return givenTrack(map ?? FIRST)
   const found = await open(id)
   return found && ownTrack(id, found.project)
 }
 
-/** What a project's first program that learns wants learned. */
+/** Learning task of the first program of a project that has one. */
 async function ownTrack(id: string, project: Project): Promise<Track | null> {
   const outline = Object.values(project.programs)
     .map(learningIn)
@@ -42,7 +42,7 @@ async function ownTrack(id: string, project: Project): Promise<Track | null> {
   return { stage, task: world.task, world, name: mapName(outline.map, project.maps), project: id }
 }
 
-/** From where a map begins to where it ends: as it says itself, or as its card does. */
+/** Start and goal of a map: its own, or those of its card. */
 const ends: { readonly [map: string]: Pick<Task, 'start' | 'goal' | 'closed'> } = {
   railway: { start: 3, goal: 1, closed: [[3, 2], [2, 3]] },
   forest: { start: 0, goal: 7, closed: [[4, 6]] },

@@ -13,9 +13,9 @@ import { distinct } from './room.ts'
 import type { Track } from './track.ts'
 import type { Tried } from './walked.ts'
 
-/** Tries of the child, and of Bo before its table is shown. */
+/** Number of tries of the user, and of Bo before its table is shown. */
 const TRIES = 3
-/** How far Bo goes on when it is let. */
+/** Number of tries by which Bo goes on when the user asks for it. */
 export const MORE = 20
 const SEED = 1
 
@@ -30,30 +30,30 @@ interface Here {
 export interface Door {
   readonly action: number
   readonly to: number
-  /** Of a room of a grid: `left`. */
+  /** Its side if the map is a grid, such as `left`. */
   readonly side: string | null
 }
 
-/** What of Bo is shown after the last try. */
+/** What is shown of Bo after the user's last try. */
 export interface Learned {
   readonly tries: readonly Tried[]
   readonly way: LearnedPath
   readonly q: readonly number[]
 }
 
-/** A child walks a map and sees of it what Bo sees: its room, the doors of it, and its own notes. Bo learns beside it. */
+/** The user walks through a map and sees as much as Bo: the current room, its doors, and own notes. Bo learns on the same map. */
 export class WalkModel {
   readonly track: Track
   here = $state.raw<Here>({ state: 0, from: null, fell: false })
   /** Tries that are over. */
   tries = $state.raw<readonly Tried[]>([])
-  /** The try that goes on. */
+  /** The current try. */
   now = $state.raw<Tried>(nothing(0))
   /** 0..5 stars by action. */
   notes = $state.raw<readonly number[]>([])
   /** Actions in the order they were first taken. */
   taken = $state.raw<readonly number[]>([])
-  /** The action that the stars are asked for. */
+  /** The action for which the user is asked to give stars. */
   asked = $state<number | null>(null)
   answer = $state('')
   /** Between two tries: doors are closed, notes are open. */
@@ -69,7 +69,7 @@ export class WalkModel {
     this.begin()
   }
 
-  /** Did the child go through a door? */
+  /** Has the user gone through a door? */
   get hasBegun() {
     return this.taken.length > 0
   }
@@ -164,7 +164,7 @@ export class WalkModel {
     }
   }
 
-  /** Bo has some more tries than the child. */
+  /** Lets Bo make more tries than the user has made. */
   letBoGoOn(): void {
     for (let count = 0; count < MORE; count++) this.#boTries.push(oneTry(this.#bo))
     this.#show()
@@ -187,7 +187,7 @@ function outcomeOf(world: QWorld, action: number, dice: ReturnType<typeof fastSt
   return end
 }
 
-/** The next try of a learner, written down as the child's is. */
+/** Makes the next try of a learner and returns it in the form of the user's tries. */
 function oneTry(learner: QLearner): Tried {
   let tried: Tried | null = null
   const { episodes } = learner

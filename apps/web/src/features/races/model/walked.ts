@@ -1,7 +1,7 @@
 import { shortestPath, type QWorld } from '@botgarten/learning/q-learning'
 import { resultOf, type LaneResult } from '@botgarten/experiments/race'
 
-/** One try of a child: where it stood, from the start on. */
+/** One try of the user: the stations it has visited, from the start on. */
 export interface Tried {
   readonly states: readonly number[]
   readonly stars: number
@@ -11,7 +11,7 @@ export interface Tried {
 
 export const movesOf = ({ states }: Tried): number => states.length - 1
 
-/** The walk of a child as a lane: one run. The way of its last try that came to the goal is what it has learned. */
+/** The tries of the user as a lane with one run. Its learned way is that of the last try that reached the goal. */
 export function resultOfWalk(tries: readonly Tried[], world: QWorld): LaneResult {
   const shortest = shortestPath(world)
   const sums = { moves: 0, stars: 0, falls: 0 }

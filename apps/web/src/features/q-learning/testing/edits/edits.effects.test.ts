@@ -1,4 +1,4 @@
-import { writeFileSync } from 'node:fs'
+import { readFileSync, writeFileSync } from 'node:fs'
 import { isLong } from '@botgarten/numbers/testing'
 import fc from 'fast-check'
 import { flushSync } from 'svelte'
@@ -43,14 +43,15 @@ beforeAll(async () => {
 afterAll(() => {
   vi.useRealTimers()
   vi.unstubAllGlobals()
-  if (isLong || counts)
-    writeFileSync(
-      log.file,
-      log.report(
-        { sequences, seed },
-        allCards.map(({ id }) => id),
-      ),
-    )
+  if (!isLong && !counts) return
+  const before = readFileSync(log.file, 'utf8')
+  const report = log.report(
+    { sequences, seed },
+    allCards.map(({ id }) => id),
+  )
+  // The part about the browser is written by `npm run edits:browser`.
+  const below = before.indexOf('\n## ')
+  writeFileSync(log.file, report + (below < 0 ? '' : before.slice(below)))
 })
 
 function drawNow(milliseconds: number): void {

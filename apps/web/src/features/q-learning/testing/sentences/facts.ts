@@ -46,5 +46,6 @@ export const rare: readonly Missing[] = [
   { check: 'settled', kind: 'settled', what: 'off', facts: { off: 34.56, most: 30 } },
   { check: 'white', kind: 'silent', what: 'unseen', facts: { colour: '#FFFFFF' } },
   { check: 'eyesDecide', kind: 'eyesDecide', what: 'short', facts: { seconds: 0.05, needed: 0.1 } },
+  { check: 'netDecides', kind: 'netDecides', what: 'short', facts: { seconds: 0.95, needed: 2 } },
   { check: 'sings', kind: 'sings', what: 'far', facts: { least: 90 } },
 ]

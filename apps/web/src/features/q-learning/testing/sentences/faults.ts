@@ -11,10 +11,10 @@ const faults: { readonly [name: string]: (text: string, locale: string) => boole
   'a space before a mark': (text) => /\s[.,;!?](\s|$)/.test(text),
   'a plural after one': (text, locale) =>
     locale === 'de'
-      ? /(^|[^\d.,])1 (Versuche|Runden|Beispiele|Sekunden|Stellen|Räume|Abschnitte|Fahrten|Gruppen|Farben|Wörter|Züge|Tore|Orte|Ecken|Mal[e]|Schritte)\b/.test(
+      ? /(^|[^\d.,])1 (Versuche|Runden|Beispiele|Sekunden|Stellen|Räume|Abschnitte|Fahrten|Neuronen|Zeilen|Momente|Knöpfe|Gruppen|Farben|Wörter|Züge|Tore|Orte|Ecken|Mal[e]|Schritte)\b/.test(
           text,
         )
-      : /(^|[^\d.,])1 (?!is\b|was\b|has\b|as\b|across\b|times as\b)[a-z]{3,}s\b(?<!ss)/.test(text),
+      : /(^|[^\d.,])1 (?!is\b|was\b|has\b|does\b|as\b|across\b|times as\b)[a-z]{3,}s\b(?<!ss)/.test(text),
 }
 
 /** Names of the faults of a sentence. */

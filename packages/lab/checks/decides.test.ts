@@ -87,3 +87,29 @@ describe('eyesDecide: had each eye seen what the other saw, Bo would have turned
     }
   })
 })
+
+describe('netDecides: without its network Bo would have turned otherwise', () => {
+  const netDecides: Check = { id: 'net', kind: 'netDecides', numbers: { percent: 2 }, seconds: 0.1 }
+  const netDrives = (blocks: readonly Block[], weights: Weights) => decides(blocks, weights, [netDecides])
+
+  it('a network that turns Bo decides, also with the same weights for both eyes', () => {
+    expect(netDrives(netOnly, [0, 0.8, 0.8, 0])).toBe(true)
+    expect(netDrives(netOnly, [0.5, 0.6, 0.5, 0.6])).toBe(true)
+  })
+
+  it('one that drives straight on, or not at all, decides nothing', () => {
+    expect(netDrives(netOnly, [0.5, 0.5, 0, 0])).toBe(false)
+    expect(netDrives(netOnly, [0, 0, 0, 0])).toBe(false)
+  })
+
+  it('nor does one that is switched off, or whose wheels other blocks set afterwards', () => {
+    const other = turn('round', 40, 90)
+    expect(netDrives([forever(other, { ...net(), disabled: true })], [0, 0.8, 0.8, 0])).toBe(false)
+    const wheel = (id: string, port: string, percent: string): Block => ({
+      ...{ id, type: 'robActions_motor_on', fields: { MOTORPORT: port } },
+      values: { POWER: { id: `${id}Power`, type: 'math_number', fields: { NUM: percent } } },
+    })
+    const fixed = [wheel('left', 'C', '20'), wheel('right', 'B', '40')]
+    expect(netDrives([forever(net(), ...fixed)], [0, 0.8, 0.8, 0])).toBe(false)
+  })
+})

@@ -1,0 +1,3 @@
+import type { checkProject as now } from '../../../packages/classroom/projects/checked.ts'
+
+export const checkProject: typeof now
