@@ -23,19 +23,27 @@ const cut = (part: Locator) =>
     Math.max(element.scrollWidth - element.clientWidth, element.scrollHeight - element.clientHeight),
   )
 
-test('at 200 % zoom and on a small phone no word of a button that runs the program is cut', async ({
+test('at 200 % zoom and on a phone the buttons that run the program are in one row, and no word is cut', async ({
   child,
   page,
 }) => {
   await child.opensLab('chameleon')
   for (const size of [
     { width: 683, height: 384 },
+    { width: 390, height: 844 },
     { width: 360, height: 740 },
   ]) {
     await page.setViewportSize(size)
     await expect(page.locator('.run')).toBeVisible()
+    const rows = () =>
+      page
+        .locator('.run button')
+        .evaluateAll(
+          (all) => new Set(all.map((one) => Math.round(one.getBoundingClientRect().top / 20))).size,
+        )
     for (const key of ['lab.start', 'lab.stop']) {
       await expect.poll(() => cut(child.button(key))).toBe(0)
+      await expect.poll(rows).toBe(1)
       await child.presses(key)
     }
   }
@@ -93,7 +101,7 @@ test('a note leaves free what Bo has collected, and Bo that is stuck has a singl
   expect(await shared(noteOf('world.lost'), collected)).toBe(0)
 })
 
-test('the numbers of a move, and the sentence below them, are whole beside the map', async ({
+test('the numbers of a move, and the sentence below them, are whole in any window', async ({
   child,
   page,
 }) => {
@@ -102,6 +110,21 @@ test('the numbers of a move, and the sentence below them, are whole beside the m
   await learner.hurries()
   await learner.learns()
   await learner.seesEnd()
-  for (const box of await page.locator('.statistics > div').all()) expect(await cut(box)).toBe(0)
-  expect(await cut(page.locator('.line .scroll'))).toBe(0)
+  for (const size of [
+    { width: 1366, height: 768 },
+    { width: 1024, height: 768 },
+    { width: 390, height: 844 },
+    { width: 360, height: 740 },
+  ]) {
+    await page.setViewportSize(size)
+    await expect(page.locator('.statistics')).toBeVisible()
+    const wide = () =>
+      page
+        .locator('.statistics > div')
+        .evaluateAll((all) =>
+          all.filter((one) => one.scrollWidth > one.clientWidth + 1).map((one) => one.textContent),
+        )
+    await expect.poll(wide).toEqual([])
+    await expect.poll(() => cut(page.locator('.line .scroll'))).toBe(0)
+  }
 })
