@@ -126,6 +126,7 @@ const cards = globSync('cards/*/*/card.json', { cwd: content }).map((file) => fi
 const choices = globSync('words/*/blocks*.json', { cwd: content })
   .flatMap((file) => Object.values((read(file) as { readonly choice?: object }).choice ?? {}) as string[])
   .filter((words) => /\d/.test(words) && /\p{L}{2}/u.test(words))
+  .map((words) => words.replace(/\s+/g, ' '))
 
 const withoutChoices = (said: string) =>
   choices.reduce((rest, words) => rest.replaceAll(words, ''), said.replace(/\s+/g, ' '))
