@@ -38,7 +38,11 @@ const controls = [
 const usable = `main :is(${controls.join(', ')}):not(:disabled, [aria-disabled=true])`
 
 /** Deletes a block, copies it, or undoes the last step. @returns did it happen? */
-async function editsBlock({ page }: Child, below: (count: number) => number): Promise<boolean> {
+async function editsBlock(child: Child, below: (count: number) => number): Promise<boolean> {
+  const { page } = child
+  // On a map the program is folded.
+  const unfold = child.button('lab.unfold').first()
+  if (await unfold.isVisible()) await unfold.press('Enter', { timeout: 1_000 }).catch(() => {})
   const all = page.locator('.blocklySvg .blocklyBlockCanvas .blocklyDraggable > .blocklyPath')
   const count = await all.count()
   if (count === 0) return false
