@@ -53,8 +53,9 @@ for (const language of languagesOf(import.meta.filename)) {
       await child.seesSaved()
       await child.presses('lab.undo')
       await expect(child.block('b0-0-')).toHaveCount(1)
+      // The block is back on the screen some frames before it is in the project.
+      await expect.poll(async () => order((await comer.saves()).text)).toEqual(order(big))
       await child.seesSaved()
-      expect(order((await comer.saves()).text)).toEqual(order(big))
 
       // Twice, the first time in the middle of it: what is kept is the whole program.
       await page.reload()
