@@ -23,8 +23,8 @@ export function languagesOf(file: string): readonly Language[] {
 const words = new Map(languages.map((language) => [language, wordsOf(language)]))
 
 /**
- * What the screen says for a message key (`lab.start`) in a language. Throws where nobody wrote it. Spaces that do not break
- * come as plain ones, which is how Playwright reads the page.
+ * The text of a message key (`lab.start`) in a language. Throws if there is none. No-break spaces are replaced by plain spaces,
+ * as in the text that Playwright reads from a page.
  */
 export function message(language: Language, key: string, facts: Facts = {}): string {
   const found = words.get(language)?.[key]

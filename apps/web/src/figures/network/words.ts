@@ -29,7 +29,7 @@ export const labelOf = (neuron: NeuronOutline): string =>
     ? message('neuron.port', { label: nameOf(neuron), port: portOf(neuron)! })
     : nameOf(neuron)
 
-/** What stands at a node: "distance" where no sensor of this kind in the layer is at another port, else its whole label. */
+/** Label of a node: "distance" if no sensor of this kind in the layer is at another port, else its whole label. */
 export const shortLabelOf = (neuron: NeuronOutline, layer: readonly NeuronOutline[]): string =>
   layer.every((one) => one.look.sensor !== neuron.look.sensor || portOf(one) === portOf(neuron))
     ? nameOf(neuron)

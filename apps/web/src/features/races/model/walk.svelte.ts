@@ -34,7 +34,7 @@ export interface Door {
   readonly side: string | null
 }
 
-/** What is shown of Bo after the user's last try. */
+/** The part of Bo's tries on the screen after the user's last try. */
 export interface Learned {
   readonly tries: readonly Tried[]
   readonly way: LearnedPath
@@ -53,7 +53,7 @@ export class WalkModel {
   notes = $state.raw<readonly number[]>([])
   /** Actions in the order they were first taken. */
   taken = $state.raw<readonly number[]>([])
-  /** The action for which the user is asked to give stars. */
+  /** The action that the user has to rate with stars. */
   asked = $state<number | null>(null)
   answer = $state('')
   /** Between two tries: doors are closed, notes are open. */
