@@ -229,26 +229,42 @@ export class Child {
     await this.dragsAlong(this.knob(from, to), this.output(to), weight)
   }
 
-  /** Takes any knob by hand, towards the node at the end of its link. */
+  /**
+   * Takes any knob by hand, towards the node at the end of its link. Where the number is not right in the end, it takes the knob
+   * again, as a person does: on a busy machine a movement can reach the page later than the next frame.
+   */
   async dragsAlong(knob: Locator, node: Locator, weight: number) {
-    const [start, end] = [await middleOf(knob), await middleOf(node)]
-    const now = async () => Number(await knob.getAttribute('aria-valuenow'))
+    const isRight = async () => Math.abs((await this.#valueOf(knob)) - weight) <= 0.005
+    for (let grips = 0; grips < 3 && !(await isRight()); grips += 1) {
+      // The layout has come to rest, and nothing lies over the knob.
+      await knob.hover({ trial: true })
+      await this.#pulls(knob, await middleOf(node), weight, isRight)
+    }
+    await expect(knob).toHaveAttribute('aria-valuenow', String(weight))
+  }
+
+  async #valueOf(knob: Locator) {
+    return Number(await knob.getAttribute('aria-valuenow'))
+  }
+
+  /** Halves the way that is left until the number is right. */
+  async #pulls(knob: Locator, end: Spot, weight: number, isRight: () => Promise<boolean>) {
+    const start = await middleOf(knob)
     const along = (share: number) => ({
       x: start.x + (end.x - start.x) * share,
       y: start.y + (end.y - start.y) * share,
     })
-    let [low, high] = (await now()) < weight ? [0, 1] : [-4, 0]
+    let [low, high] = (await this.#valueOf(knob)) < weight ? [0, 1] : [-4, 0]
     await this.grip.down(start)
-    for (let tries = 0; tries < 14 && Math.abs((await now()) - weight) > 0.005; tries += 1) {
+    for (let tries = 0; tries < 14 && !(await isRight()); tries += 1) {
       const share = (low + high) / 2
       await this.grip.move(along(share))
       // The browser hands a finger's movement on with the next frame.
       await this.watches(2)
-      if ((await now()) < weight) low = share
+      if ((await this.#valueOf(knob)) < weight) low = share
       else high = share
     }
     await this.grip.up()
-    await expect(knob).toHaveAttribute('aria-valuenow', String(weight))
   }
 
   /** Goes to the knob and types the number. */

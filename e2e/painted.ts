@@ -72,11 +72,12 @@ export class Painted {
     return (await this.places()).flatMap(({ name, lit }) => (lit ? [name] : []))
   }
 
-  /** Where a robot stands on its floor, to a hundredth of a cm. */
+  /** Where a robot stands on its floor, to a hundredth of a cm and of a degree. */
   stands(number = 1): Promise<string> {
     return this.#page.evaluate((index) => {
       const { x, y, heading } = globalThis.botgarten!.view()!.robots[index]!.pose
-      return [x, y, heading].map((part) => part.toFixed(2)).join()
+      // A heading of 359.999 degrees is one of 0.
+      return [x, y, (Number(heading.toFixed(2)) + 360) % 360].map((part) => part.toFixed(2)).join()
     }, number - 1)
   }
 

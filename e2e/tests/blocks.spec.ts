@@ -92,6 +92,30 @@ for (const language of languagesOf(import.meta.filename)) {
       await expect(child.canvas.locator('.blocklyDraggable')).toHaveCount(before)
     })
 
+    test('a number that is being typed is saved when the workspace is dragged next', async ({
+      child,
+      page,
+    }) => {
+      await child.opensProjectAtHome('Waits', waits)
+      await child.press(child.block('b2').locator('.blocklyNumberField').first())
+      await page.keyboard.press('ControlOrMeta+a')
+      await child.types(...'700')
+      // The pressed background closes the field, and the drag goes on long after that.
+      const pane = await boxOf(page.locator('.blocklyMainBackground').first())
+      const [x, y] = [pane.x + pane.width * 0.6, pane.y + pane.height * 0.6]
+      const hit = ([x, y]: number[]) => document.elementFromPoint(x!, y!)?.getAttribute('class')
+      expect(await page.evaluate(hit, [x, y])).toBe('blocklyMainBackground')
+      await page.mouse.move(x, y)
+      await page.mouse.down()
+      for (const step of [10, 20, 30]) {
+        await page.mouse.move(x + step, y + step)
+        await child.watches(10)
+      }
+      await page.mouse.up()
+      const file = await child.savesFile()
+      expect(file).toContain('"700"')
+    })
+
     test('a block that is found is pulled to where it belongs, in one step', async ({ child, page }) => {
       const hands = new BlockHands(child)
       await child.opensProjectAtHome('Waits', waits)

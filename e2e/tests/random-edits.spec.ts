@@ -37,65 +37,72 @@ const controls = [
 ]
 const usable = `main :is(${controls.join(', ')}):not(:disabled, [aria-disabled=true])`
 
-/** Deletes a block, copies it, or undoes the last step. @returns did it happen? */
-async function editsBlock(child: Child, below: (count: number) => number): Promise<boolean> {
+/** Deletes a block, copies it, or undoes the last step. @returns what was done; null if nothing was */
+async function editsBlock(child: Child, below: (count: number) => number): Promise<string | null> {
   const { page } = child
   // On a map the program is folded.
   const unfold = child.button('lab.unfold').first()
   if (await unfold.isVisible()) await unfold.press('Enter', { timeout: 1_000 }).catch(() => {})
   const all = page.locator('.blocklySvg .blocklyBlockCanvas .blocklyDraggable > .blocklyPath')
   const count = await all.count()
-  if (count === 0) return false
-  const clicked = await all
-    .nth(below(count))
-    .click({ timeout: 1_000, position: { x: 10, y: 10 } })
-    .then(
-      () => true,
-      () => false,
-    )
-  if (!clicked) return false
-  for (const key of [['Delete'], ['Control+c', 'Control+v'], ['Control+z']][below(3)]!)
-    await page.keyboard.press(key)
-  return true
+  if (count === 0) return null
+  const one = all.nth(below(count))
+  const clicked = await one.click({ timeout: 1_000, position: { x: 10, y: 10 } }).then(
+    () => true,
+    () => false,
+  )
+  if (!clicked) return null
+  const keys = [['Delete'], ['Control+c', 'Control+v'], ['Control+z']][below(3)]!
+  for (const key of keys) await page.keyboard.press(key)
+  return `${keys.join()} at a block`
 }
 
-/** Edits a block, turns a knob, or uses any control of the lab. @returns did it happen? */
-async function editsOne(child: Child, below: (count: number) => number): Promise<boolean> {
+/** Edits a block, turns a knob, or uses any control of the lab. @returns what was done; null if nothing was */
+async function editsOne(child: Child, below: (count: number) => number): Promise<string | null> {
   const how = below(3)
   return how === 0
     ? editsBlock(child, below)
     : usesOne(child, below, how === 1 ? 'main [role=slider]:not([aria-disabled=true])' : usable)
 }
 
-/** Uses one of these controls. @returns did it happen? */
-async function usesOne(child: Child, below: (count: number) => number, which: string): Promise<boolean> {
+/** Uses one of these controls. @returns what was done; null if nothing was */
+async function usesOne(
+  child: Child,
+  below: (count: number) => number,
+  which: string,
+): Promise<string | null> {
   const { page } = child
   const all = page.locator(which).filter({ visible: true })
   const count = await all.count()
-  if (count === 0) return false
+  if (count === 0) return null
   // The element itself: a moment later another control may have its number.
   const one = await all
     .nth(below(count))
     .elementHandle({ timeout: 1_000 })
     .catch(() => null)
-  if (!one) return false
-  const role = await one.evaluate((element) => element.getAttribute('role') ?? element.localName)
+  if (!one) return null
+  const [role, name] = await one.evaluate((element) => [
+    element.getAttribute('role') ?? element.localName,
+    (element.ariaLabel ?? element.textContent).trim(),
+  ])
   if (role === 'slider') {
     const value = () => one.getAttribute('aria-valuetext')
     const before = await value()
     await one.focus()
     await page.keyboard.press(['ArrowUp', 'ArrowDown', 'Home', 'End'][below(4)]!)
-    return (await value()) !== before
+    const after = await value()
+    return after === before ? null : `${name}: ${after}`
   }
   if (role === 'select') {
     const value = () => one.evaluate((select) => (select as HTMLSelectElement).value)
     const before = await value()
     await one.selectOption({ index: below(2) })
-    return (await value()) !== before
+    const after = await value()
+    return after === before ? null : `${name}: ${after}`
   }
   return one.click({ timeout: 1_000 }).then(
-    () => true,
-    () => false,
+    () => `${role}: ${name}`,
+    () => null,
   )
 }
 
@@ -153,8 +160,9 @@ async function shownIn(child: Child, withWorld = true) {
   })
   const lab = await page.evaluate(() => {
     const { robots, obstacles, brains } = globalThis.botgarten!.view()!
-    const rounded = (one: { pose: { x: number; y: number; heading: number } }) =>
-      [one.pose.x, one.pose.y, one.pose.heading].map((part) => part.toFixed(2)).join()
+    const rounded = ({ pose: { x, y, heading } }: { pose: { x: number; y: number; heading: number } }) =>
+      // A heading of 359.999 degrees is one of 0.
+      [x, y, (Number(heading.toFixed(2)) + 360) % 360].map((part) => part.toFixed(2)).join()
     return {
       networks: brains,
       robots: robots.map(({ id }) => id),
@@ -239,10 +247,10 @@ async function comesToRest(child: Child): Promise<boolean> {
 }
 
 /** The page shows the lab as it was before. */
-const seesAgain = (child: Child, before: Shown, atRest: boolean) =>
+const seesAgain = (child: Child, before: Shown, atRest: boolean, steps: readonly string[]) =>
   expect(async () => {
     const now = await shownIn(child)
-    expect(comparable(now, before, atRest)).toEqual(comparable(before, now, atRest))
+    expect(comparable(now, before, atRest), steps.join('\n')).toEqual(comparable(before, now, atRest))
   }).toPass({ timeout: 30_000 })
 
 /** A resumed run has only the sequences that have not passed yet. */
@@ -265,8 +273,11 @@ for (const sequence of left) {
     await child.presses('lab.start')
     let [edits, changes, tried] = [0, 0, 0]
     let before = await projectIn(child)
+    // For the message of a failure.
+    const steps: string[] = []
     for (; (edits < wanted || changes < changing) && tried < attempts; tried++) {
-      if (await editsOne(child, below)) edits++
+      const step = await editsOne(child, below)
+      if (step !== null) edits++
       await child.page.keyboard.press('Escape')
       // A link of the lab leads to another page, which may take a moment.
       await expect(async () => {
@@ -276,22 +287,23 @@ for (const sequence of left) {
       }).toPass({ timeout: 30_000 })
       const after = await projectIn(child)
       if (after !== before) changes++
+      if (step !== null) steps.push(after === before ? step : `${step} (changed the project)`)
       before = after
     }
     const done = { ...begun, edits, changes, tried }
     if (asked !== undefined) noteSequence(done)
     expect(edits).toBeGreaterThanOrEqual(wanted)
-    expect(changes).toBeGreaterThanOrEqual(changing)
+    expect(changes, steps.join('\n')).toBeGreaterThanOrEqual(changing)
     const atRest = await comesToRest(child)
     await child.seesSaved()
     const [saved, shown] = [await savedIn(child), await shownIn(child)]
     await child.page.reload()
     await seesOpened(child)
     await expect.poll(() => savedIn(child)).toEqual(saved)
-    await seesAgain(child, shown, atRest)
+    await seesAgain(child, shown, atRest, steps)
     await child.page.reload()
     await seesOpened(child)
-    await seesAgain(child, shown, atRest)
+    await seesAgain(child, shown, atRest, steps)
     if (asked !== undefined) noteSequence({ ...done, passed: true })
   })
 }

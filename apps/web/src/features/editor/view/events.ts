@@ -27,14 +27,14 @@ export function listen(workspace: Blockly.WorkspaceSvg, reports: Reports, emit: 
   const ends = followMap(workspace)
   let group: string | null = null
   let waiting: ReturnType<typeof setTimeout> | undefined
-  /** A block in the hand has changed something: that is told once it is put down. */
-  let inHand = false
 
+  // A change during a drag is reported when the drag ends, whatever is dragged: only a dragged block fires an event then, and
+  // a pressed background closes the field that is edited and moves the workspace.
   const soon = () => {
     waiting ??= setTimeout(() => {
       waiting = undefined
-      inHand = workspace.isDragging()
-      if (!inHand) emit()
+      if (workspace.isDragging()) soon()
+      else emit()
     }, settle)
   }
 
@@ -43,7 +43,6 @@ export function listen(workspace: Blockly.WorkspaceSvg, reports: Reports, emit: 
     follow(event)
     grow(event)
     ends(event)
-    if (event instanceof Blockly.Events.BlockDrag && event.isStart === false && inHand) soon()
     // What is still being typed is no number yet.
     if (event.isUiEvent || event instanceof Blockly.Events.BlockFieldIntermediateChange) return
     if (event.recordUndo && (event.group === '' || event.group !== group)) {
@@ -57,8 +56,10 @@ export function listen(workspace: Blockly.WorkspaceSvg, reports: Reports, emit: 
 
   workspace.addChangeListener(hear)
   return () => {
-    clearTimeout(waiting)
     workspace.removeChangeListener(hear)
+    if (waiting === undefined) return
+    clearTimeout(waiting)
+    emit()
   }
 }
 
