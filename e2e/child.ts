@@ -236,7 +236,7 @@ export class Child {
   async dragsAlong(knob: Locator, node: Locator, weight: number) {
     const isRight = async () => Math.abs((await this.#valueOf(knob)) - weight) <= 0.005
     for (let grips = 0; grips < 3 && !(await isRight()); grips += 1) {
-      // The layout has come to rest, and nothing lies over the knob.
+      // Waits until the layout is stable and nothing covers the knob.
       await knob.hover({ trial: true })
       await this.#pulls(knob, await middleOf(node), weight, isRight)
     }

@@ -100,7 +100,7 @@ for (const language of languagesOf(import.meta.filename)) {
       await child.press(child.block('b2').locator('.blocklyNumberField').first())
       await page.keyboard.press('ControlOrMeta+a')
       await child.types(...'700')
-      // The pressed background closes the field, and the drag goes on long after that.
+      // The pressed background closes the field, and the drag takes much longer than that.
       const pane = await boxOf(page.locator('.blocklyMainBackground').first())
       const [x, y] = [pane.x + pane.width * 0.6, pane.y + pane.height * 0.6]
       const hit = ([x, y]: number[]) => document.elementFromPoint(x!, y!)?.getAttribute('class')

@@ -37,7 +37,7 @@ const controls = [
 ]
 const usable = `main :is(${controls.join(', ')}):not(:disabled, [aria-disabled=true])`
 
-/** Deletes a block, copies it, or undoes the last step. @returns what was done; null if nothing was */
+/** Deletes a block, copies it, or undoes the last step. @returns the edit in words; null if none happened */
 async function editsBlock(child: Child, below: (count: number) => number): Promise<string | null> {
   const { page } = child
   // On a map the program is folded.
@@ -57,7 +57,7 @@ async function editsBlock(child: Child, below: (count: number) => number): Promi
   return `${keys.join()} at a block`
 }
 
-/** Edits a block, turns a knob, or uses any control of the lab. @returns what was done; null if nothing was */
+/** Edits a block, turns a knob, or uses any control of the lab. @returns the edit in words; null if none happened */
 async function editsOne(child: Child, below: (count: number) => number): Promise<string | null> {
   const how = below(3)
   return how === 0
@@ -65,7 +65,7 @@ async function editsOne(child: Child, below: (count: number) => number): Promise
     : usesOne(child, below, how === 1 ? 'main [role=slider]:not([aria-disabled=true])' : usable)
 }
 
-/** Uses one of these controls. @returns what was done; null if nothing was */
+/** Uses one of these controls. @returns the edit in words; null if none happened */
 async function usesOne(
   child: Child,
   below: (count: number) => number,
