@@ -44,13 +44,25 @@ async function editsBlock(child: Child, below: (count: number) => number): Promi
   const unfold = child.button('lab.unfold').first()
   if (await unfold.isVisible()) await unfold.press('Enter', { timeout: 1_000 }).catch(() => {})
   const all = page.locator('.blocklySvg .blocklyBlockCanvas .blocklyDraggable > .blocklyPath')
-  const count = await all.count()
-  if (count === 0) return null
-  const one = all.nth(below(count))
-  const clicked = await one.click({ timeout: 1_000, position: { x: 10, y: 10 } }).then(
-    () => true,
-    () => false,
+  // A corner that neither another block nor the edge of the pane covers.
+  const corner = 10
+  const free = await all.evaluateAll(
+    (paths, corner) =>
+      paths.flatMap((path, index) => {
+        const { x, y } = path.getBoundingClientRect()
+        return document.elementFromPoint(x + corner, y + corner) === path ? [index] : []
+      }),
+    corner,
   )
+  // All blocks are deleted, or the pane of the program is not on the screen.
+  if (free.length === 0) return usesOne(child, below, `${usable}[aria-label="${child.word('lab.undo')}"]`)
+  const clicked = await all
+    .nth(free[below(free.length)]!)
+    .click({ timeout: 1_000, position: { x: corner, y: corner } })
+    .then(
+      () => true,
+      () => false,
+    )
   if (!clicked) return null
   const keys = [['Delete'], ['Control+c', 'Control+v'], ['Control+z']][below(3)]!
   for (const key of keys) await page.keyboard.press(key)
