@@ -1,7 +1,9 @@
 // Rooms: network, editor, q-learning, world
 import { content } from '@botgarten/content/files'
+import type { Locator } from '@playwright/test'
 import type { Child } from '../child.ts'
 import { isLong } from '../beds.ts'
+import { TimeHands } from '../child-time.ts'
 import { noteSequence, wasPassed } from '../edits-log.ts'
 import { expect, test } from '../house.ts'
 
@@ -36,6 +38,7 @@ const controls = [
   'select',
 ]
 const usable = `main :is(${controls.join(', ')}):not(:disabled, [aria-disabled=true])`
+const sliders = 'main [role=slider]:not([aria-disabled=true])'
 
 /** Deletes a block, copies it, or undoes the last step. @returns the edit in words; null if none happened */
 async function editsBlock(child: Child, below: (count: number) => number): Promise<string | null> {
@@ -55,7 +58,7 @@ async function editsBlock(child: Child, below: (count: number) => number): Promi
     corner,
   )
   // All blocks are deleted, or the pane of the program is not on the screen.
-  if (free.length === 0) return usesOne(child, below, `${usable}[aria-label="${child.word('lab.undo')}"]`)
+  if (free.length === 0) return usesOne(child, below, child.button('lab.undo').and(page.locator(usable)))
   const clicked = await all
     .nth(free[below(free.length)]!)
     .click({ timeout: 1_000, position: { x: corner, y: corner } })
@@ -74,17 +77,17 @@ async function editsOne(child: Child, below: (count: number) => number): Promise
   const how = below(3)
   return how === 0
     ? editsBlock(child, below)
-    : usesOne(child, below, how === 1 ? 'main [role=slider]:not([aria-disabled=true])' : usable)
+    : usesOne(child, below, child.page.locator(how === 1 ? sliders : usable))
 }
 
 /** Uses one of these controls. @returns the edit in words; null if none happened */
 async function usesOne(
   child: Child,
   below: (count: number) => number,
-  which: string,
+  which: Locator,
 ): Promise<string | null> {
   const { page } = child
-  const all = page.locator(which).filter({ visible: true })
+  const all = which.filter({ visible: true })
   const count = await all.count()
   if (count === 0) return null
   // The element itself: a moment later another control may have its number.
@@ -146,7 +149,9 @@ async function shownIn(child: Child, withWorld = true) {
   const { page } = child
   // The mouth for variables comes with the blocks of the large toolbox, which a reload loads only where a program needs them.
   const late = ['more.variables', 'more.parameters'].map((key) => child.word(key))
-  const blocks = await page.locator('.blocklySvg .blocklyBlockCanvas .blocklyDraggable').evaluateAll(
+  // The programs of other robots stay open behind that of the chosen one; a reload opens only the latter.
+  const program = page.locator('.program:not([hidden]) .blocklySvg .blocklyBlockCanvas')
+  const blocks = await program.locator('.blocklyDraggable').evaluateAll(
     (all, late) =>
       all
         .map((one) => {
@@ -178,6 +183,7 @@ async function shownIn(child: Child, withWorld = true) {
     return {
       networks: brains,
       robots: robots.map(({ id }) => id),
+      things: obstacles.map(({ id }) => id),
       poses: [...robots, ...obstacles].map((one) => `${one.id}: ${rounded(one)}`),
     }
   })
@@ -186,8 +192,8 @@ async function shownIn(child: Child, withWorld = true) {
 
 /** The parts of the project that an edit changes, as text. */
 async function projectIn(child: Child): Promise<string> {
-  const { blocks, networks, robots } = await shownIn(child, false)
-  return JSON.stringify([blocks, networks, robots])
+  const { blocks, networks, robots, things } = await shownIn(child, false)
+  return JSON.stringify([blocks, networks, robots, things])
 }
 
 /**
@@ -245,13 +251,15 @@ async function seesOpened(child: Child) {
   await child.page.waitForFunction(() => globalThis.botgarten?.view())
 }
 
-/** Stops Bo and puts it back to its start. @returns false if the pane that can do so is not on the screen */
+/** Stops Bo, puts it back to its start and chooses the first robot, as a reload does. @returns false if the pane that can do so is not on the screen */
 async function comesToRest(child: Child): Promise<boolean> {
   const stop = child.button('lab.stop').first()
   if (await stop.isVisible()) {
     await stop.click()
     await expect(stop).toBeHidden()
   }
+  const first = new TimeHands(child).chip(1)
+  if (await first.isVisible()) await first.click()
   const back = child.button('lab.resetWorld').first()
   if (!(await back.isVisible())) return false
   if ((await back.getAttribute('aria-disabled')) !== 'true') await back.click()
@@ -292,12 +300,13 @@ for (const sequence of left) {
       if (step !== null) edits++
       await child.page.keyboard.press('Escape')
       // A link of the lab leads to another page, which may take a moment.
+      let after = before
       await expect(async () => {
         if (new URL(child.page.url()).pathname !== new URL(address).pathname) await child.page.goBack()
         const isOpen = () => child.page.evaluate(() => Boolean(globalThis.botgarten?.view()))
         await expect.poll(isOpen, { timeout: 5_000 }).toBe(true)
+        after = await projectIn(child)
       }).toPass({ timeout: 30_000 })
-      const after = await projectIn(child)
       if (after !== before) changes++
       if (step !== null) steps.push(after === before ? step : `${step} (changed the project)`)
       before = after

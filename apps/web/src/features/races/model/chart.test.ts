@@ -1,7 +1,7 @@
 import type { Band, LaneResult } from '@botgarten/experiments/race'
 import fc from 'fast-check'
 import { expect, test } from 'vitest'
-import { apart, lineOf, marksAt, scaleOf, ticksOf, timesOf } from './chart.ts'
+import { apart, labelsThatFit, lineOf, marksAt, scaleOf, ticksOf, timesOf } from './chart.ts'
 
 const flat = (value: number): Band => ({ low: value, middle: value, high: value })
 const laneWith = (...values: number[]): LaneResult => ({
@@ -69,4 +69,21 @@ test('a race of one try or of three names no point twice', () => {
   expect(timesOf([1])).toEqual([0])
   expect(timesOf([1, 2, 3])).toEqual([0, 1, 2])
   expect(timesOf(Array.from({ length: 100 }, (_, at) => at + 1))).toEqual([0, 24, 49, 74, 99])
+})
+
+test('on a narrow screen no label of a time lies over another', () => {
+  const width = (point: number) => (point === 0 ? 70 : 26)
+  const shownOn = (paper: number) =>
+    labelsThatFit([0, 24, 49, 74, 99], (point) => (point / 99) * paper, width)
+  expect(shownOn(700)).toEqual([0, 24, 49, 74, 99])
+  expect(shownOn(95)).toEqual([0, 99])
+  fc.assert(
+    fc.property(fc.integer({ min: 60, max: 900 }), (paper) => {
+      const x = (point: number) => (point / 99) * paper
+      const shown = shownOn(paper)
+      expect([shown[0], shown.at(-1)]).toEqual([0, 99])
+      for (const [index, point] of shown.slice(1).entries())
+        expect(x(point) - width(point) / 2).toBeGreaterThan(x(shown[index]!) + width(shown[index]!) / 2)
+    }),
+  )
 })

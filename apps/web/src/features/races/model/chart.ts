@@ -81,3 +81,24 @@ export function timesOf(points: readonly number[]): readonly number[] {
   const all = points.at(-1) ?? 0
   return distinct([0, 0.25, 0.5, 0.75, 1].map((share) => points.findIndex((tries) => tries >= share * all)))
 }
+
+/**
+ * The times whose labels fit beside each other; the first and the last always stay. `x`: middle of a label in px; `width`: its
+ * width in px.
+ */
+export function labelsThatFit(
+  times: readonly number[],
+  x: (point: number) => number,
+  width: (point: number) => number,
+): readonly number[] {
+  const gap = 6
+  const fit = (one: number, other: number) =>
+    Math.abs(x(one) - x(other)) >= (width(one) + width(other)) / 2 + gap
+  const last = times.at(-1)!
+  const shown: number[] = []
+  for (const time of times.slice(0, -1)) {
+    const before = shown.at(-1)
+    if (before === undefined || (fit(before, time) && fit(time, last))) shown.push(time)
+  }
+  return [...shown, last]
+}
