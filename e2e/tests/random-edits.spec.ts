@@ -1,6 +1,6 @@
 // Rooms: network, editor, q-learning, world
 import { content } from '@botgarten/content/files'
-import type { Locator } from '@playwright/test'
+import type { ElementHandle, Locator } from '@playwright/test'
 import type { Child } from '../child.ts'
 import { isLong } from '../beds.ts'
 import { TimeHands } from '../child-time.ts'
@@ -86,7 +86,6 @@ async function usesOne(
   below: (count: number) => number,
   which: Locator,
 ): Promise<string | null> {
-  const { page } = child
   const all = which.filter({ visible: true })
   const count = await all.count()
   if (count === 0) return null
@@ -96,6 +95,20 @@ async function usesOne(
     .elementHandle({ timeout: 1_000 })
     .catch(() => null)
   if (!one) return null
+  return useOf(child, one, below).catch(async (error: unknown) => {
+    // A run may remove the control between two of these steps.
+    const isThere = await one.evaluate((element) => element.isConnected).catch(() => false)
+    if (isThere) throw error
+    return null
+  })
+}
+
+/** Turns a knob, chooses an option or clicks. @returns the edit in words; null if none happened */
+async function useOf(
+  { page }: Child,
+  one: ElementHandle<Element>,
+  below: (count: number) => number,
+): Promise<string | null> {
   const [role, name] = await one.evaluate((element) => [
     element.getAttribute('role') ?? element.localName,
     (element.ariaLabel ?? element.textContent).trim(),

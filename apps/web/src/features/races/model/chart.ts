@@ -83,7 +83,7 @@ export function timesOf(points: readonly number[]): readonly number[] {
 }
 
 /**
- * The times whose labels fit beside each other; the first and the last always stay. `x`: middle of a label in px; `width`: its
+ * The times whose labels fit next to each other; the first and the last always stay. `x`: middle of a label in px; `width`: its
  * width in px.
  */
 export function labelsThatFit(
