@@ -57,8 +57,12 @@ async function editsBlock(child: Child, below: (count: number) => number): Promi
       }),
     corner,
   )
-  // All blocks are deleted, or the pane of the program is not on the screen.
-  if (free.length === 0) return usesOne(child, below, child.button('lab.undo').and(page.locator(usable)))
+  // Another pane fills the screen, or all blocks are deleted.
+  if (free.length === 0) {
+    const whole = child.button('lab.shrink')
+    const other = (await whole.isVisible()) ? whole : child.button('lab.undo')
+    return usesOne(child, below, other.and(page.locator(usable)))
+  }
   const clicked = await all
     .nth(free[below(free.length)]!)
     .click({ timeout: 1_000, position: { x: corner, y: corner } })
@@ -185,8 +189,10 @@ async function shownIn(child: Child, withWorld = true) {
       one.ariaLabel,
       one.ariaValueText,
     ])
-    const heading = document.querySelector('h1')!.textContent.trim()
-    return Object.fromEntries([['h1', heading], ...sliders]) as Facts
+    const heading = document.querySelector('h1')!
+    // The name may be in a field.
+    const name = heading.querySelector('input')?.value ?? heading.textContent.trim()
+    return Object.fromEntries([['h1', name], ...sliders]) as Facts
   })
   const lab = await page.evaluate(() => {
     const { robots, obstacles, brains } = globalThis.botgarten!.view()!
@@ -329,6 +335,8 @@ for (const sequence of left) {
     expect(edits).toBeGreaterThanOrEqual(wanted)
     expect(changes, steps.join('\n')).toBeGreaterThanOrEqual(changing)
     const atRest = await comesToRest(child)
+    // The editor reports an edit some frames later.
+    await child.watches(10)
     await child.seesSaved()
     const [saved, shown] = [await savedIn(child), await shownIn(child)]
     await child.page.reload()
