@@ -1,7 +1,7 @@
 import { afterEach, expect, test, vi } from 'vitest'
-import { badgeSides, type Badge } from '#drawing/badges.ts'
+import type { Badge } from '#drawing/badges.ts'
 import { letters } from '#figures/letters.svelte.ts'
-import { layBadges } from './lay-badges.ts'
+import { badgeMemory, layBadges } from './lay-badges.ts'
 
 afterEach(() => vi.restoreAllMocks())
 
@@ -17,8 +17,29 @@ const scaleBar = { left: 600 - 170, top: 400 - 44 }
 test('a badge is not written over the scale, though its place behind Bo would be there', () => {
   vi.spyOn(letters, 'widthOf').mockImplementation((text) => 7 * text.length)
   // Bo looks to the upper left: behind it is the lower right.
-  const stands = { bo: { x: 470, y: 330 }, heading: 135, others: [], readings: [], viewport }
-  const [laid] = layBadges([badge], stands, badgeSides())
+  const stands = { bo: { x: 470, y: 330 }, heading: 135, tick: 0, others: [], readings: [], viewport }
+  const [laid] = layBadges([badge], stands, badgeMemory())
   const { x, y, width, height } = laid!.box
   expect(x + width <= scaleBar.left || y + height <= scaleBar.top).toBe(true)
+})
+
+test('a badge stays on its side while the robot turns, and is placed anew after a jump', () => {
+  vi.spyOn(letters, 'widthOf').mockImplementation((text) => 7 * text.length)
+  const start = { bo: { x: 200, y: 200 }, heading: 0, tick: 0, others: [], readings: [], viewport }
+  const boxOf = (stands: typeof start, memory = badgeMemory()) => layBadges([badge], stands, memory)[0]!.box
+  const memory = badgeMemory()
+  const first = boxOf(start, memory)
+  const turned = { ...start, heading: 170, tick: 60 }
+  expect(boxOf(turned, memory)).toEqual(first)
+  expect(boxOf(turned)).not.toEqual(first)
+  for (const jump of [
+    { ...turned, tick: 0 },
+    { ...turned, bo: { x: 300, y: 200 } },
+    { ...turned, viewport: { ...viewport, scale: 1.2 } },
+  ]) {
+    const here = badgeMemory()
+    boxOf(start, here)
+    boxOf({ ...start, tick: 60 }, here)
+    expect(boxOf(jump, here)).toEqual(boxOf(jump))
+  }
 })

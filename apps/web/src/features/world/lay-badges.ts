@@ -1,5 +1,5 @@
 import type { RobotView } from '@botgarten/lab'
-import { labelWidth, placeBadges, sizeOf, type Badge, type BadgeSides } from '#drawing/badges.ts'
+import { badgeSides, labelWidth, placeBadges, sizeOf, type Badge } from '#drawing/badges.ts'
 import { boRadius } from '#drawing/grab.ts'
 import type { Point, Size } from '#drawing/points.ts'
 import { letters } from '#figures/letters.svelte.ts'
@@ -15,6 +15,7 @@ const reading = { width: 46, height: 28 }
 interface Stands {
   readonly bo: Point
   readonly heading: number
+  readonly tick: number
   readonly others: readonly Point[]
   /** Numbers at its rays. */
   readonly readings: readonly Point[]
@@ -38,9 +39,28 @@ function taken({ others, readings, viewport: { pane, corner, scale } }: Stands) 
   ]
 }
 
-/** Badges with their boxes, and the room of their labels. */
-export function layBadges(badges: readonly Badge[], stands: Stands, sides: BadgeSides) {
+/** The side of each badge, and where and when the sides were chosen last. */
+export interface BadgeMemory {
+  readonly sides: ReturnType<typeof badgeSides>
+  last: Stands | null
+}
+export const badgeMemory = (): BadgeMemory => ({ sides: badgeSides(), last: null })
+
+/** The robot was put elsewhere or back in time, or the floor is zoomed: it has not driven or turned here in small steps. */
+function hasJumped(now: Stands, before: Stands): boolean {
+  const { scale } = now.viewport
+  const isFar = Math.hypot(now.bo.x - before.bo.x, now.bo.y - before.bo.y) > boRadius * scale
+  return now.tick < before.tick || scale !== before.viewport.scale || isFar
+}
+
+/**
+ * Badges with their boxes, and the room of their labels. After a jump the sides are chosen anew, so that the picture of a robot
+ * at its start does not depend on where it was before.
+ */
+export function layBadges(badges: readonly Badge[], stands: Stands, memory: BadgeMemory) {
   const { pane, corner, scale } = stands.viewport
+  if (memory.last && hasJumped(stands, memory.last)) memory.sides.clear()
+  memory.last = stands
   if (badges.length === 0 || pane.height < least) return []
   const widthOf = letters.widthOf.bind(letters)
   const around = {
@@ -49,7 +69,7 @@ export function layBadges(badges: readonly Badge[], stands: Stands, sides: Badge
     taken: taken(stands),
   }
   const sizes = badges.map((badge) => ({ id: badge.id, ...sizeOf(badge, widthOf) }))
-  const boxes = placeBadges(sizes, around, sides)
+  const boxes = placeBadges(sizes, around, memory.sides)
   return badges.map((badge, i) => ({ badge, box: boxes[i]!, label: labelWidth(badge, widthOf) }))
 }
 

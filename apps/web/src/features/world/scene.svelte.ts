@@ -1,6 +1,6 @@
 import type { RobotView } from '@botgarten/lab'
 import type { Pose, RobotConfig, World } from '@botgarten/simulation'
-import { badgeSides, drawBadge, drawLead } from '#drawing/badges.ts'
+import { drawBadge, drawLead } from '#drawing/badges.ts'
 import { drawBeyond } from '#drawing/beyond.ts'
 import { partAt, partsOf } from '#drawing/bo.ts'
 import { onFloor } from '#drawing/camera.ts'
@@ -23,7 +23,7 @@ import type { Place } from '#lab/door.ts'
 import { comfort } from '#storage/comfort.svelte.ts'
 import { fetchWords, m } from '#words/message.ts'
 import type { Hand } from './hand.svelte.ts'
-import { layBadges, withRays } from './lay-badges.ts'
+import { badgeMemory, layBadges, withRays } from './lay-badges.ts'
 import type { Shown } from './shown.ts'
 import { standing, type Standing } from './steady.ts'
 import { thingName } from '#content/thing-name.ts'
@@ -178,18 +178,20 @@ export class WorldScene {
 
   /** Badges beside the robot, with their boxes in px of the floor's box. */
   readonly #badges = $derived.by(() => {
-    const { badges, robot } = this.#shown()
+    const { badges, robot, view } = this.#shown()
     const { robots } = this.now.view
     const shown = robots.find(({ id }) => id === robot)
     if (!shown) return []
     const readings = this.now.sensing === robot ? this.#readings(shown) : []
     const others = robots.filter((one) => one !== shown).map(({ pose }) => this.#at(pose))
-    const stands = { bo: this.#at(shown.pose), heading: shown.pose.heading }
-    return layBadges(badges, { ...stands, others, readings, viewport: this.#viewport }, this.#badgeSides).map(
-      (laid) => ({ ...laid, to: this.#partOf(shown, laid.badge.part) }),
-    )
+    const stands = { bo: this.#at(shown.pose), heading: shown.pose.heading, tick: view.tick }
+    const around = { ...stands, others, readings, viewport: this.#viewport }
+    return layBadges(badges, around, this.#badgeMemory).map((laid) => ({
+      ...laid,
+      to: this.#partOf(shown, laid.badge.part),
+    }))
   })
-  readonly #badgeSides = badgeSides()
+  readonly #badgeMemory = badgeMemory()
 
   /** Where a part of it is; its middle where that is not to be pointed at. */
   #partOf(robot: RobotView, part: string): Point {
