@@ -54,7 +54,7 @@ function hasJumped(now: Stands, before: Stands): boolean {
 }
 
 /**
- * Badges with their boxes, and the room of their labels. After a jump the sides are chosen anew, so that the picture of a robot
+ * Badges with their boxes, and the room of their labels. After a jump the sides are chosen from all sides again, so that the picture of a robot
  * at its start does not depend on where it was before.
  */
 export function layBadges(badges: readonly Badge[], stands: Stands, memory: BadgeMemory) {
