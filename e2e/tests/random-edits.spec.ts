@@ -167,10 +167,10 @@ async function shownIn(child: Child, withWorld = true) {
   // The mouth for variables comes with the blocks of the large toolbox, which a reload loads only where a program needs them.
   const late = ['more.variables', 'more.parameters'].map((key) => child.word(key))
   // The programs of other robots stay open behind that of the chosen one; a reload opens only the latter.
-  const program = page.locator('.program:not([hidden]) .blocklySvg .blocklyBlockCanvas')
-  const blocks = await program.locator('.blocklyDraggable').evaluateAll(
+  const blocks = await page.locator('.blocklySvg .blocklyBlockCanvas .blocklyDraggable').evaluateAll(
     (all, late) =>
       all
+        .filter((one) => !one.closest('[hidden]'))
         .map((one) => {
           // Only its own words: those of the blocks in it may come in another order.
           const own = [...one.querySelectorAll('text')].filter(
