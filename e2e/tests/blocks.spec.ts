@@ -104,7 +104,7 @@ for (const language of languagesOf(import.meta.filename)) {
       const pane = await boxOf(page.locator('.blocklyMainBackground').first())
       const [x, y] = [pane.x + pane.width * 0.6, pane.y + pane.height * 0.6]
       const hit = ([x, y]: number[]) => document.elementFromPoint(x!, y!)?.getAttribute('class')
-      expect(await page.evaluate(hit, [x, y])).toBe('blocklyMainBackground')
+      await expect.poll(() => page.evaluate(hit, [x, y])).toBe('blocklyMainBackground')
       await page.mouse.move(x, y)
       await page.mouse.down()
       for (const step of [10, 20, 30]) {
