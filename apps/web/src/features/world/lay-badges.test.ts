@@ -23,7 +23,7 @@ test('a badge is not written over the scale, though its place behind Bo would be
   expect(x + width <= scaleBar.left || y + height <= scaleBar.top).toBe(true)
 })
 
-test('a badge stays on its side while the robot turns, and is placed anew after a jump', () => {
+test('a badge stays on its side while the robot turns; after a jump its side depends on the new place only', () => {
   vi.spyOn(letters, 'widthOf').mockImplementation((text) => 7 * text.length)
   const start = { bo: { x: 200, y: 200 }, heading: 0, tick: 0, others: [], readings: [], viewport }
   const boxOf = (stands: typeof start, memory = badgeMemory()) => layBadges([badge], stands, memory)[0]!.box

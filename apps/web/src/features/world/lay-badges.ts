@@ -1,5 +1,5 @@
 import type { RobotView } from '@botgarten/lab'
-import { badgeSides, labelWidth, placeBadges, sizeOf, type Badge } from '#drawing/badges.ts'
+import { badgeSides, labelWidth, placeBadges, sizeOf, type Badge, type BadgeSides } from '#drawing/badges.ts'
 import { boRadius } from '#drawing/grab.ts'
 import type { Point, Size } from '#drawing/points.ts'
 import { letters } from '#figures/letters.svelte.ts'
@@ -41,7 +41,7 @@ function taken({ others, readings, viewport: { pane, corner, scale } }: Stands) 
 
 /** The side of each badge, and where and when the sides were chosen last. */
 export interface BadgeMemory {
-  readonly sides: ReturnType<typeof badgeSides>
+  readonly sides: BadgeSides
   last: Stands | null
 }
 export const badgeMemory = (): BadgeMemory => ({ sides: badgeSides(), last: null })
@@ -54,8 +54,8 @@ function hasJumped(now: Stands, before: Stands): boolean {
 }
 
 /**
- * Badges with their boxes, and the room of their labels. After a jump the sides are chosen from all sides again, so that the picture of a robot
- * at its start does not depend on where it was before.
+ * Badges with their boxes, and the room of their labels. A jump clears the memory, so that the picture of a robot at its start
+ * does not depend on its drive before.
  */
 export function layBadges(badges: readonly Badge[], stands: Stands, memory: BadgeMemory) {
   const { pane, corner, scale } = stands.viewport

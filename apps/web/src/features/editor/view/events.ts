@@ -56,10 +56,8 @@ export function listen(workspace: Blockly.WorkspaceSvg, reports: Reports, emit: 
 
   workspace.addChangeListener(hear)
   return () => {
-    workspace.removeChangeListener(hear)
-    if (waiting === undefined) return
     clearTimeout(waiting)
-    emit()
+    workspace.removeChangeListener(hear)
   }
 }
 
