@@ -56,8 +56,10 @@ export function listen(workspace: Blockly.WorkspaceSvg, reports: Reports, emit: 
 
   workspace.addChangeListener(hear)
   return () => {
-    clearTimeout(waiting)
     workspace.removeChangeListener(hear)
+    if (waiting === undefined) return
+    clearTimeout(waiting)
+    emit()
   }
 }
 
