@@ -24,6 +24,23 @@ export class SortingHands {
     if (source !== 'things') await this.presses(`tab.${source}`)
   }
 
+  /** Four points, sorted, as a project named "Marbles" whose first group is named "Mine". */
+  async makesMarbles() {
+    await this.opens('points')
+    await this.draws([-150, -100], [-140, -90], [150, 100], [140, 110])
+    await this.sorts()
+    await this.group(1).fill('Mine')
+    await this.renames('Marbles')
+  }
+
+  /** The project of `makesMarbles`, with its result. */
+  async seesMarbles() {
+    await expect(this.title).toHaveText('Marbles')
+    await this.seesPoints(4)
+    await this.seesDone()
+    await expect(this.group(1)).toHaveValue('Mine')
+  }
+
   get plane(): Locator {
     return this.#child.page.getByRole('application')
   }

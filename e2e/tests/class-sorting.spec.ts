@@ -13,23 +13,6 @@ const test = testInClass()
 // Work must not be lost: a fault here gets no further try.
 test.describe.configure({ retries: 0 })
 
-/** Four points, sorted, under a name. */
-async function makes(child: Child): Promise<SortingHands> {
-  const sorting = new SortingHands(child)
-  await sorting.opens('points')
-  await sorting.draws([-150, -100], [-140, -90], [150, 100], [140, 110])
-  await sorting.sorts()
-  await sorting.group(1).fill('Mine')
-  await sorting.renames('Marbles')
-  return sorting
-}
-
-async function seesAll(sorting: SortingHands) {
-  await expect(sorting.title).toHaveText('Marbles')
-  await sorting.seesPoints(4)
-  await expect(sorting.group(1)).toHaveValue('Mine')
-}
-
 /** The projects of a pupil, as the teacher of the class reads them. */
 async function readsOf({ teacher, id }: MadeClass, pupil: Joined) {
   const path = `/classes/${id}/pupils/${pupil.id}/projects`
@@ -54,7 +37,7 @@ for (const language of languagesOf(import.meta.filename)) {
     }) => {
       const fox = await joins(school, 'Fuchs')
       await signsIn(page, school, fox)
-      await makes(child)
+      await new SortingHands(child).makesMarbles()
       await expect(new Pupil(child, school).chip('chipClass')).toBeVisible()
 
       const device = async () => {
@@ -66,7 +49,7 @@ for (const language of languagesOf(import.meta.filename)) {
         await signsIn(there.page, school, fox)
         await new ProjectList(there).opens()
         await there.page.getByRole('link', { name: 'Marbles', exact: true }).click()
-        await seesAll(new SortingHands(there))
+        await new SortingHands(there).seesMarbles()
         await context.close()
       })
 
@@ -80,7 +63,7 @@ for (const language of languagesOf(import.meta.filename)) {
         const { context, there } = await device()
         await there.opensHome()
         await there.opensFileAtHome('Marbles.botgarten.json', JSON.stringify(project))
-        await seesAll(new SortingHands(there))
+        await new SortingHands(there).seesMarbles()
         await context.close()
       })
     })
@@ -100,13 +83,14 @@ for (const language of languagesOf(import.meta.filename)) {
           const owl = await joins(school, 'Eule')
           const pupil = new Pupil(child, school)
           await signsIn(page, school, owl)
-          const sorting = await makes(child)
+          const sorting = new SortingHands(child)
+          await sorting.makesMarbles()
           await pupil.chip('chipHere').click()
           await expect(page.getByRole('dialog')).toContainText(child.word('class.whyNewer'))
           await child.types('Escape')
           expect((await readsOf(school, owl)).projects).toEqual([])
           await page.reload()
-          await seesAll(sorting)
+          await sorting.seesMarbles()
         } finally {
           Object.assign(ports, { checkProject })
         }

@@ -116,6 +116,25 @@ test('the table slides in beside the map where it has no place of its own, and o
   await expect(table).toHaveCount(0)
 })
 
+test('learning goes on while the program fills the page and the table is not displayed', async ({
+  child,
+  page,
+}) => {
+  const learner = new Learner(child)
+  await learner.opens('railway')
+  await learner.learns()
+  await learner.unfolds()
+  await child.presses('lab.fill', { pane: child.word('lab.program') })
+  const table = page.locator('.drawer .table')
+  await expect(table).toBeHidden()
+  // The timeline is not displayed either.
+  const made = async () => Number(await page.locator('.time input').getAttribute('max'))
+  const before = await made()
+  await expect.poll(made).toBeGreaterThan(before + 2)
+  await child.presses('lab.shrink')
+  await expect(table).toBeVisible()
+})
+
 test('the guess is a chip on the map that covers no station', async ({ child, page }) => {
   const learner = new Learner(child)
   for (const card of ['railway', 'city'] as const) {

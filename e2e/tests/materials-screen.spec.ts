@@ -179,6 +179,22 @@ test('many cards are fitted to paper once, and the page answers', async ({ page 
   await expect.poll(() => page.evaluate(() => (window as unknown as { told: unknown[] }).told.length)).toBe(1)
 })
 
+test('on a phone the numbers of the things on a slide stand next to them', async ({ page }) => {
+  await page.setViewportSize({ width: 390, height: 844 })
+  await page.goto('/materials/slides/can-robots-learn-alone?slide=2')
+  const things = page.locator('.screen .things li')
+  await expect(things).toHaveCount(12)
+  const covered = () =>
+    things.evaluateAll((all) =>
+      all.flatMap((one) => {
+        const [picture, number] = ['img', 'small'].map((part) => one.querySelector(part)!)
+        const [a, b] = [picture!.getBoundingClientRect(), number!.getBoundingClientRect()]
+        return a.right > b.left && a.bottom > b.top ? [number!.textContent] : []
+      }),
+    )
+  await expect.poll(covered).toEqual([])
+})
+
 test('a deck printed by hand is its slides; with its notes it is sheets of A4', async ({ child, page }) => {
   // A window for printing would stop the page.
   await page.addInitScript(() => Object.assign(window, { print: () => undefined }))

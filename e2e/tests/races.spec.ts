@@ -164,6 +164,24 @@ for (const language of ['de', 'en'] as const)
       })
     })
 
+for (const language of ['de', 'en'] as const)
+  for (const width of [1366, 1024])
+    test.describe(`a race in ${language} at ${width}x768`, () => {
+      test.use({ language, viewport: { width, height: 768 } })
+
+      test('shows the ways of all learners without scrolling', async ({ child, page }) => {
+        await opensFromHome(child, 'home.race')
+        await page.getByText(child.word('race.criterion.stars')).click()
+        await page.getByRole('combobox', { name: child.word('race.runs') }).selectOption('5')
+        await child.presses('race.start')
+        const ways = page.locator('.ways li')
+        await expect(ways).toHaveCount(4)
+        await expect(page.getByText(child.word('race.text'))).toHaveCount(0)
+        const cut = () => ways.locator('xpath=..').evaluate((list) => list.scrollHeight - list.clientHeight)
+        await expect.poll(cut).toBe(0)
+      })
+    })
+
 test.describe('in a window 683 wide', () => {
   test.use({ viewport: { width: 683, height: 768 } })
 

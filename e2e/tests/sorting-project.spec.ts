@@ -13,22 +13,11 @@ for (const language of languagesOf(import.meta.filename)) {
   test.describe(`sorting as a project, in ${language}`, () => {
     test.use({ language })
 
-    /** Four points, sorted, under a name. */
     async function makes(child: Child): Promise<SortingHands> {
       const sorting = new SortingHands(child)
-      await sorting.opens('points')
-      await sorting.draws([-150, -100], [-140, -90], [150, 100], [140, 110])
-      await sorting.sorts()
-      await sorting.group(1).fill('Mine')
-      await sorting.renames('Marbles')
+      await sorting.makesMarbles()
       await child.seesSaved()
       return sorting
-    }
-    async function seesAll(sorting: SortingHands) {
-      await expect(sorting.title).toHaveText('Marbles')
-      await sorting.seesPoints(4)
-      await sorting.seesDone()
-      await expect(sorting.group(1)).toHaveValue('Mine')
     }
     const fromMenu = async (child: Child, word: string) => {
       await child.presses('lab.menu')
@@ -54,11 +43,11 @@ for (const language of languagesOf(import.meta.filename)) {
       await sorting.takesPoints('few')
       await sorting.seesDone()
       await sorting.takesPoints('')
-      await seesAll(sorting)
+      await sorting.seesMarbles()
       await sorting.presses('clearPoints')
       await expect(sorting.words('noPoints')).toBeVisible()
       await child.types('Control+z')
-      await seesAll(sorting)
+      await sorting.seesMarbles()
       await child.types('Control+z')
       await sorting.seesPoints(60)
     })
@@ -72,14 +61,14 @@ for (const language of languagesOf(import.meta.filename)) {
       // By address: it is a link.
       await friend.page.goto(link)
       const theirs = new SortingHands(friend)
-      await seesAll(theirs)
+      await theirs.seesMarbles()
       await theirs.group(1).fill('Theirs')
       await friend.seesSaved()
       await friend.page.reload()
       await expect(theirs.group(1)).toHaveValue('Theirs')
       await context.close()
       await child.page.reload()
-      await seesAll(mine)
+      await mine.seesMarbles()
     })
 
     test('a file opens it again, next to the one that is there', async ({ child, page }) => {
@@ -89,7 +78,7 @@ for (const language of languagesOf(import.meta.filename)) {
       expect(JSON.parse(text)).toMatchObject({ botgarten: 5, playground: 'sorting', name: 'Marbles' })
       await child.opensHome()
       await child.opensFileAtHome('Marbles.botgarten.json', text)
-      await seesAll(new SortingHands(child))
+      await new SortingHands(child).seesMarbles()
       const list = new ProjectList(child)
       await list.opens()
       await list.seesNames('Marbles', 'Marbles')
@@ -115,7 +104,7 @@ for (const language of languagesOf(import.meta.filename)) {
         .click()
       await list.opens()
       await page.getByRole('link', { name: 'Marbles', exact: true }).click()
-      await seesAll(sorting)
+      await sorting.seesMarbles()
       await fromMenu(child, 'sorting.new')
       await expect(sorting.title).toHaveText(sorting.word('newName'))
       await expect(sorting.flags).toHaveCount(3)
@@ -127,7 +116,7 @@ for (const language of languagesOf(import.meta.filename)) {
       const other = new Child(await context.newPage(), language)
       const theirs = new SortingHands(other)
       await theirs.opens()
-      await seesAll(theirs)
+      await theirs.seesMarbles()
       await new SortingHands(child).group(2).fill('First tab')
       await child.seesSaved()
       await expect(other.dialog('lab.conflictTitle')).toBeVisible()

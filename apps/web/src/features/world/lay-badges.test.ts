@@ -23,6 +23,15 @@ test('a badge is not written over the scale, though its place behind Bo would be
   expect(x + width <= scaleBar.left || y + height <= scaleBar.top).toBe(true)
 })
 
+test('a badge is not written under the button of the time in the lower left corner', () => {
+  vi.spyOn(letters, 'widthOf').mockImplementation((text) => 7 * text.length)
+  // Bo looks to the upper right: behind it is the lower left.
+  const stands = { bo: { x: 110, y: 330 }, heading: 45, tick: 0, others: [], readings: [], viewport }
+  const [laid] = layBadges([badge], stands, badgeMemory())
+  const { x, y, height } = laid!.box
+  expect(x >= 60 || y + height <= viewport.pane.height - 60).toBe(true)
+})
+
 test('a badge stays on its side while the robot turns; after a jump its side depends on the new place only', () => {
   vi.spyOn(letters, 'widthOf').mockImplementation((text) => 7 * text.length)
   const start = { bo: { x: 200, y: 200 }, heading: 0, tick: 0, others: [], readings: [], viewport }

@@ -6,7 +6,7 @@ import { letters } from '#figures/letters.svelte.ts'
 
 /** On a floor that is lower than this, in px, badges would hide what is on it. */
 const least = 150
-/** In px: the buttons in the corner, one of them on a small floor, and the scale. */
+/** In px: the buttons in the upper corner, one of them on a small floor, that of the time in the lower corner, and the scale. */
 const buttons = { one: 60, all: 158, height: 60 }
 const scaleBar = { width: 170, height: 44 }
 const reading = { width: 46, height: 28 }
@@ -33,6 +33,7 @@ function taken({ others, readings, viewport: { pane, corner, scale } }: Stands) 
   const bo = { width: 2 * boRadius * scale, height: 2 * boRadius * scale }
   return [
     { x, y, width: isSmall ? buttons.one : buttons.all, height: buttons.height },
+    { x, y: y + pane.height - buttons.height, width: buttons.one, height: buttons.height },
     { x: x + pane.width - scaleBar.width, y: y + pane.height - scaleBar.height, ...scaleBar },
     ...others.map((at) => about(at, bo)),
     ...readings.map((at) => about(at, reading)),
