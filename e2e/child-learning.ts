@@ -110,8 +110,13 @@ export class Learner {
     await child.presses('q.change')
     const maps = child.page.getByRole('combobox', { name: child.word('q.page.map'), exact: true })
     await maps.selectOption({ label: name })
-    await child.types('Escape')
-    await this.sees()
+    // The choice is not on the page, and hears no key, while the map is loaded.
+    await expect(async () => {
+      await child.types('Escape')
+      await expect(maps).toBeHidden({ timeout: 500 })
+      await this.sees()
+      await expect(maps).toBeHidden({ timeout: 500 })
+    }).toPass()
   }
 
   /** Another map, in the field of the block; both by their ids. The program stays open. */

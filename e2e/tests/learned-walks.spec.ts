@@ -44,6 +44,18 @@ test('on ice ten rides are watched, and counted', async ({ child, page }) => {
   await expect(done).toHaveText(said!)
 })
 
+test('Bo drives what it learned, and says so, though the choice of start and goal is open', async ({
+  child,
+}) => {
+  const learner = new Learner(child)
+  await learner.opens('railway')
+  await child.presses('q.change')
+  await learner.hurries()
+  await learner.learns()
+  await learner.seesEnd()
+  await expect(learner.floor).toBeVisible()
+})
+
 test('with a start the opened program folds, and the bar of the map is free', async ({ child }) => {
   const learner = new Learner(child)
   await learner.opens('railway')

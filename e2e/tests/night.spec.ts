@@ -31,12 +31,17 @@ test('Bo learns overnight what Node learns, bit for bit, keeps it, and drives by
     },
   )
   await expect(child.button('night.stop')).toBeHidden()
+  // Every move has been tried: no count of untried moves follows the number of states.
+  await expect(page.locator('.size')).toHaveText(
+    child.word('senses.sizeBump', { product: '3 × 3', states: 10 }),
+  )
 
   const saved = await child.savesFile()
   expect(JSON.parse(saved)).toMatchObject({ botgarten: 4, brains: { try: { kind: 'table' } } })
   const { curve, ...learned } = parseProject(saved).tables!['try']!
   expect({ try: learned }).toEqual(tables)
   expect(curve).toHaveLength(8)
+  await child.seesSaved()
   await page.reload()
   await expect(page.getByRole('figure', { name: child.word('night.curves') }).getByRole('row')).toHaveCount(9)
   await child.pressesStart()

@@ -15,6 +15,7 @@ for (const language of languagesOf(import.meta.filename))
       await expect(child.words('senses.sizeBump', { product: '3 × 3', states: 10 })).toBeVisible()
       await expect(bo.table.locator('tbody tr')).toHaveCount(10)
       await expect.poll(() => bo.untried()).toBe(30)
+      await expect(child.page.locator('.size')).toContainText(child.word('senses.notYet', { count: 30 }))
     })
 
     test('the table fills while Bo tries; a cell is tapped, its number proved, and time goes back to the table of then', async ({
@@ -28,6 +29,7 @@ for (const language of languagesOf(import.meta.filename))
       await bo.time.runsUntil(20)
       const [numbers, untried] = [await bo.numbers(), await bo.untried()]
       expect(untried).toBeLessThan(30)
+      await expect(child.page.locator('.size')).toContainText(child.word('senses.notYet', { count: untried }))
       await expect(bo.table.locator('tr[aria-current]')).toHaveCount(1)
       await expect(bo.lens).toContainText('× (')
       const tried = numbers.findIndex((text) => text.trim() !== '·')

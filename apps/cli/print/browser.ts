@@ -6,16 +6,21 @@ import type { Browser } from 'playwright-core'
 import { FileError } from '../errors.ts'
 import { message } from '../words.ts'
 
-/** A folder for all that the browser and who starts it lay down: whenever this program ends, it goes. */
+/** A folder for the files of the browser and of its library. It is deleted when this program ends. */
 function folderForOnce(): string {
   const folder = mkdtempSync(join(tmpdir(), 'botgarten-browser-'))
   process.once('exit', () => rmSync(folder, { recursive: true, force: true, maxRetries: 3 }))
   return folder
 }
 
-/** Until the browser's own library listens, a signal ends this program as its end is meant: what lies about goes. */
+/**
+ * Ends this program at a signal while the browser is not started yet. From then on its library closes it at a signal; to exit at
+ * once would remove the folder while the browser still writes into it.
+ */
 async function endingWell<Result>(act: () => Promise<Result>): Promise<Result> {
-  const end = () => process.exit(130)
+  const end = (signal: NodeJS.Signals) => {
+    if (process.listenerCount(signal) === 0) process.exit(130)
+  }
   for (const signal of signals) process.once(signal, end)
   try {
     return await act()
