@@ -161,27 +161,31 @@ const savedIn = (child: Child) =>
 /** Shown values by their names. */
 type Facts = { readonly [fact: string]: string }
 
-/** The lab as the page shows and paints it: name, blocks, knobs and other values, networks, robots and things. */
+/**
+ * The lab as the page shows and paints it: name, blocks, knobs and other values, networks, robots and things.
+ * @returns blocks: null if the page has no editor, since another pane fills the screen
+ */
 async function shownIn(child: Child, withWorld = true) {
   const { page } = child
   // The mouth for variables comes with the blocks of the large toolbox, which a reload loads only where a program needs them.
   const late = ['more.variables', 'more.parameters'].map((key) => child.word(key))
   // The programs of other robots stay open behind that of the chosen one; a reload opens only the latter.
-  const blocks = await page.locator('.blocklySvg .blocklyBlockCanvas .blocklyDraggable').evaluateAll(
-    (all, late) =>
-      all
-        .filter((one) => !one.closest('[hidden]'))
-        .map((one) => {
-          // Only its own words: those of the blocks in it may come in another order.
-          const own = [...one.querySelectorAll('text')].filter(
-            (text) => text.closest('.blocklyDraggable') === one,
-          )
-          const above = one.parentElement?.closest('.blocklyDraggable')?.getAttribute('data-id') ?? ''
-          const words = own.map((text) => text.textContent.replaceAll(/\s+/g, ' ')).toSorted()
-          const shown = words.filter((word) => !late.includes(word))
-          return `${one.getAttribute('data-id')} in ${above}: ${shown.join(', ')}`
-        })
-        .toSorted(),
+  const blocks = await page.locator('.program:not([hidden]) .blocklySvg .blocklyBlockCanvas').evaluateAll(
+    ([canvas], late) =>
+      canvas === undefined
+        ? null
+        : [...canvas.querySelectorAll('.blocklyDraggable')]
+            .map((one) => {
+              // Only its own words: those of the blocks in it may come in another order.
+              const own = [...one.querySelectorAll('text')].filter(
+                (text) => text.closest('.blocklyDraggable') === one,
+              )
+              const above = one.parentElement?.closest('.blocklyDraggable')?.getAttribute('data-id') ?? ''
+              const words = own.map((text) => text.textContent.replaceAll(/\s+/g, ' ')).toSorted()
+              const shown = words.filter((word) => !late.includes(word))
+              return `${one.getAttribute('data-id')} in ${above}: ${shown.join(', ')}`
+            })
+            .toSorted(),
     late,
   )
   const values = await page.evaluate((): Facts => {
@@ -209,10 +213,17 @@ async function shownIn(child: Child, withWorld = true) {
   return { blocks, values, world: withWorld ? await worldIn(child) : {}, ...lab }
 }
 
-/** The parts of the project that an edit changes, as text. */
-async function projectIn(child: Child): Promise<string> {
+/** The parts of the project that an edit changes. */
+async function projectIn(child: Child) {
   const { blocks, networks, robots, things } = await shownIn(child, false)
-  return JSON.stringify([blocks, networks, robots, things])
+  return { blocks, networks, robots, things }
+}
+type ProjectParts = Awaited<ReturnType<typeof projectIn>>
+
+/** Blocks are compared where both have an editor. */
+function differ(one: ProjectParts, other: ProjectParts): boolean {
+  const ofBoth = one.blocks && other.blocks ? {} : { blocks: null }
+  return JSON.stringify({ ...one, ...ofBoth }) !== JSON.stringify({ ...other, ...ofBoth })
 }
 
 /**
@@ -270,8 +281,15 @@ async function seesOpened(child: Child) {
   await child.page.waitForFunction(() => globalThis.botgarten?.view())
 }
 
-/** Stops Bo, puts it back to its start and chooses the first robot, as a reload does. @returns false if the pane that can do so is not on the screen */
+/** Closes dialogs, shows all panes, stops Bo, puts it back to its start and chooses the first robot, as a reload does. @returns false if the pane that can do so is not on the screen */
 async function comesToRest(child: Child): Promise<boolean> {
+  // A dialog loads on first use, so it can open after the Escape that follows an edit.
+  await expect(async () => {
+    await child.page.keyboard.press('Escape')
+    await expect(child.page.locator('dialog[open]')).toHaveCount(0, { timeout: 500 })
+  }).toPass({ timeout: 10_000 })
+  const all = child.button('lab.shrink').first()
+  if (await all.isVisible()) await all.click()
   const stop = child.button('lab.stop').first()
   if (await stop.isVisible()) {
     await stop.click()
@@ -326,9 +344,11 @@ for (const sequence of left) {
         await expect.poll(isOpen, { timeout: 5_000 }).toBe(true)
         after = await projectIn(child)
       }).toPass({ timeout: 30_000 })
-      if (after !== before) changes++
-      if (step !== null) steps.push(after === before ? step : `${step} (changed the project)`)
-      before = after
+      const changed = differ(before, after)
+      if (changed) changes++
+      if (step !== null) steps.push(changed ? `${step} (changed the project)` : step)
+      // Without an editor the next edit is compared with the blocks that were visible last.
+      before = { ...after, blocks: after.blocks ?? before.blocks }
     }
     const done = { ...begun, edits, changes, tried }
     if (asked !== undefined) noteSequence(done)
