@@ -19,6 +19,7 @@ const server = { deps: { external: isRun ? [packages] : [] } }
 /** Node's compiled code is cached for the next test file. */
 process.env['NODE_COMPILE_CACHE'] ??= `${import.meta.dirname}/node_modules/.cache/compiled`
 const keeping = `${import.meta.dirname}/scripts/testing/keep-compiled.ts`
+const restoring = `${import.meta.dirname}/scripts/testing/restore.ts`
 
 /** A step of `npm test` lists the files that it runs, one a line (scripts/gate/suite.mjs). */
 const listed = process.env['BOTGARTEN_TEST_FILES']
@@ -38,6 +39,7 @@ const included = (
 const shared = [
   'answers',
   'blocks',
+  'content',
   'experiments',
   'lab',
   'learning',
@@ -48,21 +50,31 @@ const shared = [
 ]
 const isShared = (file: string) => shared.some((name) => file.startsWith(`packages/${name}/`))
 const isWeb = (file: string) => file.startsWith('apps/web/')
+/**
+ * Tests of the web that need a process of their own, relative to its folder: they test a module that has not loaded anything
+ * yet, or Blockly, which has one registry of blocks a process. All others share a process, which takes a quarter of the time.
+ */
+const alone = ['src/features/editor', 'src/features/materials/library.test.ts', 'src/words/language.test.ts']
+const isAlone = (file: string) => alone.some((one) => file.startsWith(`apps/web/${one}`))
 const testsOf = (...folders: readonly string[]) => folders.map((folder) => `${folder}/**/*.test.ts`)
+
+const aloneTests = alone.map((one) => (one.endsWith('.ts') ? one : `${one}/**/*.test.ts`))
 
 /** Tests in which effects run, as in a browser: elsewhere Svelte's modules are those of a server. */
 const effects = '**/*.effects.test.ts'
+
+const allLanguages = `${import.meta.dirname}/apps/web/src/words/all-languages.ts`
 
 const limits = {
   // Long enough for a slow machine; a test that hangs still fails.
   testTimeout: 60_000,
   hookTimeout: 60_000,
+  // A project that extends another file does not inherit this from the root. On two cores one worker leaves the other idle.
+  maxWorkers: availableParallelism(),
 }
 
 export default defineConfig({
   test: {
-    // On two cores one worker leaves the other idle once the code has been read.
-    maxWorkers: availableParallelism(),
     projects: [
       {
         resolve,
@@ -70,7 +82,7 @@ export default defineConfig({
           ...limits,
           name: 'shared',
           server,
-          setupFiles: [keeping],
+          setupFiles: [keeping, restoring],
           isolate: false,
           include: included(isShared, '', testsOf(...shared.map((name) => `packages/${name}`))),
         },
@@ -98,9 +110,22 @@ export default defineConfig({
           ...limits,
           name: 'web',
           server,
+          isolate: false,
           include: included(isWeb, 'apps/web', testsOf('src')),
-          exclude: ['**/node_modules/**', effects],
-          setupFiles: [keeping, `${import.meta.dirname}/apps/web/src/words/all-languages.ts`],
+          exclude: ['**/node_modules/**', effects, ...aloneTests],
+          setupFiles: [keeping, restoring, allLanguages],
+        },
+      },
+      {
+        extends: 'apps/web/vite.config.ts',
+        root: 'apps/web',
+        resolve,
+        test: {
+          ...limits,
+          name: 'web alone',
+          server,
+          include: included(isAlone, 'apps/web', aloneTests),
+          setupFiles: [keeping, allLanguages],
         },
       },
       {
@@ -115,7 +140,7 @@ export default defineConfig({
           include: included((file) => isWeb(file) && file.endsWith('.effects.test.ts'), 'apps/web', [
             effects,
           ]),
-          setupFiles: [keeping, `${import.meta.dirname}/apps/web/src/words/all-languages.ts`],
+          setupFiles: [keeping, allLanguages],
         },
       },
     ],
