@@ -43,6 +43,9 @@ async function settled(child: Child, hides?: RegExp): Promise<readonly string[]>
   return tree
 }
 
+/** In ms. The page is read often, since most changes take two frames. */
+const [timeout, intervals] = [10_000, [30]]
+
 /** Goes through the steps. Each has to change something, and just as the file says. */
 export async function goesThrough(child: Child, name: string, steps: Steps, { hides }: Options = {}) {
   const file = fileOf(name)
@@ -61,7 +64,7 @@ export async function goesThrough(child: Child, name: string, steps: Steps, { hi
       } else {
         const look = async () => changesOf(before, (after = await treeOf(child.page, hides)))
         await expect
-          .poll(look, { message: `after "${step}" (npm run trees writes ${name}.txt)`, timeout: 10_000 })
+          .poll(look, { message: `after "${step}" (npm run trees writes ${name}.txt)`, timeout, intervals })
           .toEqual(recorded.get(step) ?? [])
       }
       before = after

@@ -98,7 +98,9 @@ const drawnOn = (page: Page): Promise<readonly string[]> =>
 export async function treeOf(page: Page, hidden?: RegExp): Promise<readonly string[]> {
   const tree = (await page.locator('body').ariaSnapshot()).split('\n')
   const all = [...shortened(tree), ...(await detailsOf(page)), ...(await drawnOn(page))]
-  const patterns = hidden ? [...varying, [new RegExp(hidden, 'g'), '…'] as const] : varying
+  const patterns = hidden
+    ? [...varying, [new RegExp(hidden, `${hidden.flags.replace('g', '')}g`), '…'] as const]
+    : varying
   return all.map((line) => patterns.reduce((text, [pattern, by]) => text.replaceAll(pattern, by), line))
 }
 

@@ -1,6 +1,7 @@
-// `npm run test:full`: slow unit tests, all browser tests, and every card, cage, map and race to its end, each in one language
-// and by mouse or by finger. The commit's id decides in which, `--sample ID` repeats one. `--shard 1/3` runs a part of each,
-// `--rooms sorting,network` only the browser tests of some rooms. A stopped run resumes; `--fresh` starts again.
+// `npm run test:full`: slow unit tests, all browser tests, the steps through all features, and every card, cage, map and race to
+// its end, each in one language and by mouse or by finger. The commit's id decides in which, `--sample ID` repeats one.
+// `--shard 1/3` runs a part of each, `--rooms sorting,network` only the browser tests of some rooms. A stopped run resumes;
+// `--fresh` starts again.
 import { parseArgs } from 'node:util'
 import { ensureChromium } from '../e2e/chromium.mjs'
 import { modeOf, prepare, readShard, walkSuite } from './gate/full.mjs'
@@ -8,6 +9,7 @@ import { readKeys } from './gate/keys.mjs'
 import { flakyOf, forgetRun, readRecords, recordsFile } from './gate/records.mjs'
 import { specsOf } from './gate/rooms.mjs'
 import { commitId, partOf } from './gate/sample.mjs'
+import { listSteps, stepsSuite } from './gate/steps.mjs'
 import { browserSuite, runSuite, unitSuite } from './gate/suite.mjs'
 import { summarize } from './gate/summary.mjs'
 import { isSlow, listUnitTests } from './gate/tree.mjs'
@@ -36,7 +38,10 @@ function suitesOf({ shard, rooms, part, keys }) {
     ...{ name: 'slow unit tests', keyOf: keys.ofTest, shard },
     files: listUnitTests().filter(isSlow),
   })
-  return [slow, browser, walkSuite({ keyOf, shard })]
+  // Steps are the same in every sample, so that those of `npm test` do not run again.
+  const files = listSteps().map(({ file }) => file)
+  const steps = stepsSuite({ files, keyOf: keys.ofSpec(shard ?? ''), shard })
+  return [slow, browser, steps, walkSuite({ keyOf, shard })]
 }
 
 async function runAll(suites, context) {

@@ -1,10 +1,12 @@
-// `npm test`: types, lint, format, arrows, unused code, build, sizes, unit tests, and a walk through every feature in a
-// browser. Every step is an npm script that can be run alone. Checks and test files that were green in this clone and depend
-// on no file that has changed since do not run again; `npm test -- --fresh` runs everything.
+// `npm test`: types, lint, format, arrows, unused code, build, sizes, unit tests, and in a browser a walk through every feature
+// and the steps through the features that the last commit or uncommitted changes touch. Every step is an npm script that can be
+// run alone. Checks and test files that were green in this clone and depend on no file that has changed since do not run again;
+// `npm test -- --fresh` runs everything.
 import { parseArgs } from 'node:util'
 import { ensureChromium } from '../e2e/chromium.mjs'
 import { readKeys } from './gate/keys.mjs'
 import { addRecord, readRecords, recordsFile } from './gate/records.mjs'
+import { changedPaths, stepsOf, stepsSuite } from './gate/steps.mjs'
 import { browserSuite, runSuite, unitSuite } from './gate/suite.mjs'
 import { summarize } from './gate/summary.mjs'
 import { isSlow, listFiles, listUnitTests } from './gate/tree.mjs'
@@ -64,7 +66,9 @@ async function runAll(context) {
     ...{ name: 'walk through every feature', script: 'test:gate', keyOf: keys.ofSpec() },
     files: listFiles('e2e/gate', '.spec.ts', '.touch.ts'),
   })
-  for (const suite of [units, walk]) if (outcomes.every(good)) outcomes.push(await runSuite(suite, context))
+  const steps = stepsSuite({ files: stepsOf(changedPaths()), keyOf: keys.ofSpec() })
+  for (const suite of [units, walk, steps])
+    if (outcomes.every(good)) outcomes.push(await runSuite(suite, context))
   return outcomes
 }
 

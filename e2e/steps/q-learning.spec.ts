@@ -300,7 +300,7 @@ const small: Steps = {
   },
   'the tablet on its end': ({ page }) => page.setViewportSize({ width: 768, height: 1024 }),
   'a phone': ({ page }) => page.setViewportSize({ width: 390, height: 844 }),
-  'another learning on the phone': (child) => child.presses('q.again'),
+  'another learning on the phone': (child) => child.presses('q.playNew'),
   'a road is tapped on the phone': (child) => new Learner(child).road(2, 3).click(),
   'it is open again': (child) => child.presses('q.openRoad'),
   'a guess on the phone': async (child) => {

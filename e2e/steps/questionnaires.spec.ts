@@ -78,13 +78,10 @@ test('a form for grade 5, step by step', { tag: '@questionnaires' }, async ({ ch
   const asker = new Asker(child)
   const { items } = asker.form('after').form
   const next = () => child.presses('form.next')
-  const takes = (form: string, grade: number, children: readonly number[]) =>
-    expect
-      .poll(async () => {
-        await asker.takesFile(form, grade, children)
-        return child.words('form.takenAnswers', { count: children.length }).count()
-      })
-      .toBe(1)
+  const takes = async (form: string, grade: number, children: readonly number[]) => {
+    await asker.takesFile(form, grade, children)
+    await expect(child.words('form.takenAnswers', { count: children.length })).toHaveCount(1)
+  }
   const print = () =>
     page.evaluate(() =>
       Object.assign(window, {

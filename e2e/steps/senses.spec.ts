@@ -9,7 +9,7 @@ test.use({ language: 'en' })
 
 /** The length of a run and the last bump depend on the speed of the machine. */
 const hides =
-  /[\d.]+ seconds? ago|of [\d.]+ s\b|(?<=slider "Moment of the run": ).*|(?<=paragraph: )Bo (bumped|stands|drives).*/g
+  /[\d.]+ seconds? ago|of [\d.]+ s\b|(?<=slider "Moment of the run": ).*|(?<=paragraph: )Bo (bumped|stands|drives).*|(?<=valuemax: )\d+\.\d/g
 
 const edge = (child: Child) => new TryHands(child).edgeOnRay('left', 'farFrom')
 
