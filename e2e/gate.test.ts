@@ -28,11 +28,17 @@ const specsIn = (folder: string) =>
   }))
 const specs = specsIn('gate')
 const steps = specsIn('steps')
-const tags = specs.flatMap(({ text }) => [...text.matchAll(/'@([\w-]+|\/[^']*)'/g)].map(([, tag]) => tag!))
+const tagsOf = (files: typeof specs) =>
+  files.flatMap(({ text }) => [...text.matchAll(/'@([\w-]+|\/[^']*)'/g)].map(([, tag]) => tag!))
+const tags = tagsOf(specs)
 const isPage = (tag: string) => tag.startsWith('/')
 
 test('the walk goes through the main path of every feature', () => {
   expect(unique(tags.filter((tag) => !isPage(tag)))).toEqual(unique(features))
+})
+
+test('steps go through every feature', () => {
+  expect(unique(tagsOf(steps))).toEqual(unique(features))
 })
 
 test('the walk goes through every page', () => {
