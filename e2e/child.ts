@@ -109,6 +109,12 @@ export class Child {
     await this.press(this.button(key, facts).first())
   }
 
+  /** Opens the hint. Its panel loads and takes the focus: it would shut a menu that is opened before. */
+  async asksHint() {
+    await this.presses('lab.hint')
+    await expect(this.page.getByRole('region', { name: this.word('lab.hint'), exact: true })).toBeFocused()
+  }
+
   /** The plus of the network that adds neurons to a layer. */
   plus(layer: 'addSensor' | 'addMotor' | 'addOutput'): Locator {
     return this.page

@@ -88,7 +88,7 @@ for (const language of languagesOf(import.meta.filename)) {
 
     test('finds everything again after a crash', async ({ child, page, context }) => {
       await child.opensLab('friendship')
-      await child.presses('lab.hint')
+      await child.asksHint()
       await child.typesWeight(leftEye, leftWheel, 0.35)
       await child.addsNeuron('addMotor')
       await expect(child.knobs).toHaveCount(6)

@@ -20,7 +20,7 @@ for (const language of languagesOf(import.meta.filename)) {
     test('a saved file opens as it was, from the lab and from home', async ({ child }) => {
       await child.opensLab('friendship')
       await child.typesWeight(leftEye, leftWheel, 0.45)
-      await child.presses('lab.hint')
+      await child.asksHint()
       await child.addsNeuron('addMotor')
       await expect(child.knobs).toHaveCount(6)
       await child.seesSaved()
