@@ -1,4 +1,3 @@
-import { announce } from './channel.ts'
 import { tried, storageErrorIn, writing, type Thrown, type StorageError, type Writing } from './database.ts'
 import { freshId } from './projects.ts'
 import {
@@ -36,7 +35,7 @@ type Moved = { readonly kind: 'moved'; readonly id: string } | { readonly kind: 
 
 /** Puts a project into the bin, as whoever saved last has left it, damaged or not. Both happen, or neither. */
 export async function throwAway(id: string): Promise<Moved> {
-  const moved = await tried<Moved>(async (transaction) => {
+  return tried<Moved>(async (transaction) => {
     const found = await getProject(transaction, id)
     if (!found) return { kind: 'gone' }
     const now = Date.now()
@@ -47,8 +46,6 @@ export async function throwAway(id: string): Promise<Moved> {
     await noteThrown(transaction, id)
     return { kind: 'moved', id: thrown.id }
   })
-  if (moved.kind === 'moved') announce({ kind: 'gone', id })
-  return moved
 }
 
 /** What a class has, or is about to get, is thrown away there too. */
@@ -63,7 +60,7 @@ async function noteThrown(transaction: Writing, id: string): Promise<void> {
 /** Takes a project out of the bin. It gets its old key, or a new one where something else has that now. */
 export async function takeBack(id: string): Promise<Moved> {
   const revision = firstRevision()
-  const moved = await tried<Moved>(async (transaction) => {
+  return tried<Moved>(async (transaction) => {
     const found = await transaction.objectStore('bin').get(id)
     if (!found) return { kind: 'gone' }
     const was = typeof found.was === 'string' && found.was !== '' ? found.was : 'free'
@@ -74,8 +71,6 @@ export async function takeBack(id: string): Promise<Moved> {
     await transaction.objectStore('bin').delete(id)
     return { kind: 'moved', id: back }
   })
-  if (moved.kind === 'moved') announce({ kind: 'saved', id: moved.id, revision })
-  return moved
 }
 
 /** What lies in the bin. What has lain there for 30 days of use is forgotten on the way. */

@@ -2,7 +2,12 @@ import { ownName } from './account.ts'
 
 /** What a tab tells the others about a project. */
 export type News =
-  | { readonly kind: 'saved'; readonly id: string; readonly revision: number; readonly name?: string }
+  | {
+      readonly kind: 'saved'
+      readonly id: string
+      readonly revision: number
+      readonly name?: string | undefined
+    }
   | { readonly kind: 'gone'; readonly id: string }
 
 type Message = News | { readonly kind: 'who' } | { readonly kind: 'open' | 'closed'; readonly id: string }

@@ -1,7 +1,6 @@
 // What is on its way to the class. Nothing has to be noted when a project is saved: whatever the device holds in another
 // revision than the class has to be sent, however the page ended.
 import type { Project } from '@botgarten/programs/project'
-import { announce } from './channel.ts'
 import {
   reading,
   storageErrorIn,
@@ -193,18 +192,16 @@ export async function isWanted(id: string, revision: number): Promise<boolean> {
 /** Puts a project of the class on the device, unless there is work here that the class does not have. */
 export async function takeIn(fromClass: FromClass): Promise<void> {
   const { id, savedAt, project } = fromClass
-  const taken = await tried(async (transaction) => {
+  await tried(async (transaction) => {
     const own = await savedRevision(transaction, id)
     const sync = (await transaction.objectStore('sync').get(id)) ?? unknown(id)
     const isOnItsWay = (await transaction.objectStore('outbox').getKey(id)) !== undefined
     const isLeft = isOnItsWay || sync.conflict !== undefined
-    if (isLeft || (own === null ? sync.thrown : own !== sync.synced)) return { kind: 'left' as const }
+    if (isLeft || (own === null ? sync.thrown : own !== sync.synced)) return
     const next = own === null ? firstRevision() : own + 1
     await putProject(transaction, { id, project, changed: savedAt, revision: next })
     await transaction.objectStore('sync').put(basedOn(sync, fromClass, next))
-    return { kind: 'taken' as const, revision: next }
   })
-  if (taken.kind === 'taken') announce({ kind: 'saved', id, revision: taken.revision })
 }
 
 /** Both are kept: this device's goes on, and the class's gets a place of its own. */
@@ -225,7 +222,7 @@ export async function goOnWithClass(
   copyOf: (own: Project) => Listed,
 ): Promise<StorageError | null> {
   const { id, savedAt, project } = fromClass
-  const taken = await tried(async (transaction) => {
+  return storageErrorIn(async (transaction) => {
     const own = await getProject(transaction, id)
     if (own) await putProject(transaction, { ...copyOf(own.project), revision: firstRevision() })
     const next = own ? own.revision + 1 : firstRevision()
@@ -233,21 +230,13 @@ export async function goOnWithClass(
     const sync = (await transaction.objectStore('sync').get(id)) ?? unknown(id)
     await transaction.objectStore('outbox').delete(id)
     await transaction.objectStore('sync').put(basedOn(sync, fromClass, next))
-    return { kind: 'taken' as const, revision: next }
   })
-  if (taken.kind !== 'taken') return taken.kind
-  announce({ kind: 'saved', id, revision: taken.revision })
-  return null
 }
 
 /** An older version comes back as the newest one: it is a change like any other. */
 export async function takeVersionBack(id: string, project: Project): Promise<StorageError | null> {
-  const taken = await tried(async (transaction) => {
+  return storageErrorIn(async (transaction) => {
     const revision = ((await savedRevision(transaction, id)) ?? firstRevision()) + 1
     await putProject(transaction, { id, project, changed: Date.now(), revision })
-    return { kind: 'taken' as const, revision }
   })
-  if (taken.kind !== 'taken') return taken.kind
-  announce({ kind: 'saved', id, revision: taken.revision })
-  return null
 }

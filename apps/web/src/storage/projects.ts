@@ -1,5 +1,4 @@
 import { refusalOf, type Project, type ProjectError } from '@botgarten/programs/project'
-import { announce } from './channel.ts'
 import { database, reading, tried, storageErrorIn, type Kept, type StorageError } from './database.ts'
 import {
   firstRevision,
@@ -99,7 +98,7 @@ export async function loadPicture(id: string, hash: string): Promise<Project['as
 export async function save(id: string, project: Project, basedOn: number): Promise<Saved> {
   const refusal = refusalOf(project)
   if (refusal) return { kind: 'tooMuch', refusal }
-  const saved = await tried(async (transaction): Promise<Saved> => {
+  return tried(async (transaction): Promise<Saved> => {
     const found = await savedRevision(transaction, id)
     if (basedOn > 0 && found === null) return { kind: 'gone' }
     if ((found ?? 0) !== basedOn) return { kind: 'newer' }
@@ -107,24 +106,20 @@ export async function save(id: string, project: Project, basedOn: number): Promi
     await putProject(transaction, { id, project, changed: Date.now(), revision })
     return { kind: 'saved', revision }
   })
-  if (saved.kind === 'saved') announce({ kind: 'saved', id, revision: saved.revision })
-  return saved
 }
 
 /** Gives a project another name and leaves the rest as whoever saved last has left it. */
 export async function rename(id: string, name: string): Promise<Saved> {
-  const saved = await tried(async (transaction): Promise<Saved> => {
+  return tried(async (transaction): Promise<Saved> => {
     const found = await getProject(transaction, id)
     if (!found) return { kind: 'gone' }
     const project = { ...found.project, name }
     const refusal = refusalOf(project)
     if (refusal) return { kind: 'tooMuch', refusal }
     const revision = found.revision + 1
-    await putProject(transaction, { ...found, project, revision })
+    await putProject(transaction, { ...found, project, revision }, name)
     return { kind: 'saved', revision }
   })
-  if (saved.kind === 'saved') announce({ kind: 'saved', id, revision: saved.revision, name })
-  return saved
 }
 
 /** Keeps projects under keys that are free. All of them, or none. */

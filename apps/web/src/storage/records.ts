@@ -1,4 +1,5 @@
 import { parseProject, ProjectError, type Project } from '@botgarten/programs/project'
+import { announce, type News } from './channel.ts'
 import type { Kept, ProjectRecord, Reading, Writing } from './database.ts'
 
 // A project and the records that it is made of. Everything that is read here may be damaged.
@@ -72,11 +73,20 @@ export async function savedRevision(transaction: Reading | Writing, id: string):
   return record ? revisionOf(record.revision) : null
 }
 
-/** Writes a project in its parts. Pictures that lie there already are not written again. */
+const announceAfter = (transaction: Writing, news: News) =>
+  transaction.addEventListener('complete', () => announce(news))
+
+/**
+ * Writes a project in its parts. Pictures that are there already are not written again. Every write is announced once its
+ * transaction has committed: other tabs follow it, and the outbox sends it to the class.
+ * @param name where the write changes nothing but this
+ */
 export async function putProject(
   transaction: Writing,
   { id, project, changed, revision }: Kept,
+  name?: string,
 ): Promise<void> {
+  announceAfter(transaction, { kind: 'saved', id, revision, name })
   const store = transaction.objectStore('pictures')
   if (!isObject(project) || !isObject(project.assets)) {
     await transaction.objectStore('projects').put({ id, project, changed, revision })
@@ -113,8 +123,9 @@ async function withPictures(
   return { id, project: { ...project, assets }, changed: momentOf(changed) }
 }
 
-/** Takes a project away with everything that is its own. */
+/** Deletes a project with everything that is its own, and announces it once the transaction has committed. */
 export async function deleteProject(transaction: Writing, id: string): Promise<void> {
+  announceAfter(transaction, { kind: 'gone', id })
   await transaction.objectStore('projects').delete(id)
   await transaction.objectStore('revisions').delete(id)
   await transaction.objectStore('pictures').delete(picturesOf(id))
