@@ -1,6 +1,6 @@
 import { expect, test } from 'vitest'
 import { content } from '@botgarten/content/files'
-import { variants, variantsOf } from './variant.ts'
+import { sampled, variants, variantsOf } from './variant.ts'
 
 const samples = ['0', '1', '2', '3']
 
@@ -16,6 +16,13 @@ test.each(content.cards.map(({ id }) => id))(
     expect(new Set(samples.flatMap((sample) => variantsOf(card, sample)))).toEqual(new Set(variants))
   },
 )
+
+test('the four samples of a list contain each of its items once, and without a sample it is whole', () => {
+  const ids = content.cards.map(({ id }) => id)
+  expect(samples.flatMap((sample) => sampled(ids, sample)).toSorted()).toEqual(ids.toSorted())
+  for (const sample of samples) expect(sampled(ids, sample).length).toBeGreaterThan(ids.length / 4 - 1)
+  expect(sampled(ids, undefined)).toEqual(ids)
+})
 
 test('each sample holds every variant', () => {
   for (const sample of samples) {

@@ -23,6 +23,16 @@ export function variantsOf(name: string, sample = process.env['BOTGARTEN_SAMPLE'
   return variants.filter((_, index) => isInSample(name, (index + Number(sample)) % PARTS))
 }
 
+/**
+ * The items of a list that a sample contains: every fourth one; all of them without a sample. The four samples together
+ * contain all.
+ */
+export const sampled = <Item>(
+  all: readonly Item[],
+  sample = process.env['BOTGARTEN_SAMPLE'],
+): readonly Item[] =>
+  sample === undefined ? all : all.filter((_, index) => index % PARTS === Number(sample))
+
 /** Settings of Playwright for a variant: a finger has a tablet. */
 export const settingsOf = ({ language, hand }: Variant) => ({
   ...{ language, hand },

@@ -11,7 +11,7 @@ import { inHouse } from './prepare/house.mjs'
 import { asScript, Trouble } from './prepare/run.mjs'
 
 /** The first red test in Playwright's output. */
-const redIn = (output: string) => /^ {2}1\) \[gate\] › (.+?)(?: @\S+)* *$/m.exec(output)?.[1] ?? 'the walk'
+const redIn = (output: string) => /^ {2}1\) \[gate\] › (.+?)(?: ─+)? *$/m.exec(output)?.[1] ?? 'the walk'
 
 /** Throws if the script ended by a signal or did not start: neither is a result. npm reports both as a status from 127 on. */
 function runNpm(cwd: string, args: readonly string[]) {

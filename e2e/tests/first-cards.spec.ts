@@ -6,7 +6,7 @@ import { Learner } from '../child-learning.ts'
 import { TimeHands } from '../child-time.ts'
 import type { Child } from '../child.ts'
 import { expect, test } from '../house.ts'
-import { languages } from '../words.ts'
+import { languagesOf } from '../words.ts'
 
 /** Most words in the strip of the task, and most presses, drags and typed numbers up to the first goal. */
 const most = { words: 40, actions: 4 }
@@ -51,7 +51,7 @@ async function corner(block: Locator) {
   return { x: x + 8, y: y + 12 }
 }
 
-for (const language of languages)
+for (const language of languagesOf(import.meta.filename))
   for (const [card, solves] of Object.entries(firstCards))
     test.describe(`${card} in ${language}`, () => {
       test.use({ language })

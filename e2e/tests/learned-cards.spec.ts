@@ -1,16 +1,16 @@
 // Rooms: training, content
-import { isLong } from '@botgarten/numbers/testing'
 import { practises } from '../child-practising.ts'
 import { tasks } from '../child-solving.ts'
 import { TimeHands } from '../child-time.ts'
 import { expect, test } from '../house.ts'
+import { sampled } from '../variant.ts'
 import { languagesOf } from '../words.ts'
 
 /** What a child does there: it finds wrong rows, takes mirror images too, helps where the network goes wrong, shows words, puts a hidden layer in. */
 const hands = ['four-wrong', 'only-left', 'help-bo', 'say-it', 'either-or-2']
 /** It shows places by hand, drives (training.spec.ts has both), stops in time, makes steps smaller. */
 const others = ['show-it', 'dodge', 'by-heart', 'too-fast', 'who-knows']
-const learned = isLong ? [...hands, ...others] : hands
+const learned = sampled([...hands, ...others])
 
 for (const language of languagesOf(import.meta.filename))
   test.describe(`cards that are learned from examples, in ${language}`, () => {

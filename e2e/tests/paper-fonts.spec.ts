@@ -6,6 +6,7 @@ import type { Page } from '@playwright/test'
 import { expect, test } from '../house.ts'
 import { smallInPlans, smallWords } from '../paper-words.ts'
 import { readOutside } from '../pdf.ts'
+import { languagesOf } from '../words.ts'
 
 /** What children read is set in this, in pt; what only the youngest read in the larger one. */
 const least = { pupils: 11, youngest: 12 }
@@ -39,8 +40,8 @@ const beginnings = (page: Page) =>
     .locator('.pack-cover tbody tr > :nth-child(3)')
     .evaluateAll((all) => all.map((one) => parseInt(one.textContent)))
 
-// In both languages: longer words make a page smaller, or a page more.
-for (const language of ['de', 'en'] as const)
+// One language in each sample: longer words make a page smaller, or a page more.
+for (const language of languagesOf(import.meta.filename))
   test.describe(`on paper, in ${language}`, () => {
     test.use({ language })
 
