@@ -12,6 +12,13 @@ test('the machine that serves hears how it is reached, and where things lie', as
   expect(await placeHere(answers(Response.json(place)))).toEqual(place)
 })
 
+test('the server is asked at the address that it answers', async () => {
+  const asked: string[] = []
+  await placeHere((path) => (asked.push(path), Promise.resolve(Response.json(place))))
+  // packages/server/server.ts answers there.
+  expect(asked).toEqual(['/here.json'])
+})
+
 test.each([
   ['another machine', answers(new Response(null, { status: 204 }))],
   ['a lab of files', answers(new Response('<html>', { status: 200 }))],

@@ -60,6 +60,14 @@ describe('the numbers of a sum', () => {
     expect(roundingOf(sumWith([[55.6, 0.8]]), true)).toEqual({ digits: 0, isExact: false })
   })
 
+  test('are not off before anything has run', () => {
+    const links = [{ id: 'left', colour: '#1F67B3', input: null, weight: 0.8 }]
+    expect(roundingOf({ terms: links, bias: 0, sum: null, would: false }, false)).toEqual({
+      digits: 0,
+      isExact: true,
+    })
+  })
+
   test('add up, or are not called equal, over random networks', () => {
     const input = fc.double({ min: -100, max: 100, noNaN: true })
     const weight = fc.double({ min: -5, max: 5, noNaN: true })
