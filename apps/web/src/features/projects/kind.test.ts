@@ -1,6 +1,7 @@
 import { expect, test } from 'vitest'
 import { allCards } from '#content/cards.ts'
-import { kindOf } from './kind.ts'
+import { icon } from '#parts/icons.ts'
+import { kindOf, kinds } from './kind.ts'
 
 const of = (card: string | undefined) => kindOf({ project: { card } } as Parameters<typeof kindOf>[0])
 
@@ -22,4 +23,13 @@ test('a project of the sorting playground is of that kind', () => {
 test('every card has the kind of its bed, and only cards with a network are called so', () => {
   for (const { id, bed } of allCards)
     expect(of(id) === 'network', id).toBe(bed === 'network' && of(id) !== 'trying')
+})
+
+test('a project with a card of its own is of that kind, whatever card it was made from', () => {
+  const project = { card: 'friendship', ownCard: {} }
+  expect(kindOf({ project } as unknown as Parameters<typeof kindOf>[0])).toBe('card')
+})
+
+test('every kind has an icon that is drawn', () => {
+  for (const [kind, look] of Object.entries(kinds)) expect(icon(look.icon), kind).toBeDefined()
 })

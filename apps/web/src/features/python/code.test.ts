@@ -84,6 +84,19 @@ describe('a gap in the program', () => {
     const told = code.file.notes.map(({ block, gap }) => [block, gap])
     expect(told).toContainEqual(['gap', true])
   })
+
+  test('leaves a program unfinished that also has blocks which the robot cannot obey', () => {
+    const project = solved('mars')
+    const main = project.programs['main']!
+    const [stack, ...others] = main.stacks
+    const blocks = [...stack!.blocks, { id: 'gap', type: 'robControls_if' }]
+    const { code } = codeOf({
+      ...project,
+      programs: { main: { ...main, stacks: [{ ...stack!, blocks }, ...others] } },
+    })
+    expect(code.missing).not.toEqual([])
+    expect(code.unfinished).toBe(true)
+  })
 })
 
 test('a block that the robot of the file cannot obey has a mark of the robot, which stops no run', () => {

@@ -50,3 +50,13 @@ test('the tour is offered once on a device: closed it does not come again', () =
   guide.close()
   expect([guide.move, readSetting('tour', null), new Guide().move]).toEqual([null, 'seen', null])
 })
+
+test('a part that is touched before the tour has begun reaches no move', () => {
+  const guide = new Guide()
+  guide.close()
+  guide.reach()
+  guide.go(0)
+  expect(guide.isReached).toBe(false)
+  guide.go(1)
+  expect(guide.isReached).toBe(false)
+})

@@ -23,6 +23,7 @@ const addresses = ['http://localhost:4173', 'https://192.168.1.5:4174', 'http://
 test('the sheet of the machine that serves leads others to plain http, where they do not need to trust yet', async () => {
   expect(await plainPlace(own, answering(JSON.stringify({ addresses })))).toBe('http://192.168.1.5:4173')
   expect(await plainPlace(own, answering(null, 204))).toBe(own.origin)
+  expect(await plainPlace(own, () => Promise.reject(new TypeError('fetch')))).toBe(own.origin)
   const inRoom = { hostname: '192.168.1.5', origin: 'http://192.168.1.5:4173' }
   expect(await plainPlace(inRoom, answering('never asked', 500))).toBe(inRoom.origin)
 })

@@ -1,6 +1,6 @@
 import { afterEach, expect, test, vi } from 'vitest'
 import { screen } from '#lab/testing/session.ts'
-import { holdStill, onNextFrame } from './clock.ts'
+import { budgetFor, holdStill, onNextFrame } from './clock.ts'
 
 afterEach(() => vi.unstubAllGlobals())
 
@@ -56,4 +56,11 @@ test('of many values the last one is shown with the next frame, a later one afte
   show(5)
   draw()
   expect(shown).toEqual([3, 4, 5])
+})
+
+test('after a late frame learning gets less of the next one', () => {
+  const frame = 1000 / 60
+  // All of it has to fit between two frames, with time left to draw.
+  expect(budgetFor(frame)).toBe(7)
+  expect(budgetFor(2 * frame)).toBe(4)
 })

@@ -54,6 +54,15 @@ describe('what Bo has learned is walked', () => {
     }
   })
 
+  test('on ice a ride that does not arrive ends after a hundred moves', () => {
+    // Without practice each state's first move leads west, where only slips lead away from the edge.
+    const course = courseOn(gridMap(['SFFF', 'FFFF', 'FFFF', 'FFFG'], { surefooted: 1 / 3 }))
+    for (const { states, end } of ridesOf(course, 1)) {
+      expect(end).toBe('tired')
+      expect(states).toHaveLength(1 + 100)
+    }
+  })
+
   test('two moves of the same worth are told, the first on the way', () => {
     const course = knows({ '3-2': 20, '3-5': 20, '2-1': 25, '5-0': 25, '0-1': 30 })
     expect(tieOn(course, [3, 2, 1])).toEqual({ station: 3, to: [2, 5] })

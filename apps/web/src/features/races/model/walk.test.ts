@@ -172,3 +172,9 @@ describe('Bo next to the child', () => {
     expect(walk.learned!.q).toEqual(q)
   })
 })
+
+test('a walk has begun once a door was taken', () => {
+  expect(walk.hasBegun).toBe(false)
+  walk.take(walk.doorsOf(walk.here.state)[0]!.action)
+  expect(walk.hasBegun).toBe(true)
+})
