@@ -2,6 +2,7 @@ import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest'
 import { level } from '#figures/network/level.svelte.ts'
 import { closeSessions, screen, sessionOf } from '#lab/testing/session.ts'
 import { freshDevice } from '#storage/testing/device.ts'
+import { friendship } from '#storage/testing/sample.ts'
 import { Inside } from './inside.svelte.ts'
 import { Field } from './model/field.svelte.ts'
 
@@ -40,6 +41,12 @@ function follows({ drives }: Inside, output = 'wheelLeft') {
   drawUntil(() => drives.own !== own)
   return leave
 }
+
+test('a program without a network has nothing inside', () => {
+  const { session } = sessionOf({ ...friendship, programs: {} })
+  const inside = new Inside(session)
+  expect([inside.net, inside.inputs, inside.outputs, inside.values]).toEqual([null, [], [], []])
+})
 
 test('inside the network are its inputs and outputs, and the page closes with the pale robot', () => {
   const { inside } = opened()

@@ -123,6 +123,9 @@ describe('checks', () => {
           expect(check!.numbers[name]).toBeGreaterThanOrEqual(asked[0])
           expect(check!.numbers[name]).toBeLessThanOrEqual(asked[1])
         }
+      // The child chooses the other check.
+      for (const [name, asked] of Object.entries(ownKinds[kind]!.asks))
+        if (asked === 'check') expect(check!.numbers[name]).toBe('')
       expect([kind, fitsWorld(maker.card, maker.world)]).toEqual([kind, true])
       maker.removeCheck(check!.id)
     }

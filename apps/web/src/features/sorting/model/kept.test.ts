@@ -53,6 +53,13 @@ describe('what a project keeps of the playground', () => {
     )
   })
 
+  test('a table without columns has no axes, one with a single column has one', () => {
+    const work = { ...workOfReadings([]), source: 'points', set: 'table' } as const
+    expect(withTable(work, fileTable([], [])).axes).toEqual([-1, -1])
+    expect(withTable(work, fileTable(['a'], [[1], [2]])).axes).toEqual([0, -1])
+    expect(withTable(work, fileTable(['a', 'b'], [[1, 2]])).axes).toEqual([0, 1])
+  })
+
   test('has a version, and comes back as it was', () => {
     const kept = whole()
     expect(kept.version).toBe(1)
