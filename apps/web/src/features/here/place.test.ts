@@ -12,7 +12,7 @@ test('the machine that serves hears how it is reached, and where things lie', as
   expect(await placeHere(answers(Response.json(place)))).toEqual(place)
 })
 
-test('the server is asked at the address that it answers', async () => {
+test('the page requests the address that the server answers', async () => {
   const asked: string[] = []
   await placeHere((path) => (asked.push(path), Promise.resolve(Response.json(place))))
   // packages/server/server.ts answers there.

@@ -61,7 +61,7 @@ test('a page that begins asks who is there, and lets the child in who says yes',
   expect([gate.question, gate.busy, through]).toEqual([null, false, 1])
 })
 
-test('in a tab where the child has been let in nothing is asked', async () => {
+test('in a tab where the child has answered before, no question appears', async () => {
   stayHere('p1')
   const gate = opens()
   expect([gate.question, through]).toEqual([null, 1])
