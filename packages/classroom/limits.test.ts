@@ -162,3 +162,11 @@ test('ten thousand pupils later the buckets of those who left are gone, and open
   ends[0]!()
   expect(refusal(() => limits.stream(fox))).toBeNull()
 })
+
+test('of an upload that was refused because its pupil sent too much, nothing counts for the class', () => {
+  for (let count = 0; count < 2; count++) limits.sent('fox', 5_000_000)
+  for (let count = 0; count < 11; count++)
+    expect(refusal(() => limits.upload(fox, 5_000_000))).toMatchObject({ code: 'tooMuchAtOnce' })
+  // All 40 MB of the class are left for others.
+  for (const pupil of many(8)) expect(refusal(() => limits.upload(pupil, 5_000_000))).toBeNull()
+})

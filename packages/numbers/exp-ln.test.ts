@@ -29,6 +29,10 @@ describe('rule 7: against mpmath (reference/make-exp-ln.py)', () => {
   ] as [string, (...of: readonly number[]) => number][])('%s is within 1 ulp', (name, found) => {
     expect(worst(name, found).error, JSON.stringify(worst(name, found).of)).toBeLessThanOrEqual(1)
   })
+
+  test('exp is within 0.54 ulp, the bound that Tang (1989) proves for its table of 32 powers', () => {
+    expect(worst('exp', exp).error).toBeLessThanOrEqual(0.54)
+  })
 })
 
 describe('at the ends', () => {

@@ -46,3 +46,8 @@ test('more groups are never worse', () => {
     expect(curve).toEqual(curve.toSorted((a, b) => b - a))
   }
 })
+
+test('a bend of log inertia by more than 0.4 is an elbow, and a smaller one is none', () => {
+  // ln 100 − 2 ln 20 + ln 8 = 0.69, and with 6.5 in place of 8 ln 1.625 = 0.49; ln 100 − 2 ln 20 + ln 5.8 = 0.37.
+  expect([8, 6.5, 5.8].map((last) => elbowOf([100, 20, last]))).toEqual([2, 2, null])
+})

@@ -64,6 +64,11 @@ describe('a way is learned', () => {
     expect(bestActions(tied, 3).map((action) => tied.world.names[action])).toEqual(['3-4', '3-5'])
   })
 
+  test('by the first of two equal roads, which is the one that is shown, also where the other one is shorter', () => {
+    const learner = knows(learnerOf(railway), { '3-4': [20, 1], '4-5': [20, 1], '3-5': [20, 1], '5-0': [20, 1], '0-1': [20, 1] }) // prettier-ignore
+    expect(learnedPath(learner)).toEqual({ states: [3, 4, 5, 0, 1], reason: 'found' })
+  })
+
   test('not where the only best road leads in a circle', () => {
     const learner = knows(learnerOf(railway), { '3-4': [20, 1], '4-3': [20, 1], '3-5': [19, 1], '5-0': [20, 1], '0-1': [20, 1] }) // prettier-ignore
     expect(learnedPath(learner)).toMatchObject({ states: null, reason: 'circle' })

@@ -43,6 +43,20 @@ describe('a pay', () => {
   })
 })
 
+test('a setting that costs is paid as its negative, and 0 costs nothing', () => {
+  const costly: Cage = { ...cage, mend: { rule: 0, least: 0, most: 2, step: 1, costs: true } }
+  // Actions 1-2 and 3-2 lead to the station with the rule.
+  const paid = [0, 1, 2].map((setting) => {
+    const { reward } = worldOf(costly, line, setting, 0.8)
+    return [reward[2], reward[5]]
+  })
+  expect(paid).toEqual([
+    [0, 0],
+    [-1, -1],
+    [-2, -2],
+  ])
+})
+
 test('a shop that pays again and again is worth more than a goal that pays once', () => {
   expect(provedOf(cage, line, 30)).toEqual({ aLot: 'never', aLittle: 'wish' })
   const world = worldOf(cage, line, 30, offered.aLot)

@@ -129,3 +129,11 @@ test('map and floor change places: the small one comes to the front, again and a
   }
   expect(seen).toEqual(['map', 'floor', 'map', 'floor'])
 })
+
+test('a way that is not drawn yet is drawn when Bo is started, and then Bo drives it', async () => {
+  const { session, drive, start } = learned()
+  expect(drive.drawFirst()).toBe(true)
+  await vi.waitFor(() => expect(start).toHaveBeenCalledTimes(1))
+  expect(session.lab.document.world.lines.length).toBeGreaterThan(0)
+  expect(drive.drawFirst()).toBe(false)
+})

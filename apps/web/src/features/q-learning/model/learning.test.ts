@@ -119,6 +119,18 @@ describe('playing', () => {
     expect(play(10)).toBe(0)
   })
 
+  test('ends a ride that is shown', () => {
+    const { playground } = ready()
+    playground.play()
+    draw(0)
+    playground.player.speed = Infinity
+    for (let frame = 0; frame < 100 && playground.state === 'playing'; frame += 1) draw(MOVE)
+    playground.walk()
+    expect(playground.watch.on).toBe(true)
+    playground.play()
+    expect(playground.watch.on).toBe(false)
+  })
+
   test('that is asked for again goes on as it is, and a pause of what does not play changes nothing', () => {
     const { playground, made } = ready()
     playground.pause()

@@ -1,4 +1,11 @@
-import { Course, gridMap, layOutWorld, type Settings, type Task } from '@botgarten/learning/q-learning'
+import {
+  Course,
+  gridMap,
+  layOutWorld,
+  type QMap,
+  type Settings,
+  type Task,
+} from '@botgarten/learning/q-learning'
 import { readFileSync } from 'node:fs'
 import { content } from '@botgarten/content/files'
 import { readMap } from '@botgarten/maps'
@@ -52,6 +59,19 @@ describe('what Bo has learned is walked', () => {
         expect(ends).toContain(to)
       }
     }
+  })
+
+  test('where moves may slip, a ride is stuck in a dead end and lost in a hole', () => {
+    const endsOf = (actions: QMap['actions'], terminals: readonly number[]) =>
+      ridesOf(courseOn({ map: { actions, terminals }, start: 0, goal: 3 }), 1).map(({ states, end }) => [
+        states,
+        end,
+      ])
+    const forked = [{ to: 1, slip: 0.5 }, { to: 2 }]
+    const [stuck, lost] = [endsOf([forked, [], [], []], []), endsOf([forked, [], [], []], [1, 2])]
+    expect(stuck).toHaveLength(RIDES)
+    for (const [states, end] of stuck) expect([String(states), end]).toEqual([expect.stringMatching(/^0,[12]$/), 'stuck']) // prettier-ignore
+    for (const [states, end] of lost) expect([String(states), end]).toEqual([expect.stringMatching(/^0,[12]$/), 'lost']) // prettier-ignore
   })
 
   test('on ice a ride that does not arrive ends after a hundred moves', () => {

@@ -184,3 +184,21 @@ test('times are seen by the server’s clock, not by that of this device', () =>
   // The state came a moment ago; a minute is far more than a slow machine takes for that.
   expect(Math.abs(live.at(Date.now()) - server.now)).toBeLessThan(60_000)
 })
+
+test.each([
+  [401, 'ended'],
+  [404, 'ended'],
+  [410, 'ended'],
+  [423, 'ended'],
+  [405, 'broken'],
+  [503, 'broken'],
+])('a server that answers %s when a silent class is checked: the page is %s', async (status, connection) => {
+  const refused = () => Promise.resolve(Response.json({ code: 'refused' }, { status }))
+  const other = new LiveClass(new ClassApi(refused), live.id, () => new StreamSource(new Promise(() => {})))
+  vi.stubGlobal('window', new EventTarget())
+  const end = other.watch()
+  window.dispatchEvent(new Event('online'))
+  await vi.waitFor(() => expect(other.connection).toBe(connection))
+  end()
+  vi.unstubAllGlobals()
+})
