@@ -1,14 +1,16 @@
-// `npm run check:sizes`: the JavaScript that a page may load and that a feature may add to it, as brotli on the wire.
-import { readFileSync } from 'node:fs'
+// `npm run check:sizes`: three budgets for a build: the scripts of the lab's first load, those of any other page's first load,
+// and the whole offline copy. A lazy part adds 100 kB at most, unless the door of its feature names a budget.
+import { existsSync, readFileSync, statSync } from 'node:fs'
 import { join } from 'node:path'
 import { scriptsFrom, scriptsOf, type Asks, type Manifest, type Script } from './page-scripts.ts'
 import { inHouse } from './prepare/house.mjs'
 
 export interface Size {
-  /** A page, or the lazy part of a feature: what it adds to its page. */
+  /** A page, the lazy part of a feature (what it adds to its page), or the offline copy. */
   readonly what: string
-  readonly scripts: readonly Script[]
-  /** Brotli bytes of all scripts, and how many there may be. */
+  /** Of a page or a part its scripts, of the offline copy all its files. */
+  readonly files: readonly Script[]
+  /** Bytes of all files as they are sent, with brotli where they are compressed. */
   readonly bytes: number
   readonly budget: number
 }
@@ -17,19 +19,20 @@ export interface Size {
 interface Feature {
   readonly id: string
   readonly route?: string
-  /** Files of messages that it says. */
-  readonly words: readonly string[]
-  readonly budget: { readonly page?: number; readonly part?: number }
+  /** Of its lazy part. */
+  readonly budget?: number
 }
 
 const web = inHouse('apps', 'web')
+const client = join(web, 'build', 'client')
 const kB = 1000
+/** Most bytes of scripts of a page's first load, of a lazy part whose door names no budget, and of all files of the offline copy. */
+const budgets = { lab: 450 * kB, page: 320 * kB, part: 100 * kB, offline: 3400 * kB }
 /** The language whose words are longest. */
 const language = 'de'
 
 const readJson = (...path: string[]) => JSON.parse(readFileSync(join(web, ...path), 'utf8')) as unknown
 
-const featureOf = (source: string) => /^src\/features\/([^/]+)\//.exec(source)?.[1]
 const wordsOf = (source: string) => /content:words\/(\w+)\/([\w-]+)$/.exec(source)
 /** Words that every page and the blocks say. */
 const wordsAtOnce = ['app', 'blockly']
@@ -43,15 +46,16 @@ const atOnce =
     return source === `content:card/${card}` || features.some((id) => source === `src/features/${id}/lazy.ts`)
   }
 
-/** Everything that the lab may ask for, but parts and words of pages of their own, other languages and cards. */
-const inLab =
-  (card: string, pages: readonly string[], wordsOfPages: ReadonlySet<string>): Asks =>
-  (source, { name = '' }) => {
-    const [, locale, file = ''] = wordsOf(source) ?? /^(?:words)-(\w+)$/.exec(name) ?? []
-    if (locale) return locale === language && !wordsOfPages.has(file)
-    if (source.startsWith('content:card/')) return source === `content:card/${card}`
-    return !pages.includes(featureOf(source) ?? '')
-  }
+/** Files that the service worker caches, as its list in the build names them; pages are not among them. */
+function offlineFiles(sizeOf: (file: string) => number): Script[] {
+  const worker = readFileSync(join(client, 'service-worker.js'), 'utf8')
+  const listed = [...worker.matchAll(/path:`([^`]+)`/g)].map(([, file]) => file!)
+  const ofTeachers = new Set([...worker.matchAll(/[^:]`(_app\/immutable\/[^`]+)`/g)].map(([, file]) => file!))
+  return listed
+    .filter((file) => !ofTeachers.has(file) && existsSync(join(client, file)))
+    .map((file) => ({ file, name: file, bytes: sizeOf(file) }))
+    .toSorted((a, b) => b.bytes - a.bytes)
+}
 
 /** Sizes of the present build. */
 export function measure(): Size[] {
@@ -59,57 +63,38 @@ export function measure(): Size[] {
   const features = readJson('build', 'prerendered', 'features.json') as Feature[]
   const htmlOf = (page: string) =>
     readFileSync(join(web, 'build', 'prerendered', `${page || 'index'}.html`), 'utf8')
-  const sizeOf = (file: string) => readFileSync(join(web, 'build', 'client', `${file}.br`)).length
-  const sized = (what: string, scripts: readonly Script[], budget: number): Size => {
-    return { what, scripts, bytes: scripts.reduce((sum, { bytes }) => sum + bytes, 0), budget }
+  const sizeOf = (file: string) => {
+    const packed = join(client, `${file}.br`)
+    return statSync(existsSync(packed) ? packed : join(client, file)).size
+  }
+  const sized = (what: string, files: readonly Script[], budget: number): Size => {
+    return { what, files, bytes: files.reduce((sum, { bytes }) => sum + bytes, 0), budget }
   }
   /** What `load` of a feature's door imports. */
   const lazyOf = (id: string) =>
-    Object.keys(manifest).filter((source) => new RegExp(`^src/features/${id}/[^/]+$`).test(source))
+    Object.keys(manifest).filter((source) =>
+      new RegExp(`^src/features/${id}/[^/]+\\.(ts|svelte)$`).test(source),
+    )
   const card = 'friendship'
-  const labOf = (asks: Asks) => scriptsOf(htmlOf(`lab/${card}`), manifest, sizeOf, asks)
-  const lab = labOf(atOnce(card, ['editor']))
-  const withPages = features.flatMap(({ id, route }) => (route === undefined ? [] : [id]))
-  // The blocks are in the first load; what learns by trying is measured by its own part.
-  const parts = features.filter(
-    ({ id, route }) => route === undefined && id !== 'editor' && id !== 'q-learning',
-  )
-  const labBudget = 450 * kB
-  const partsBudget = parts.reduce((sum, { budget }) => sum + (budget.part ?? 0), 0)
-  const said = (all: readonly Feature[]) => new Set(all.flatMap(({ words }) => words))
-  const inTheLab = said(features.filter(({ route }) => route === undefined))
-  const saidByPages = said(features.filter(({ route }) => route !== undefined))
-  const wordsOfPages = new Set([...saidByPages].filter((file) => !inTheLab.has(file)))
-  const pages = [
-    sized('lab', lab, labBudget),
-    sized(
-      'lab, all of it',
-      labOf(inLab(card, [...withPages, 'q-learning'], wordsOfPages)),
-      labBudget + partsBudget,
-    ),
-  ]
-  for (const { id, route, budget } of features) {
+  const lab = scriptsOf(htmlOf(`lab/${card}`), manifest, sizeOf, atOnce(card, ['editor']))
+  const sizes = [sized('lab', lab, budgets.lab), sized('offline copy', offlineFiles(sizeOf), budgets.offline)]
+  for (const { id, route, budget = budgets.part } of features) {
     const own = route === undefined ? [] : scriptsOf(htmlOf(route), manifest, sizeOf, atOnce(null, []))
     const there = new Set((route === undefined ? lab : own).map(({ file }) => file))
-    const part = scriptsFrom(lazyOf(id), manifest, sizeOf)
-    const added = part.filter(({ file }) => !there.has(file))
-    // A page whose `load` asks for its lazy part fetches it at once: both budgets are the page's then.
-    const isAtOnce = part.length > 0 && added.length === 0
-    const { page = 0, part: more = 0 } = budget
-    if (page) pages.push(sized(`page of ${id}`, own, page + (isAtOnce ? more : 0)))
-    if (more && !isAtOnce) pages.push(sized(`part of ${id}`, added, more))
+    const added = scriptsFrom(lazyOf(id), manifest, sizeOf).filter(({ file }) => !there.has(file))
+    if (route !== undefined) sizes.push(sized(`page of ${id}`, own, budgets.page))
+    if (added.length > 0) sizes.push(sized(`part of ${id}`, added, budget))
   }
-  return pages
+  return sizes
 }
 
 function report() {
-  for (const { what, scripts, bytes, budget } of measure()) {
-    const line = `${what}: ${(bytes / kB).toFixed(1)} of ${budget / kB} kB brotli JavaScript in ${scripts.length} files`
+  for (const { what, files, bytes, budget } of measure()) {
+    const line = `${what}: ${(bytes / kB).toFixed(1)} of ${budget / kB} kB in ${files.length} files`
     if (bytes <= budget) console.log(line)
     else {
       console.error(`${line}: too much. The largest:`)
-      for (const script of scripts.slice(0, 8))
-        console.error(`  ${(script.bytes / kB).toFixed(1)} kB ${script.name}`)
+      for (const file of files.slice(0, 8)) console.error(`  ${(file.bytes / kB).toFixed(1)} kB ${file.name}`)
       process.exitCode = 1
     }
   }

@@ -3,7 +3,7 @@ import type { Feature } from '#parts/feature.ts'
 type Door = { readonly [name: string]: unknown }
 
 const isFeature = (one: unknown): one is Feature =>
-  typeof one === 'object' && one !== null && 'id' in one && 'budget' in one
+  typeof one === 'object' && one !== null && 'id' in one && 'words' in one
 
 const doors = import.meta.glob<Door>('../features/*/feature.ts', { eager: true })
 

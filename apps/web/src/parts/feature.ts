@@ -13,8 +13,8 @@ export interface Feature {
   /** The page that shows it at once, without its first slash. */
   readonly route?: string
   readonly load?: () => Promise<unknown>
-  /** Most bytes of scripts (brotli): of its page in all, and what its lazy part may add to the page that asks for it. */
-  readonly budget: { readonly page?: number; readonly part?: number }
+  /** Most bytes of scripts (brotli) that its lazy part may add to the page that asks for it, where that is over 100 kB. */
+  readonly budget?: number
 }
 
 /** A feature with a part that comes when it is asked for. */

@@ -9,5 +9,4 @@ export const about = {
   id: 'about',
   words: ['about'],
   route: 'about',
-  budget: { page: 110_000 },
 } satisfies Feature

@@ -7,5 +7,4 @@ export const address = {
   id: 'address',
   words: ['address', 'projects'],
   load: () => import('./lazy.ts'),
-  budget: { part: 12_000 },
 } satisfies Feature

@@ -10,5 +10,4 @@ export const schoolClass = {
   words: ['class'],
   route: 'join',
   load: () => import('./lazy.ts'),
-  budget: { page: 95_000, part: 45_000 },
 } satisfies Feature

@@ -5,5 +5,4 @@ export const debug = {
   id: 'debug',
   words: ['debug'],
   load: () => import('./lazy.ts'),
-  budget: { part: 4_000 },
 } satisfies Feature

@@ -9,5 +9,4 @@ export const editor = {
   id: 'editor',
   words: [],
   load: () => import('./lazy.ts'),
-  budget: { part: 190_000 },
 } satisfies Feature

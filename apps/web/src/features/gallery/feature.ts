@@ -6,5 +6,4 @@ export const gallery = {
   words: ['gallery', 'shared', 'network'],
   route: 'gallery',
   load: () => import('./lazy.ts'),
-  budget: { page: 203_000, part: 40_000 },
 } satisfies Feature

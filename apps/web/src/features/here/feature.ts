@@ -7,5 +7,4 @@ export const here = {
   id: 'here',
   words: ['here'],
   route: 'here',
-  budget: { page: 112_000 },
 } satisfies Feature

@@ -8,5 +8,4 @@ export const home = {
   id: 'home',
   words: [],
   route: '',
-  budget: { page: 100_000 },
 } satisfies Feature

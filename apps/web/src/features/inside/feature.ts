@@ -5,5 +5,4 @@ export const inside = {
   id: 'inside',
   words: ['inside', 'network'],
   load: () => import('./lazy.ts'),
-  budget: { part: 16_000 },
 } satisfies Feature

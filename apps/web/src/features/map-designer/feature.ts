@@ -8,5 +8,4 @@ export const mapDesigner = {
   words: ['map-designer', 'blocks-q-learning'],
   route: 'maps',
   load: () => import('./lazy.ts'),
-  budget: { page: 150_000, part: 90_000 },
 } satisfies Feature

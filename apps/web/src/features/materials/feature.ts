@@ -19,5 +19,4 @@ export const materials = {
   words: ['materials', 'network', 'q-learning', 'sorting', 'worlds', 'reward-zoo'],
   route: 'materials',
   load: () => import('./lazy.ts'),
-  budget: { page: 253_000, part: 60_000 },
 } satisfies Feature

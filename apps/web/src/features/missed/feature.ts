@@ -5,5 +5,4 @@ export const missed = {
   id: 'missed',
   words: ['missed'],
   load: () => import('./MissedNote.svelte'),
-  budget: { part: 4_000 },
 } satisfies Feature

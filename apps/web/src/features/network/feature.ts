@@ -7,5 +7,4 @@ export { default as NetworkPlayground } from './NetworkPlayground.svelte'
 export const network = {
   id: 'network',
   words: ['network', 'blocks-network'],
-  budget: {},
 } satisfies Feature

@@ -7,5 +7,4 @@ export const openRoberta = {
   id: 'open-roberta',
   words: ['open-roberta'],
   load: () => import('./lazy.ts'),
-  budget: { part: 26_000 },
 } satisfies Feature

@@ -8,5 +8,4 @@ export const ownCards = {
   words: ['own-cards', 'own-card'],
   route: 'cards',
   load: () => import('./lazy.ts'),
-  budget: { page: 160_000, part: 90_000 },
 } satisfies Feature

@@ -15,5 +15,4 @@ export const projects = {
   id: 'projects',
   words: ['projects', 'files', 'open-roberta', 'share'],
   route: 'projects',
-  budget: { page: 250_000 },
 } satisfies Feature

@@ -7,5 +7,4 @@ export const qLearning = {
   id: 'q-learning',
   words: ['q-learning', 'blocks-q-learning', 'proof'],
   load: () => import('./lazy.ts'),
-  budget: { part: 68_000 },
 } satisfies Feature

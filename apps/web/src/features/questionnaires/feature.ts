@@ -10,5 +10,4 @@ export const questionnaires = {
   words: ['questionnaires'],
   route: 'questionnaires',
   load: () => import('./lazy.ts'),
-  budget: { page: 140_000, part: 60_000 },
 } satisfies Feature

@@ -8,5 +8,4 @@ export const races = {
   words: ['races', 'blocks-q-learning', 'worlds'],
   route: 'race',
   load: () => import('./lazy.ts'),
-  budget: { page: 235_000, part: 60_000 },
 } satisfies Feature

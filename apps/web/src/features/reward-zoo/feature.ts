@@ -8,5 +8,4 @@ export const rewardZoo = {
   words: ['reward-zoo'],
   route: 'zoo',
   load: () => import('./lazy.ts'),
-  budget: { page: 172_000, part: 130_000 },
 } satisfies Feature

@@ -7,5 +7,4 @@ export const robot = {
   id: 'robot',
   words: ['robot'],
   load: () => import('./lazy.ts'),
-  budget: { part: 14_000 },
 } satisfies Feature

@@ -7,5 +7,4 @@ export const robots = {
   id: 'robots',
   words: ['robots'],
   load: () => import('./lazy.ts'),
-  budget: { part: 5_000 },
 } satisfies Feature

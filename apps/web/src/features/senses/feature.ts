@@ -5,5 +5,4 @@ export const senses = {
   id: 'senses',
   words: ['senses', 'night', 'blocks-q-learning', 'proof'],
   load: () => import('./lazy.ts'),
-  budget: { part: 36_000 },
 } satisfies Feature

@@ -5,5 +5,4 @@ export const share = {
   id: 'share',
   words: ['share'],
   load: () => import('./ShareDialog.svelte'),
-  budget: { part: 15_000 },
 } satisfies Feature

@@ -9,5 +9,4 @@ export const sorting = {
   words: ['sorting', 'proof'],
   route: 'sorting',
   load: () => import('./lazy.ts'),
-  budget: { page: 120_000, part: 70_000 },
 } satisfies Feature

@@ -8,5 +8,4 @@ export const study = {
   words: ['study', 'blocks-q-learning'],
   route: 'study',
   load: () => import('./lazy.ts'),
-  budget: { page: 100_000, part: 60_000 },
 } satisfies Feature

@@ -14,5 +14,5 @@ export const teacher = {
   words: ['teacher', 'doctor', 'shared'],
   route: 'teacher',
   load: () => import('./lazy.ts'),
-  budget: { page: 160_000, part: 160_000 },
+  budget: 110_000,
 } satisfies Feature

@@ -7,5 +7,4 @@ export const tour = {
   id: 'tour',
   words: ['tour'],
   load: () => import('./Tour.svelte'),
-  budget: { part: 4_000 },
 } satisfies Feature

@@ -5,5 +5,4 @@ export const training = {
   id: 'training',
   words: ['training', 'network', 'proof'],
   load: () => import('./lazy.ts'),
-  budget: { part: 40_000 },
 } satisfies Feature

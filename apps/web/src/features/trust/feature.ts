@@ -7,5 +7,4 @@ export const trust = {
   id: 'trust',
   words: ['trust'],
   route: 'trust',
-  budget: { page: 98_000 },
 } satisfies Feature

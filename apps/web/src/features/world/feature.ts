@@ -9,5 +9,4 @@ export const world = {
   id: 'world',
   words: ['time', 'world-building', 'worlds', 'files'],
   load: () => import('./lazy.ts'),
-  budget: { part: 62_000 },
 } satisfies Feature
