@@ -1,5 +1,6 @@
-// The arrows of the house: numbers ← learning, simulation ← blocks ← programs ← lab, maps ← experiments ← content ← answers ← classroom ← server, apps; messages ← apps.
+// The arrows of the house: browsers, numbers ← learning, simulation ← blocks ← programs ← lab, maps ← experiments ← content ← answers ← classroom ← server, apps; messages ← apps.
 const rooms = [
+  'browsers',
   'numbers',
   'learning',
   'simulation',
@@ -16,6 +17,7 @@ const rooms = [
   'chromium',
 ]
 const mayKnow = {
+  browsers: [],
   numbers: [],
   messages: [],
   chromium: [],
@@ -25,7 +27,7 @@ const mayKnow = {
   programs: ['blocks', 'learning', 'simulation', 'numbers'],
   lab: ['programs', 'blocks', 'learning', 'simulation', 'numbers'],
   maps: ['programs', 'blocks', 'learning', 'simulation', 'numbers'],
-  experiments: ['lab', 'maps', 'programs', 'blocks', 'learning', 'simulation', 'numbers'],
+  experiments: ['lab', 'maps', 'programs', 'blocks', 'learning', 'simulation', 'numbers', 'browsers'],
   // Reads forms, and what was answered to them.
   answers: ['content', 'numbers'],
   // To check what is uploaded, to read forms and to count answers; nothing of the lab.

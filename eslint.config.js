@@ -2,6 +2,8 @@ import js from '@eslint/js'
 import svelte from 'eslint-plugin-svelte'
 import globals from 'globals'
 import ts from 'typescript-eslint'
+import { promised } from './packages/browsers/promised.ts'
+import { newerNames } from './scripts/browsers/support.mjs'
 
 // Their last bits differ between engines (running.md 7); packages/numbers has ours.
 const unequalMath =
@@ -23,6 +25,16 @@ const inStores = ['selectFrom', 'insertInto', 'updateTable', 'deleteFrom'].map((
 const ofContent = [`Literal[value=${contentFolders}]`, `TemplateElement[value.raw=${contentFolders}]`].map(
   (selector) => ({ selector, message: 'Ask for it at @botgarten/content.' }),
 )
+
+const plainHttp = [
+  { object: 'crypto', property: 'randomUUID', message: 'Pages over plain http have none: freshId.' },
+  { object: 'crypto', property: 'subtle', message: 'Pages over plain http have none.' },
+]
+
+// APIs that a promised browser lacks. Members of objects have no names that lint could know: the type checker refuses those of
+// JavaScript (`lib` in apps/web/tsconfig.json), `npm run check:browsers` those of the web.
+const newer = newerNames(promised)
+const lacking = 'A promised browser lacks it (packages/browsers).'
 
 // Rules that ask for types are in .oxlintrc.json: they take seconds there and minutes here.
 export default ts.config(
@@ -59,12 +71,18 @@ export default ts.config(
   { ignores: ['packages/content/**'], rules: { 'no-restricted-syntax': ['error', ...ofContent] } },
   {
     files: ['apps/web/src/**/*.{ts,svelte}'],
+    rules: { 'no-restricted-properties': ['error', ...plainHttp] },
+  },
+  {
+    files: ['apps/web/src/**/*.{ts,svelte}'],
+    ignores: ['**/*.test.ts', '**/testing/**'],
     rules: {
       'no-restricted-properties': [
         'error',
-        { object: 'crypto', property: 'randomUUID', message: 'Pages over plain http have none: freshId.' },
-        { object: 'crypto', property: 'subtle', message: 'Pages over plain http have none.' },
+        ...plainHttp,
+        ...newer.properties.map((one) => ({ ...one, message: lacking })),
       ],
+      'no-restricted-globals': ['error', ...newer.globals.map((name) => ({ name, message: lacking }))],
     },
   },
   {

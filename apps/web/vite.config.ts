@@ -1,6 +1,7 @@
 import adapter from '@sveltejs/adapter-node'
 import { sveltekit } from '@sveltejs/kit/vite'
 import { defineConfig } from 'vite'
+import { promised } from '@botgarten/browsers/promised'
 import { contentPlugin } from '@botgarten/content/vite'
 import { allOfPagesAtOnce, chunks, compiledAtOnce, filesOfTeachers, pagesOfModules } from './chunks.ts'
 import { examples } from './examples.ts'
@@ -49,7 +50,7 @@ export default defineConfig({
     }),
   ],
   build: {
-    target: 'es2022',
+    target: Object.entries(promised).map(([browser, version]) => `${browser}${version}`),
     // A picture in a script would be loaded by who never sees it. Things are many, small, and never come alone.
     assetsInlineLimit: (file, { length }) =>
       file.endsWith('.svg') ? /content[\\/](things|materials)[\\/]/.test(file) && length < large : undefined,

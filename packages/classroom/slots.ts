@@ -25,13 +25,15 @@ export class Slots {
     const line = this.lines.get(name) ?? { open: 0, waiting: [] }
     this.lines.set(name, line)
     if (line.waiting.length >= this.mostWaiting) throw new Refusal(429, 'tooManyExports', { seconds: 10 })
-    const { promise: entered, resolve } = Promise.withResolvers<void>()
     let state: 'waiting' | 'open' | 'over' = 'waiting'
-    const start = () => {
-      line.open++
-      state = 'open'
-      resolve()
-    }
+    let start!: () => void
+    const entered = new Promise<void>((resolve) => {
+      start = () => {
+        line.open++
+        state = 'open'
+        resolve()
+      }
+    })
     const end = () => {
       if (state === 'over') return
       if (state === 'open') line.open--

@@ -1,3 +1,4 @@
+import { groupBy } from '@botgarten/browsers'
 import type { Line } from './log/code-book.ts'
 import type { Numbered } from './log/read.ts'
 
@@ -28,7 +29,7 @@ const pull = 1000
 
 /** One row a pseudonym, in order of pseudonyms. */
 export function tableOf(lines: readonly Numbered[]): readonly PupilRow[] {
-  const byChild = Map.groupBy(
+  const byChild = groupBy(
     lines.map(({ says }) => says),
     ({ pseudonym }) => pseudonym,
   )
@@ -36,7 +37,7 @@ export function tableOf(lines: readonly Numbered[]): readonly PupilRow[] {
 }
 
 function rowOf(own: readonly Line[]): PupilRow {
-  const sessions = [...Map.groupBy(own, ({ session }) => session).values()]
+  const sessions = [...groupBy(own, ({ session }) => session).values()]
   const count = (event: Line['event']) => own.filter((line) => line.event === event).length
   const places = own.filter((line) => line.event === 'open').map(({ place }) => place)
   const run = sessions[0]?.find(({ event }) => event === 'run')

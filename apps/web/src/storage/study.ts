@@ -1,3 +1,4 @@
+import { groupBy } from '@botgarten/browsers'
 import { readPlan, type StudyPlan } from '@botgarten/experiments/study'
 import { deleteDB, openDB, type DBSchema, type IDBPDatabase } from 'idb'
 import * as v from 'valibot'
@@ -163,7 +164,7 @@ export async function loggedHere(): Promise<
 > {
   await takeAside()
   const all = await (await database()).getAll('lines')
-  return [...Map.groupBy(all, ({ pseudonym }) => pseudonym)]
+  return [...groupBy(all, ({ pseudonym }) => pseudonym)]
     .map(([pseudonym, own]) => ({
       ...{ pseudonym, lines: own.length },
       sessions: new Set(own.map(({ session }) => session)).size,

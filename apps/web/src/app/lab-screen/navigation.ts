@@ -78,10 +78,10 @@ export function forgetStart({ project, damaged }: Opened): void {
   if (damaged) return
   const others = new URLSearchParams(page.url.search)
   others.delete('start')
-  const address = `/lab/[card]?${others.toString()}` as const
+  const rest = others.toString()
   const card = placeOf(project)
   void replaceState(
-    others.size > 0 ? resolve(address, { card }) : resolve('/lab/[card]', { card }),
+    rest === '' ? resolve('/lab/[card]', { card }) : resolve(`/lab/[card]?${rest}`, { card }),
     page.state,
   )
 }

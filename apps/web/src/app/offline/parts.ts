@@ -10,7 +10,8 @@ const base = () => new URL(resolve('/'), location.href)
 export function register(): void {
   if (dev) return
   navigator.serviceWorker
-    .register(new URL('service-worker.js', base()), { type: 'module' })
+    // The build makes one script without imports of it: as a module Firefox would run it since version 147 only.
+    .register(new URL('service-worker.js', base()))
     .catch((cause: unknown) => console.warn('The lab cannot be kept for times without a network.', cause))
 }
 

@@ -1,3 +1,4 @@
+import { parseUrl } from '@botgarten/browsers'
 import { isOwnMachine, type Place } from '#parts/page/address.ts'
 
 const noted = 'botgarten.stays'
@@ -24,8 +25,8 @@ type Fetch = (path: string) => Promise<Response>
 
 const originIn = (body: unknown): string | null => {
   const address = typeof body === 'object' && body !== null && 'address' in body ? body.address : null
-  return typeof address === 'string' && /^https?:\/\//.test(address) && URL.canParse(address)
-    ? new URL(address).origin
+  return typeof address === 'string' && /^https?:\/\//.test(address)
+    ? (parseUrl(address)?.origin ?? null)
     : null
 }
 

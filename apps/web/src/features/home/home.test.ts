@@ -1,6 +1,6 @@
 import type { Project } from '@botgarten/programs'
 import { describe, expect, test } from 'vitest'
-import { allCards } from '#content/cards.ts'
+import { allCards, loadGoals } from '#content/cards.ts'
 import type { Listed } from '#storage/projects.ts'
 import { friendship } from '#storage/testing/sample.ts'
 import { language } from '#words/language.svelte.ts'
@@ -78,10 +78,19 @@ describe('the chapters of a bed', () => {
 
 test('a tile shows the first sentence of what its card is about', () => {
   const goal = 'Bo has only one try. Give Bo more of them, until Bo drives the short way.'
-  expect(firstSentence(goal, 'en')).toBe('Bo has only one try.')
+  expect(firstSentence(goal)).toBe('Bo has only one try.')
   const german = 'Sperre die Strecke zwischen 2 und 3. Lass Bo dann lernen und fahren.'
-  expect(firstSentence(german, 'de')).toBe('Sperre die Strecke zwischen 2 und 3.')
-  expect(firstSentence('', 'en')).toBe('')
+  expect(firstSentence(german)).toBe('Sperre die Strecke zwischen 2 und 3.')
+  expect(firstSentence('')).toBe('')
+})
+
+test('the first sentence of each card is the one that Intl.Segmenter finds', async () => {
+  const all = Object.values(await loadGoals()).flatMap((goals) => Object.entries(goals ?? {}))
+  expect(all.length).toBeGreaterThan(60)
+  for (const [locale, goal] of all) {
+    const [first] = new Intl.Segmenter(locale, { granularity: 'sentence' }).segment(goal)
+    expect(firstSentence(goal)).toBe(first!.segment.trim())
+  }
 })
 
 describe('the cards of a bed', () => {

@@ -122,9 +122,9 @@ function levelOf(card: string, kept: readonly Listed[]): Level {
   return { passed: new Set(solved).size, of }
 }
 
-/** The first sentence of a text: a tile has room for one. */
-export const firstSentence = (text: string, locale: string): string =>
-  [...new Intl.Segmenter(locale, { granularity: 'sentence' }).segment(text)][0]?.segment.trim() ?? ''
+/** The first sentence of a text: a tile has room for one. `Intl.Segmenter` would be newer than Firefox 115. */
+export const firstSentence = (text: string): string =>
+  /^.*?[.!?…。！？]["'“”»«)]*(?=\s|$|(?<=[。！？]))/su.exec(text.trim())?.[0] ?? text.trim()
 
 /** The cards of one bed, what they are about, and how far each has been solved on this device. */
 export const bedOf = (bed: Playground, kept: readonly Listed[], goals: Goals): BedCard[] =>
@@ -134,7 +134,7 @@ export const bedOf = (bed: Playground, kept: readonly Listed[], goals: Goals): B
       href: resolve('/lab/[card]', { card: id }),
       number: bed === 'network' ? code.replace(/^\D+/, '') : '',
       label: titleOf(id),
-      goal: firstSentence(goals[id]?.[language.locale] ?? goals[id]?.['en'] ?? '', language.locale),
+      goal: firstSentence(goals[id]?.[language.locale] ?? goals[id]?.['en'] ?? ''),
       picture: pictureOf(id),
       group: group ?? null,
       chapter: chapter ?? null,

@@ -8,11 +8,9 @@ afterEach(() => vi.useRealTimers())
 function placeThatNotes() {
   const told: (string | null)[] = []
   const place = {
-    get ariaBusy() {
-      return told.at(-1) ?? null
-    },
-    set ariaBusy(busy: string | null) {
-      told.push(busy)
+    getAttribute: () => told.at(-1) ?? null,
+    setAttribute(name: string, busy: string) {
+      if (name === 'aria-busy') told.push(busy)
     },
   }
   return { told, place: place as unknown as Element }

@@ -24,14 +24,15 @@ export class Waiting {
   /** The element that says by `aria-busy` whether everything is there. */
   mark = (place: Element): (() => void) => {
     this.#places.add(place)
-    place.ariaBusy = 'true'
+    place.setAttribute('aria-busy', 'true')
     setTimeout(() => this.#tell(this.#count > 0), calm)
     return () => this.#places.delete(place)
   }
 
   /** An attribute that is set is news to who observes it, even where it stays the same. */
   #tell(busy: boolean): void {
-    for (const place of this.#places) if (place.ariaBusy !== String(busy)) place.ariaBusy = String(busy)
+    for (const place of this.#places)
+      if (place.getAttribute('aria-busy') !== String(busy)) place.setAttribute('aria-busy', String(busy))
   }
 }
 

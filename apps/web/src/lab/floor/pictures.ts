@@ -1,3 +1,4 @@
+import { fromBase64 } from '@botgarten/browsers'
 import { pixelsAddress } from '#content/cards.ts'
 import type { Project } from '@botgarten/programs'
 import type { Picture, World } from '@botgarten/simulation'
@@ -32,7 +33,7 @@ export async function pictureIn(
 ): Promise<Picture | null> {
   if (own) {
     const { readPng } = await import('@botgarten/simulation/png')
-    return readPng(Uint8Array.fromBase64(own.base64))
+    return readPng(fromBase64(own.base64))
   }
   const address = pixelsAddress(world)
   return address === null ? null : unpack(await pixelsAt(address))

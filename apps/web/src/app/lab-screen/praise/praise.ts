@@ -92,9 +92,9 @@ function outcomeOf(
   const [stops] = check(mainOf(program), world.robots[0]!.config).filter((finding) => finding.stops)
   const unfit = stops ? `does not fit: ${stops.problem}` : null
   const results = (unfit === null ? data.starts : []).flatMap((_, start) =>
-    learnedIn(cardDocument(world, data, program, start))
-      .map((document) => run(card, moved(document, by), seconds))
-      .toArray(),
+    Array.from(learnedIn(cardDocument(world, data, program, start)), (document) =>
+      run(card, moved(document, by), seconds),
+    ),
   )
   const green = new Map(
     data.checks.flatMap(({ id }): [string, number][] => {

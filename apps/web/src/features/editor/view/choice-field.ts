@@ -112,7 +112,7 @@ function dotted(label: string, colour: string): HTMLElement {
   const element = document.createElement('span')
   element.className = 'editor-dotted'
   element.style.setProperty('--dot', colour)
-  element.ariaLabel = label
+  element.setAttribute('aria-label', label)
   element.textContent = label
   return element
 }

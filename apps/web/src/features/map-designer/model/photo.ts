@@ -1,3 +1,4 @@
+import { toBase64 } from '@botgarten/browsers'
 import { mostOfMap, paper } from '@botgarten/programs'
 import { readPictureHead } from '#parts/picture-file.ts'
 
@@ -59,7 +60,7 @@ async function asJpeg(
     const [wide, high] = [size.width * scale, size.height * scale]
     pen.drawImage(picture, (canvas.width - wide) / 2, (canvas.height - high) / 2, wide, high)
     const blob = await new Promise<Blob | null>((done) => canvas.toBlob(done, 'image/jpeg', quality))
-    const photo = blob?.type === 'image/jpeg' ? new Uint8Array(await blob.arrayBuffer()).toBase64() : ''
+    const photo = blob?.type === 'image/jpeg' ? toBase64(new Uint8Array(await blob.arrayBuffer())) : ''
     if (photo !== '' && photo.length <= mostOfMap.photo) return { photo }
   }
   return { problem: 'heavy' }

@@ -1,3 +1,4 @@
+import { groupBy } from '@botgarten/browsers'
 import materials from 'content:items'
 import {
   atGrade,
@@ -31,7 +32,7 @@ const fixedPacks = materials.packs
 
 /** Plans of the double lessons, by the id of their pack: `double-a`. */
 const doubles = (): ReadonlyMap<string, readonly Item[]> =>
-  Map.groupBy(
+  groupBy(
     allItems.filter(({ plan }) => plan?.double),
     ({ plan }) => `double-${plan!.double!.name.toLowerCase()}`,
   )

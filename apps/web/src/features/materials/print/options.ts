@@ -1,3 +1,5 @@
+import { parseUrl } from '@botgarten/browsers'
+
 /** Over which edge of the paper a printer turns it for the other side. */
 export type Turn = 'short' | 'long'
 
@@ -47,7 +49,7 @@ export function optionsIn(search: Pick<URLSearchParams, 'get'>, here: string): P
 
 function addressIn(asked: string | null, here: string): string | null {
   if (asked === '') return null
-  const url = URL.parse(asked ?? here)
+  const url = parseUrl(asked ?? here)
   if (url === null || !/^https?:$/.test(url.protocol)) return null
   return url.href.endsWith('/') ? url.href : `${url.href}/`
 }

@@ -1,3 +1,4 @@
+import { groupBy } from '@botgarten/browsers'
 import type { Course, Episode } from '@botgarten/learning/q-learning'
 import { sectionsOf } from '@botgarten/maps'
 import { ownText, type LearnedRun, type LearningOutline, type Pay } from '@botgarten/programs'
@@ -65,7 +66,7 @@ export interface RunsOfTask {
 /** Groups runs by task, a table each: runs on another map cannot be compared. */
 export function byTask(runs: readonly LearnedRun[]): readonly RunsOfTask[] {
   const rows = runs.map((run, index) => ({ run, row: index + 1 }))
-  const tasks = Map.groupBy(rows, ({ run: { map, start, goal, closed } }) =>
+  const tasks = groupBy(rows, ({ run: { map, start, goal, closed } }) =>
     JSON.stringify([map, start, goal, closed]),
   )
   return [...tasks.values()].map((rows) => ({ first: rows[0]!.run, rows }))

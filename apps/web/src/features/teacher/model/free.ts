@@ -1,3 +1,4 @@
+import { groupBy } from '@botgarten/browsers'
 import type { CardHead } from '@botgarten/content/catalogue'
 
 type Head = Pick<CardHead, 'id' | 'bed'>
@@ -14,7 +15,7 @@ interface FreeBed {
  * @param free ids of the cards that are free; null: all of them
  */
 export function bedsOf(cards: readonly Head[], free: readonly string[] | null): readonly FreeBed[] {
-  const beds = Map.groupBy(cards, ({ bed }) => bed)
+  const beds = groupBy(cards, ({ bed }) => bed)
   return [...beds].map(([bed, of]) => {
     const ids = of.map(({ id }) => id)
     return { bed, cards: ids, free: ids.filter((id) => !free || free.includes(id)).length }

@@ -1,3 +1,4 @@
+import { toBase64 } from '@botgarten/browsers'
 import { sha256, writeProject, type Project } from '@botgarten/programs'
 import type { Picture } from '@botgarten/simulation'
 import { readPng } from '@botgarten/simulation/png'
@@ -51,7 +52,7 @@ async function smallEnough(bitmap: ImageBitmap, project: Project): Promise<Floor
   const rest = writeProject({ ...project, assets: {} }).length + 1000
   for (const box of BOXES) {
     const png = await redrawn(bitmap, box)
-    const base64 = png.toBase64()
+    const base64 = toBase64(png)
     if (base64.length + rest > MOST_PROJECT) continue
     const asset = sha256(png)
     return { asset, assets: { [asset]: { type: 'image/png', base64 } }, picture: readPng(png) }
