@@ -9,7 +9,8 @@ import type { Room } from './rooms.ts'
 import { Warm } from './warm.ts'
 
 const generated = ['apps/web/.svelte-kit', 'apps/web/src/words/generated']
-const modules = ['node_modules', 'apps/web/node_modules', 'apps/cli/node_modules']
+// Tests of the server serve the built lab.
+const modules = ['node_modules', 'apps/web/node_modules', 'apps/cli/node_modules', 'apps/web/build']
 
 /** A copy of the tree as it is now, in which anything may be changed. Packages of others are linked, not copied. */
 export function copyTree(from: string): string {
