@@ -33,6 +33,10 @@ const web = 'apps/web/src'
 const more: { readonly [name: string]: Partial<Omit<Room, 'name'>> } = {
   'packages/classroom': { group: 'saved' },
   'packages/learning': { walking: ['packages/learning/learners.test.ts'] },
+  // These tests start the server in a process of its own, so that they do not import it.
+  'packages/server': {
+    walking: ['apps/cli/serve.test.ts', 'packages/server/stopping.test.ts', 'packages/server/nodes.test.ts'],
+  },
   'web/storage': {
     code: [`${web}/storage`, `${web}/lab/autosave.svelte.ts`],
     // The queue for the class server and the log of a study are tested together with their users.

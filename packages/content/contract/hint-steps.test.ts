@@ -118,6 +118,13 @@ describe('a step is not followed', () => {
     expect(due).toBe(0)
   })
 
+  it('by practice that was never started', () => {
+    const program = structuredClone(content.program('show-it', 'solution')!)
+    for (const brain of Object.values(program.brains)) delete (brain as { practice?: object }).practice
+    expect(hintDue([{ rounds: 1 }], program)).toBe(0)
+    expect(hintDue([{ rounds: 1 }], content.program('friendship', 'start')!)).toBe(0)
+  })
+
   it('by another road that is closed', () => {
     const other = structuredClone(content.card('railway')!.start)
     const text = JSON.stringify(content.program('railway', 'solution')).replaceAll('"FROM":"3"', '"FROM":"5"')

@@ -221,6 +221,20 @@ describe('hostile operations', () => {
     expect(v.is(sendingSchema, sending)).toBe(false)
   })
 
+  test.each<Operation>([
+    add(stop('new'), 'last'),
+    { kind: 'move', program, block: 'x', place: { x: 1, y: 1 } },
+    remove('x'),
+    field('x', '1'),
+    { kind: 'field', program, block: 'x', name: 'NUM', value: null },
+    { kind: 'part', program, block: 'x', name: 'flags', value: [] },
+    { kind: 'knob', path: ['net', 'weights', 'left', 'right'], value: 1 },
+    { kind: 'thing', path: ['obstacles', 'x'], value: null },
+    { kind: 'program', program, value: null },
+  ])('an operation of the kind $kind is accepted', (op) => {
+    expect(v.is(sendingSchema, { ops: [{ n: 1, base: 0, op }] })).toBe(true)
+  })
+
   test('an honest one is taken', () => {
     const ops = [{ n: 1, base: 0, op: add(stop('new'), 'last') }]
     expect(v.parse(sendingSchema, { ops })).toEqual({ ops })
