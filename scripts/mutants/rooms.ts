@@ -35,6 +35,7 @@ const more: { readonly [name: string]: Partial<Omit<Room, 'name'>> } = {
   'packages/learning': { walking: ['packages/learning/learners.test.ts'] },
   // These tests start the server in a process of its own, so that they do not import it.
   'packages/server': {
+    tests: ['packages/server', 'apps/cli'],
     walking: ['apps/cli/serve.test.ts', 'packages/server/stopping.test.ts', 'packages/server/nodes.test.ts'],
   },
   'web/storage': {

@@ -137,3 +137,12 @@ test('a way that is not drawn yet is drawn when Bo is started, and then Bo drive
   expect(session.lab.document.world.lines.length).toBeGreaterThan(0)
   expect(drive.drawFirst()).toBe(false)
 })
+
+test('a way that cannot be drawn is not drawn when Bo is started', () => {
+  const { session, way, start } = learned()
+  // It turns back at once.
+  const back = { ...way!, stations: [3, 4, 3, 2, 1] }
+  const drive = new Drive(session, { start } as unknown as LabUi, () => back)
+  expect(drive.drawFirst()).toBe(false)
+  expect(session.lab.document.world.lines).toEqual([])
+})
