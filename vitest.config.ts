@@ -1,4 +1,4 @@
-import { readFileSync } from 'node:fs'
+import { globSync, readFileSync } from 'node:fs'
 import { availableParallelism } from 'node:os'
 import { relative } from 'node:path'
 import { defineConfig } from 'vitest/config'
@@ -50,11 +50,20 @@ const shared = [
 ]
 const isShared = (file: string) => shared.some((name) => file.startsWith(`packages/${name}/`))
 const isWeb = (file: string) => file.startsWith('apps/web/')
+/** A module that a test replaces must not be loaded yet: another test file of the same process may have done that. */
+const mocking = globSync('src/**/*.test.ts', { cwd: `${import.meta.dirname}/apps/web` })
+  .map((file) => file.replaceAll('\\', '/'))
+  .filter((file) => readFileSync(`${import.meta.dirname}/apps/web/${file}`, 'utf8').includes('vi.mock('))
 /**
- * Tests of the web that need a process of their own, relative to its folder: they test a module that has not loaded anything
- * yet, or Blockly, which has one registry of blocks a process. All others share a process, which takes a quarter of the time.
+ * Tests of the web that need a process of their own, relative to its folder: they replace a module, test one that has not loaded
+ * anything yet, or Blockly, which has one registry of blocks a process. All others share a process, which takes a quarter of the time.
  */
-const alone = ['src/features/editor', 'src/features/materials/library.test.ts', 'src/words/language.test.ts']
+const alone = [
+  'src/features/editor',
+  'src/features/materials/library.test.ts',
+  'src/words/language.test.ts',
+  ...mocking.filter((file) => !file.endsWith('.effects.test.ts')),
+]
 const isAlone = (file: string) => alone.some((one) => file.startsWith(`apps/web/${one}`))
 const testsOf = (...folders: readonly string[]) => folders.map((folder) => `${folder}/**/*.test.ts`)
 

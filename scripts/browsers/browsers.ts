@@ -1,13 +1,14 @@
-// `npm run check:browsers`: fails if a script uses an API that a promised browser lacks, and if docs/browsers.md is out of
+// `npm run check:browsers`: fails if a script or a style uses an API that a promised browser lacks and no list names, and if docs/browsers.md is out of
 // date; with `-- --write` it writes the file.
 // It reads the scripts of components as svelte-check writes them for TypeScript.
-import { readFileSync, writeFileSync } from 'node:fs'
+import { globSync, readFileSync, writeFileSync } from 'node:fs'
 import { parseArgs } from 'node:util'
 import { format, resolveConfig } from 'prettier'
 import { promised } from '../../packages/browsers/promised.ts'
 import { inHouse } from '../prepare/house.mjs'
 import { asScript, npmAside, Trouble } from '../prepare/run.mjs'
 import { isOfInterest, pageOf, reportOf } from './report.ts'
+import { stylesIn } from './styles.ts'
 import { entryAt, table } from './support.mjs'
 import { Lookup, usesIn } from './uses.ts'
 
@@ -15,6 +16,11 @@ import { Lookup, usesIn } from './uses.ts'
 const rooms =
   /^(apps\/web\/(src|\.svelte-kit\/\.svelte-check\/svelte\/src)|packages\/(browsers|numbers|learning|simulation|blocks|programs|lab|maps|experiments|content|answers|messages))\//
 const elsewhere = /node_modules|\.test\.ts$|\/testing\/|\+server\.ts$|hooks\.server/
+
+const readList = (name: string) =>
+  JSON.parse(readFileSync(inHouse(`scripts/browsers/${name}.json`), 'utf8')) as {
+    readonly [name: string]: string
+  }
 
 await asScript(async () => {
   const { values } = parseArgs({ options: { write: { type: 'boolean', default: false } } })
@@ -26,17 +32,19 @@ await asScript(async () => {
     ...{ house: inHouse('.'), lookup },
     names: lookup.namesWhere((entry) => isOfInterest(entry, promised)),
   })
-  const handled = JSON.parse(readFileSync(inHouse('scripts/browsers/handled.json'), 'utf8')) as {
-    readonly [name: string]: string
-  }
-  const report = reportOf(uses, promised, handled)
+  const sheets = globSync('apps/web/src/**/*.{css,svelte}', { cwd: inHouse('.') }).map((file) => ({
+    ...{ file: file.replaceAll('\\', '/'), text: readFileSync(inHouse(file), 'utf8') },
+  }))
+  const report = reportOf([...uses, ...stylesIn(sheets)], promised, {
+    ...{ handled: readList('handled'), faults: readList('faults') },
+  })
   const file = inHouse('docs/browsers.md')
   const page = await format(pageOf(report, promised), { ...(await resolveConfig(file)), parser: 'markdown' })
   if (values.write) writeFileSync(file, page)
   for (const { name, missing, places } of report.lacking)
     console.error(`${name}: ${missing}. Used in ${places.join(', ')}`)
   for (const name of report.unused)
-    console.error(`${name} in handled.json is not used, or no browser lacks it.`)
+    console.error(`${name} in handled.json or faults.json is not used, or no browser lacks it.`)
   const isCurrent = readFileSync(file, 'utf8') === page
   if (!isCurrent)
     console.error('docs/browsers.md is not what the sources say: npm run check:browsers -- --write')

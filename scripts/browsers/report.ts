@@ -10,11 +10,13 @@ interface Row {
 }
 
 export interface Report {
-  /** APIs that a promised browser lacks and that are not handled. */
+  /** APIs that a promised browser lacks and that no list names. */
   readonly lacking: readonly (Row & { readonly missing: string })[]
   /** APIs that a promised browser lacks, each with the behaviour without it. */
   readonly handled: readonly (Row & { readonly instead: string })[]
-  /** Entries of `handled` that are not used, or that no promised browser lacks. */
+  /** APIs that a promised browser lacks and whose lack is a fault, each with the fault. */
+  readonly faults: readonly (Row & { readonly instead: string })[]
+  /** Entries of the lists that are not used, or that no promised browser lacks. */
   readonly unused: readonly string[]
   /** The newest APIs that all promised browsers have. */
   readonly newest: readonly Row[]
@@ -22,39 +24,54 @@ export interface Report {
 
 type Promised = { readonly [browser: string]: string }
 
+/** Lists by name of APIs that a promised browser lacks. */
+export interface Lists {
+  /** The behaviour of the lab without each of them. */
+  readonly handled: { readonly [name: string]: string }
+  /** The fault that a user sees without each of them. */
+  readonly faults: { readonly [name: string]: string }
+}
+
+function missingAt(path: string, promised: Promised) {
+  const missing = missingIn(entryAt(path)!, promised, path.startsWith('css.'))
+  // A value that is as old as its property is reported with the property.
+  const [, property] = /^(css\.properties\.[^.]+)\.[^.]+$/.exec(path) ?? []
+  const ofProperty = property === undefined ? [] : missingIn(entryAt(property)!, promised)
+  return missing.filter(
+    ({ browser, since }) => !ofProperty.some((one) => one.browser === browser && one.since === since),
+  )
+}
+
 /** The entry of a use with the fewest browsers that lack it. */
 function bestOf({ paths }: Use, promised: Promised) {
-  const entries = paths.map((path) => entryAt(path)!)
-  return entries
-    .map((entry) => ({ entry, missing: missingIn(entry, promised) }))
+  return paths
+    .map((path) => ({ entry: entryAt(path)!, missing: missingAt(path, promised) }))
     .toSorted((a, b) => a.missing.length - b.missing.length)[0]
 }
 
-/** @param handled by name, the behaviour of the lab without the API */
-export function reportOf(
-  uses: readonly Use[],
-  promised: Promised,
-  handled: { readonly [name: string]: string },
-): Report {
+export function reportOf(uses: readonly Use[], promised: Promised, { handled, faults }: Lists): Report {
   const known = uses.flatMap((use) => {
     const best = bestOf(use, promised)
     return best ? [{ ...best, name: use.name, places: use.places, versions: versionsOf(best.entry) }] : []
   })
   const rowOf = ({ name, versions, places }: Row): Row => ({ name, versions, places })
   const lacks = known.filter(({ missing }) => missing.length > 0)
+  const listed = (list: Lists['handled']) =>
+    lacks
+      .filter(({ name }) => Object.hasOwn(list, name))
+      .map((one) => ({ ...rowOf(one), instead: list[one.name]! }))
+  const named = [...Object.keys(handled), ...Object.keys(faults)]
   return {
     lacking: lacks
-      .filter(({ name }) => !Object.hasOwn(handled, name))
+      .filter(({ name }) => !named.includes(name))
       .map((one) => ({
         ...rowOf(one),
         missing: one.missing
           .map(({ browser, since }) => `${browser} ${since ? `before ${since}` : 'at all'}`)
           .join(', '),
       })),
-    handled: lacks
-      .filter(({ name }) => Object.hasOwn(handled, name))
-      .map((one) => ({ ...rowOf(one), instead: handled[one.name]! })),
-    unused: Object.keys(handled).filter((name) => !lacks.some((one) => one.name === name)),
+    ...{ handled: listed(handled), faults: listed(faults) },
+    unused: named.filter((name) => !lacks.some((one) => one.name === name)),
     newest: known.filter(({ missing, versions }) => missing.length === 0 && isNew(versions)).map(rowOf),
   }
 }
@@ -69,8 +86,15 @@ const isNew = (versions: readonly string[]) =>
 
 const cells = ({ name, versions }: Row) => `| \`${name}\` | ${versions.join(' | ')} |`
 
+const tableOf = (rows: Report['handled'], last: string) =>
+  [
+    `| API | Safari | Firefox | Chrome | ${last} |`,
+    '| --- | --- | --- | --- | --- |',
+    ...rows.map(({ name, versions, instead }) => `| \`${name}\` | ${versions.join(' | ')} | ${instead} |`),
+  ].join('\n')
+
 /** The report as a page of the docs. */
-export function pageOf({ handled, newest }: Report, promised: Promised): string {
+export function pageOf({ handled, faults, newest }: Report, promised: Promised): string {
   const names = { safari: 'Safari', firefox: 'Firefox', chrome: 'Chrome', edge: 'Edge' } as const
   const versions = Object.entries(promised).map(
     ([name, version]) => `${names[name as keyof typeof names]} ${version}`,
@@ -79,17 +103,19 @@ export function pageOf({ handled, newest }: Report, promised: Promised): string 
   return `# Browsers
 
 Our scripts are written for ${versions.join(', ')} and newer, Safari on an iPad too. The build, lint and this page take the
-versions from \`packages/browsers/promised.ts\`. Styles and libraries are not compared with them yet, and the oldest versions themselves
-have not been tried.
+versions from \`packages/browsers/promised.ts\`. Libraries are not compared with them, and the oldest versions themselves have not
+been tried.
 
-\`npm run check:browsers -- --write\` makes this page: TypeScript's checker finds the APIs that our own scripts use, and MDN's table of
-compatibility (\`@mdn/browser-compat-data\`) lists the versions that have them.
+\`npm run check:browsers -- --write\` makes this page: TypeScript's checker finds the APIs that our own scripts use, PostCSS the features of our
+styles, and MDN's table of compatibility (\`@mdn/browser-compat-data\`) lists the versions that have them.
+
+## Faults in promised browsers
+
+${tableOf(faults, 'fault without it')}
 
 ## Newer than promised
 
-| API | Safari | Firefox | Chrome | without it |
-| --- | --- | --- | --- | --- |
-${handled.map(({ name, versions, instead }) => `| \`${name}\` | ${versions.join(' | ')} | ${instead} |`).join('\n')}
+${tableOf(handled, 'without it')}
 
 ## The newest that all promised browsers have
 

@@ -24,9 +24,14 @@ function numberOf(version) {
   return major === undefined ? null : Number(major) * 1000 + Number(minor)
 }
 
-/** The first version that has it by its own name and without a setting; null: none. @param {any} support */
-function sinceOf(support) {
-  const plain = [support ?? []].flat().filter((one) => !one.flags && !one.prefix && !one.alternative_name)
+/**
+ * The first version that has it by its own name and without a setting; null: none.
+ * @param {any} support @param {boolean} prefixed a name with a prefix counts as well
+ */
+function sinceOf(support, prefixed = false) {
+  const plain = [support ?? []]
+    .flat()
+    .filter((one) => !one.flags && (prefixed || !one.prefix) && !one.alternative_name)
   // Newest first. An entry that ends where the one above it begins is the same API with a note, such as a part that it lacked.
   let since = null
   for (const { version_added: from, version_removed: to } of plain) {
@@ -41,21 +46,23 @@ const sameAs = { safari: ['safari', 'safari_ios'], firefox: ['firefox'], chrome:
 
 /**
  * Promised browsers that do not have it, and the version that does.
- * @param {Tree} entry @param {{ readonly [browser: string]: string }} promised @returns {readonly Missing[]}
+ * @param {Tree} entry @param {{ readonly [browser: string]: string }} promised
+ * @param {boolean} [prefixed] a name with a prefix counts as well: the build writes those of CSS
+ * @returns {readonly Missing[]}
  */
-export function missingIn(entry, promised) {
+export function missingIn(entry, promised, prefixed = false) {
   const support = entry['__compat']?.support
   if (!support) return []
   return Object.entries(promised).flatMap(([browser, oldest]) =>
     sameAs[/** @type {keyof typeof sameAs} */ (browser)].flatMap((name) => {
-      const since = sinceOf(support[name])
+      const since = sinceOf(support[name], prefixed)
       const isThere = since !== null && Number(numberOf(since)) <= Number(numberOf(oldest))
       return isThere ? [] : [{ browser: name, since }]
     }),
   )
 }
 
-/** Versions of an entry as a line: `Safari 16.4 · Firefox 115 · Chrome 111`. @param {Tree} entry */
+/** First versions of Safari, Firefox and Chrome, by its own name; a dash: none. @param {Tree} entry */
 export function versionsOf(entry) {
   const support = entry['__compat']?.support ?? {}
   return ['safari', 'firefox', 'chrome'].map((name) => sinceOf(support[name]) ?? '–')

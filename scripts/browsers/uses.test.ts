@@ -29,6 +29,7 @@ const scripts: readonly (readonly [script: string, lacking: string | null])[] = 
   ['export const mine = { groupBy: (a: string) => a }; mine.groupBy("a")', null],
   ['document.body.addEventListener("click", () => {})', null],
 ]
+const none = { handled: {}, faults: {} }
 const fileOf = (at: number) => `script${at}.ts`
 
 let uses: readonly Use[]
@@ -44,7 +45,7 @@ beforeAll(() => {
 test.each(scripts.map(([script, lacking], at) => [script, lacking, at] as const))(
   '%s: of its APIs a promised browser lacks %s',
   (_, lacking, at) => {
-    const found = reportOf(uses, promised, {}).lacking.filter(({ places }) => places.includes(fileOf(at)))
+    const found = reportOf(uses, promised, none).lacking.filter(({ places }) => places.includes(fileOf(at)))
     expect(found.map(({ name }) => name)).toEqual(lacking === null ? [] : [lacking])
   },
 )
@@ -52,15 +53,15 @@ test.each(scripts.map(([script, lacking], at) => [script, lacking, at] as const)
 test('an API says since when a browser has it, and in which files it is used', () => {
   const canParse = { name: 'URL.canParse', paths: ['api.URL.canParse_static'], places: [fileOf(2)] }
   expect(uses).toContainEqual(canParse)
-  const [row] = reportOf([canParse], promised, {}).lacking
+  const [row] = reportOf([canParse], promised, none).lacking
   expect(row!.missing).toBe('safari before 17, safari_ios before 17, chrome before 120, edge before 120')
 })
 
 test('what is handled is on the page with its reason, and a reason for what no browser lacks is reported', () => {
   const some = uses.filter(({ name }) => /requestIdleCallback|toSorted/.test(name))
   const report = reportOf(some, promised, {
-    requestIdleCallback: 'It comes later.',
-    'Set.union': 'Not used.',
+    handled: { requestIdleCallback: 'It comes later.' },
+    faults: { 'Set.union': 'Not used.' },
   })
   expect(report.lacking).toEqual([])
   expect(report.unused).toEqual(['Set.union'])
