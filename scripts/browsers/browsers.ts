@@ -1,6 +1,6 @@
-// `npm run check:browsers`: fails if a script or a style uses an API that a promised browser lacks and no list names, and if docs/browsers.md is out of
-// date; with `-- --write` it writes the file.
-// It reads the scripts of components as svelte-check writes them for TypeScript.
+// `npm run check:browsers`: fails if a script or a style uses an API that a promised browser lacks and no list names, and if
+// docs/browsers.md is out of date; with `-- --write` it writes the file. It reads the scripts of components as svelte-check
+// writes them for TypeScript.
 import { globSync, readFileSync, writeFileSync } from 'node:fs'
 import { parseArgs } from 'node:util'
 import { format, resolveConfig } from 'prettier'
@@ -46,7 +46,6 @@ await asScript(async () => {
   for (const name of report.unused)
     console.error(`${name} in handled.json or faults.json is not used, or no browser lacks it.`)
   const isCurrent = readFileSync(file, 'utf8') === page
-  if (!isCurrent)
-    console.error('docs/browsers.md is not what the sources say: npm run check:browsers -- --write')
+  if (!isCurrent) console.error('docs/browsers.md is out of date: npm run check:browsers -- --write')
   return report.lacking.length + report.unused.length === 0 && isCurrent ? 0 : 1
 })
