@@ -440,7 +440,9 @@ test('what will Bo do, step by step', { tag: '@materials' }, async ({ child, pag
   })
 })
 
-test('materials on paper, step by step', { tag: '@materials' }, async ({ child, page }) => {
+/** Hands for pages that are laid out as paper. */
+function paperHands(child: Child) {
+  const { page } = child
   const hands = new MaterialHands(child)
   /** Waits for the mark that a page sets when it is ready for print. */
   const prints = async (chooses: () => Promise<unknown>) => {
@@ -467,6 +469,11 @@ test('materials on paper, step by step', { tag: '@materials' }, async ({ child, 
     await expect.poll(asked).toBe(1)
   }
   const pack = (place: string, of: string) => prints(() => page.goto(`/materials/pack/${place}?${of}`))
+  return { hands, prints, follow, onPaper, pressesPrint, pack }
+}
+
+test('materials on paper, step by step', { tag: '@materials' }, async ({ child, page }) => {
+  const { prints, follow, onPaper, pressesPrint } = paperHands(child)
   await goesThrough(child, 'materials-paper', {
     async 'a card on paper'() {
       await onPaper('card/meet-bo')
@@ -504,8 +511,15 @@ test('materials on paper, step by step', { tag: '@materials' }, async ({ child, 
       await prints(() => page.goto('/materials/card/meet-bo?paper=a5&address='))
       await page.emulateMedia({ media: 'print' })
     },
+  })
+})
+
+test('packs on paper, step by step', { tag: '@materials' }, async ({ child, page }) => {
+  const { hands, prints, follow, pressesPrint, pack } = paperHands(child)
+  await goesThrough(child, 'materials-packs', {
     async 'a pack of a lesson'() {
-      await page.emulateMedia({ media: 'screen' })
+      await follows(child, 'home.materials')
+      await hands.seesDrawn()
       await pack('friendship-and-fear', 'children=2')
       await pressesPrint()
     },
