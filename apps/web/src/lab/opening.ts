@@ -7,6 +7,7 @@ import { cardProject } from '@botgarten/content/document'
 import { parseProject, salvageProject, type Project } from '@botgarten/programs'
 import { withWords } from '#words/message.ts'
 import { askForPixels, pictureIn } from './floor/pictures.ts'
+import { substituteFor } from './floor/substitute.ts'
 import { paintFloor, type Floor, type World } from '@botgarten/simulation'
 
 /** A project that is about to be shown. */
@@ -16,12 +17,13 @@ export interface Opened {
   readonly revision: number
   readonly project: Project
   readonly card: LoadedCard | null
+  /** A substitute where its picture cannot be read. */
   readonly floor: Floor
   readonly floorAddress: string | null
   /** Does its program hold more than the plain shelf? */
   readonly expert: boolean
   /** Message keys of what went wrong on the way; the lab stands all the same. */
-  readonly error: 'brokenHere' | 'partlyHere' | 'floorMissing' | null
+  readonly error: 'brokenHere' | 'partlyHere' | null
   /** What lies on the device and could not be read whole. */
   readonly damaged: { readonly name: string; readonly raw: unknown } | null
   /** Does this device keep anything at all? */
@@ -59,10 +61,10 @@ export async function openLab(name: string, projectId: string | null, packs: Pac
     revision: kept.revision,
     project,
     card: card ?? own,
-    floor: floor ?? paintFloor({ ...project.world, floor: { colour: '#FFFFFF' } }),
+    floor,
     floorAddress: pictureOf(project),
     expert,
-    error: kept.error ?? (floor ? null : 'floorMissing'),
+    error: kept.error,
     damaged: kept.damaged,
     keeps: kept.revision > 0 || (await keepsAnything()),
   }
@@ -79,11 +81,11 @@ async function ownCardIn(project: Project): Promise<LoadedCard | null> {
 const namesOf = ({ maps = {} }: Project) =>
   Object.fromEntries(Object.entries(maps).map(([id, { name }]) => [id, name]))
 
-/** The floor of a project that is only to be run, once its blocks are there; a blank one where its picture is missing. */
+/** The floor of a project that is only run, once its blocks are loaded; a substitute where its picture cannot be read. */
 export async function floorToRun(project: Project, packs: Packs): Promise<Floor> {
   knowOwnMaps(namesOf(project))
   const [floor] = await Promise.all([floorOf(project), packs.loadFor(project)])
-  return floor ?? paintFloor({ ...project.world, floor: { colour: '#FFFFFF' } })
+  return floor
 }
 
 /**
@@ -127,15 +129,16 @@ function pictureOf(project: Pick<Project, 'world' | 'assets'>): string | null {
   return asset ? `data:image/png;base64,${asset.base64}` : floorAddress(project.world)
 }
 
-async function floorOf(project: Project): Promise<Floor | null> {
+/** The floor of a project; a substitute where its picture cannot be read. */
+export async function floorOf(project: Pick<Project, 'world' | 'assets'>): Promise<Floor> {
   const world: World = project.world
   if (!('asset' in world.floor)) return paintFloor(world)
   try {
     const asset = assetOf(project)
     const picture = await pictureIn(world, asset)
-    return picture && paintFloor(world, picture)
+    if (picture) return paintFloor(world, picture)
   } catch (cause) {
     console.warn('The picture of the floor cannot be read.', cause)
-    return null
   }
+  return substituteFor(world)
 }

@@ -1,3 +1,5 @@
+import { printAlone } from '#parts/print-alone.ts'
+
 /** Prints a file with its line numbers and nothing else of the page. */
 export function printCode(name: string, text: string): void {
   const sheet = document.createElement('pre')
@@ -8,6 +10,11 @@ export function printCode(name: string, text: string): void {
     '\n',
   )
   document.body.append(sheet)
-  window.addEventListener('afterprint', () => sheet.remove(), { once: true })
+  const release = printAlone(sheet)
+  const after = () => {
+    release()
+    sheet.remove()
+  }
+  window.addEventListener('afterprint', after, { once: true })
   window.print()
 }

@@ -1,0 +1,31 @@
+// Runs before all other scripts, also in browsers that cannot run those: only the JavaScript of 2009 is used (lint).
+// older.ts puts it into every document, after the messages that it shows.
+;(function () {
+  function show(id) {
+    var box = document.getElementById(id)
+    box.hidden = false
+    box.getElementsByTagName('button')[0].onclick = function () {
+      box.hidden = true
+    }
+  }
+
+  /** Lookbehind came with Safari 16.4, toSorted with Firefox 115, color-mix with Chrome and Edge 111 (packages/browsers). */
+  function isOld() {
+    try {
+      new RegExp('(?<=a)b')
+    } catch (error) {
+      return true
+    }
+    return !Array.prototype.toSorted || !window.CSS || !CSS.supports('color', 'color-mix(in srgb, red, red)')
+  }
+
+  function failed() {
+    setTimeout(function () {
+      if (!document.getElementsByTagName('main').length) show('page-failed')
+    }, 3000)
+  }
+
+  if (isOld()) return show('browser-old')
+  window.addEventListener('error', failed)
+  window.addEventListener('unhandledrejection', failed)
+})()
