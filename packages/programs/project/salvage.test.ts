@@ -3,7 +3,8 @@ import { describe, expect, it } from 'vitest'
 import type { Block } from '@botgarten/blocks'
 import { project, sha256 } from '../testing/every-part.ts'
 import { pathsIn, replaced } from '../testing/paths.ts'
-import { parseProject, salvageProject, type Project } from '../index.ts'
+import { parseProject, type Project } from '../index.ts'
+import { salvageProject } from './salvage.ts'
 
 const fallback: Project = {
   ...project,

@@ -4,7 +4,7 @@ import { keepsAnything } from '#storage/database.ts'
 import { freshId, load } from '#storage/projects.ts'
 import { knowOwnMaps } from '@botgarten/blocks'
 import { cardProject } from '@botgarten/content/document'
-import { parseProject, salvageProject, type Project } from '@botgarten/programs'
+import { parseProject, type Project } from '@botgarten/programs'
 import { withWords } from '#words/message.ts'
 import { askForPixels, pictureIn } from './floor/pictures.ts'
 import { substituteFor } from './floor/substitute.ts'
@@ -47,7 +47,7 @@ export async function openLab(name: string, projectId: string | null, packs: Pac
   const card = name === 'free' ? null : await loadCard(name)
   if (name !== 'free' && !card) return null
   const fresh = card ? cardProject(card.world, card.card, card.start, card.card.id) : await loadFreeLab()
-  const kept = readKept(projectId ?? name, name, fresh, await stored)
+  const kept = await readKept(projectId ?? name, name, fresh, await stored)
   const project = kept.project ?? fresh
   const own = name === 'free' ? await ownCardIn(project) : null
   knowOwnMaps(namesOf(project))
@@ -92,13 +92,14 @@ export async function floorToRun(project: Project, packs: Packs): Promise<Floor>
  * A kept project is read as carefully as a stranger's file. One that is damaged or too much stays where it is, and what of
  * it can be opened becomes a project of its own.
  */
-function readKept(id: string, place: string, fresh: Project, kept: Awaited<ReturnType<typeof load>>) {
+async function readKept(id: string, place: string, fresh: Project, kept: Awaited<ReturnType<typeof load>>) {
   if (!kept) return { id, revision: 0, project: null, error: null, damaged: null }
   try {
     const project = parseProject(kept.project)
     return { id, revision: kept.revision, project, error: null, damaged: null }
   } catch (cause) {
     console.warn('A kept project cannot be read.', cause)
+    const { salvageProject } = await import('@botgarten/programs/salvage')
     const project = salvageProject(kept.project, fresh)?.project ?? null
     const name = project?.name || id
     return {

@@ -1,6 +1,7 @@
 import { goto } from '$app/navigation'
 import { resolve } from '$app/paths'
-import { parseProject, salvageProject, type Project } from '@botgarten/programs/project'
+import { parseProject, type Project } from '@botgarten/programs/project'
+import { salvageProject } from '@botgarten/programs/salvage'
 import { sortingProject } from '#content/new-project.ts'
 import type { LabSession } from '#lab/session.svelte.ts'
 import { moveOldSorting, oldSorting } from '#storage/old-sorting.ts'
