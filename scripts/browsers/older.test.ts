@@ -1,7 +1,9 @@
+import { readFileSync } from 'node:fs'
 import { runInNewContext } from 'node:vm'
 import { promised } from '@botgarten/browsers/promised'
 import { completeLanguages } from '@botgarten/messages/folder'
 import { expect, test } from 'vitest'
+import { inHouse } from '../prepare/house.mjs'
 import { entryAt, missingIn, versionsOf } from './support.mjs'
 import { olderHtml, script } from '../../apps/web/older.ts'
 
@@ -81,4 +83,12 @@ test('the document has a sentence for each case in every complete language, with
   for (const version of Object.values(promised)) expect(html).toContain(version)
   expect(html.replace(script, '')).not.toMatch(/[{}]/)
   expect(html).toMatch(/^<noscript>/)
+})
+
+test.each(['README.md', 'docs/running-a-class.md'])('%s names the promised versions', (file) => {
+  const { safari, firefox, chrome, edge } = promised
+  const text = readFileSync(inHouse(file), 'utf8').replaceAll(/\s+/g, ' ')
+  expect(text).toContain(
+    `Safari ${safari} (on an iPad too), Firefox ${firefox}, Chrome ${chrome} or Edge ${edge}, or a newer version`,
+  )
 })
