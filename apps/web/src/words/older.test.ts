@@ -3,9 +3,9 @@ import { runInNewContext } from 'node:vm'
 import { promised } from '@botgarten/browsers/promised'
 import { completeLanguages } from '@botgarten/messages/folder'
 import { expect, test } from 'vitest'
-import { inHouse } from '../prepare/house.mjs'
-import { entryAt, missingIn, versionsOf } from './support.mjs'
-import { olderHtml, script } from '../../apps/web/older.ts'
+import { inHouse } from '../../../../scripts/prepare/house.mjs'
+import { entryAt, missingIn, versionsOf } from '../../../../scripts/browsers/support.mjs'
+import { olderHtml, script } from '../../older.ts'
 
 /** The APIs that the script looks for, in MDN's table. */
 const probes = [
