@@ -18,7 +18,8 @@ export const script = readFileSync(join(import.meta.dirname, 'older.js'), 'utf8'
 export const scriptHash = `sha256-${createHash('sha256').update(script).digest('base64')}` as const
 
 const box = 'margin:0;padding:16px;background:#fffdf8;color:#22303c;font:18px/1.5 sans-serif'
-const button = 'min-height:44px;padding:0 16px;font:inherit'
+const button = 'min-height:44px;padding:0 16px;border:2px solid;border-radius:12px;font:inherit'
+const paragraph = 'margin:0 0 12px;max-width:60em'
 
 const escaped = (text: string) => text.replaceAll('&', '&amp;').replaceAll('<', '&lt;')
 
@@ -36,7 +37,9 @@ function textsOf(language: string, keys: readonly string[]): readonly string[] |
 const paragraphs = (keys: readonly string[]): string =>
   languagesIn()
     .map((language) => ({ language, texts: textsOf(language, keys) }))
-    .map(({ language, texts }) => (texts ? `<p lang="${language}">${texts.join(' ')}</p>` : ''))
+    .map(({ language, texts }) =>
+      texts ? `<p lang="${language}" style="${paragraph}">${texts.join(' ')}</p>` : '',
+    )
     .join('')
 
 const closing = () =>

@@ -14,7 +14,7 @@ test(
     for (const address of ['/', '/lab/friendship', '/no/such/page']) {
       await page.goto(address)
       for (const language of languages) {
-        // Searches by text leave out what is in a noscript element.
+        // Searches by text skip noscript elements.
         const text = page.locator(`noscript p[lang=${language}]`)
         await expect(text).toBeVisible()
         await expect.poll(() => text.textContent()).toBe(message(language, 'older.noScript'))

@@ -67,6 +67,8 @@ test('lint refuses static members and global names that a promised browser lacks
 
 test('APIs that a promised browser lacks are listed with their owners, for a page that is tried without them', () => {
   const lacked = lackedIn({ safari: '16.4', firefox: '115' }).map((one) => one.join(' '))
-  expect(lacked).toEqual(expect.arrayContaining(['Map groupBy false', 'URL parse true', ' CloseWatcher true']))
+  expect(lacked).toEqual(
+    expect.arrayContaining(['Map groupBy false', 'URL parse true', ' CloseWatcher true']),
+  )
   expect(lacked.filter((one) => /^Array toSorted|^Element click |^ Worker /.test(one))).toEqual([])
 })

@@ -79,7 +79,7 @@ test.each(['error', 'unhandledrejection'])('a page that never appears after an %
 
 test('the document has a sentence for each case in every complete language, with the promised versions', () => {
   const html = olderHtml()
-  for (const language of completeLanguages) expect(html.split(`<p lang="${language}">`)).toHaveLength(4)
+  for (const language of completeLanguages) expect(html.split(`<p lang="${language}"`)).toHaveLength(4)
   for (const version of Object.values(promised)) expect(html).toContain(version)
   expect(html.replace(script, '')).not.toMatch(/[{}]/)
   expect(html).toMatch(/^<noscript>/)
