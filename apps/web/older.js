@@ -1,8 +1,9 @@
 // Runs before all other scripts, also in browsers that cannot run those: only the JavaScript of 2009 is used (lint).
-// older.ts puts it into every document, after the messages that it shows.
+// older.ts puts it into every document, after the message that it shows.
 ;(function () {
-  function show(id) {
-    var box = document.getElementById(id)
+  var box = document.getElementById('older')
+
+  function show() {
     box.hidden = false
     box.getElementsByTagName('button')[0].onclick = function () {
       box.hidden = true
@@ -21,11 +22,11 @@
 
   function failed() {
     setTimeout(function () {
-      if (!document.getElementsByTagName('main').length) show('page-failed')
+      if (!document.getElementsByTagName('main').length) show()
     }, 3000)
   }
 
-  if (isOld()) return show('browser-old')
+  if (isOld()) return show()
   window.addEventListener('error', failed)
   window.addEventListener('unhandledrejection', failed)
 })()
