@@ -67,12 +67,6 @@ export default ts.config(
       '@typescript-eslint/no-unused-vars': ['error', { argsIgnorePattern: '^_', varsIgnorePattern: '^_' }],
     },
   },
-  {
-    // Browsers of every age run it.
-    files: ['apps/web/older.js'],
-    languageOptions: { ecmaVersion: 5, sourceType: 'script' },
-    rules: { 'no-var': 'off', '@typescript-eslint/no-unused-vars': ['error', { caughtErrors: 'none' }] },
-  },
   { files: ['**/*.svelte', '**/*.svelte.ts'], languageOptions: { parserOptions: { parser: ts.parser } } },
   { ignores: ['packages/content/**'], rules: { 'no-restricted-syntax': ['error', ...ofContent] } },
   {

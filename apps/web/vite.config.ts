@@ -5,7 +5,6 @@ import { promised } from '@botgarten/browsers/promised'
 import { contentPlugin } from '@botgarten/content/vite'
 import { allOfPagesAtOnce, chunks, compiledAtOnce, filesOfTeachers, pagesOfModules } from './chunks.ts'
 import { examples } from './examples.ts'
-import { olderHtml, scriptHash } from './older.ts'
 import { notices } from './notices.ts'
 import { webSpace } from './web-space.ts'
 import { words } from './words.ts'
@@ -17,7 +16,7 @@ const folder = process.env['BOTGARTEN_WEB_SPACE']
 const large = 50_000
 
 export default defineConfig({
-  define: { __WEB_SPACE__: JSON.stringify(folder !== undefined), __OLDER__: JSON.stringify(olderHtml()) },
+  define: { __WEB_SPACE__: JSON.stringify(folder !== undefined) },
   plugins: [
     contentPlugin,
     ...examples,
@@ -39,7 +38,7 @@ export default defineConfig({
         mode: 'hash',
         directives: {
           'default-src': ['self'],
-          'script-src': ['self', scriptHash],
+          'script-src': ['self'],
           'style-src': ['self', 'unsafe-inline'],
           'img-src': ['self', 'data:', 'blob:'],
           'connect-src': ['self'],

@@ -5,7 +5,6 @@ import { join } from 'node:path'
 import { filesIn, languagesIn, ownTableOf, tableOf, wordsFolder } from '@botgarten/messages/folder'
 import type { Table } from '@botgarten/messages'
 import type { Plugin } from 'vite'
-import { ofDocument } from './older.ts'
 
 /** Files that no screen says: only the command line does. */
 const ofCommands = 'cli'
@@ -23,7 +22,7 @@ export function isForTeachers(id: string): boolean {
 
 /** The files whose messages the screens say. */
 export const filesOfScreens = (folder = wordsFolder): readonly string[] =>
-  filesIn(folder).filter((file) => ![ofCommands, ofBlockly, ofDocument].includes(file))
+  filesIn(folder).filter((file) => file !== ofCommands && file !== ofBlockly)
 
 /**
  * `content:words`: the languages and the files of messages, each as a module of its own, `content:words/de/app`. A module

@@ -1,7 +1,6 @@
 import { mkdtempSync, readFileSync } from 'node:fs'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
-import { promised } from '../../packages/browsers/promised.ts'
 import { startServer } from '../../packages/server/index.ts'
 import { expect, follows, link, test, title } from './gate.ts'
 
@@ -22,7 +21,6 @@ test(
     await expect(title(page)).toHaveText(child.word('about.title'))
     const { version } = JSON.parse(readFileSync(web, 'utf8')) as { version: string }
     await expect(child.words('about.version', { version })).toBeVisible()
-    await expect(child.words('about.browsers', promised)).toBeVisible()
     await expect(page.getByRole('row').filter({ hasText: 'blockly' })).toContainText('Apache')
     await expect(link(child, 'about.teachers')).toHaveAttribute('href', '/teacher')
     await page.getByRole('link', { name: 'Apache License 2.0' }).click()

@@ -5,14 +5,10 @@ import { classOfTest } from '../class-server.ts'
 import { lendClass } from '../class-test.ts'
 import { expect, test as base } from '../house.ts'
 import type { MadeClass } from '../made-class.ts'
-import { becomesOldest } from '../oldest.ts'
 
 export { expect }
 
-/**
- * Every test of the gate has this server, so that a worker never starts another one, and the APIs of the oldest promised browsers.
- * `school`: an open class of its own.
- */
+/** Every test of the gate has this server, so that a worker never starts another one. `school`: an open class of its own. */
 export const test = base.extend<{ school: MadeClass }, { room: MadeClass }>({
   room: [
     // eslint-disable-next-line no-empty-pattern -- Playwright reads the names of the fixtures
@@ -24,10 +20,6 @@ export const test = base.extend<{ school: MadeClass }, { room: MadeClass }>({
     { scope: 'worker' },
   ],
   house: [({ room }, use) => use(room.url), { scope: 'worker' }],
-  context: async ({ context }, use) => {
-    await becomesOldest(context)
-    await use(context)
-  },
   school: ({ room, language }, use) => lendClass(room, language, use),
 })
 

@@ -40,7 +40,7 @@ test(
     await child.presses('inside.close')
     await expect(asker.panel).toHaveCount(0)
 
-    const drawing = () => child.painted.drawing(page.locator('.world > canvas:not(.back)'))
+    const drawing = () => child.painted.drawing(page.locator('.world > canvas'))
     await child.presses('lab.worldSettings')
     await page.getByRole('switch', { name: child.word('inside.field') }).check({ force: true })
     await child.types('Escape')

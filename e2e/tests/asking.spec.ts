@@ -78,7 +78,7 @@ for (const language of languagesOf(import.meta.filename))
     test('sees what Bo would do everywhere change while a knob is pulled', async ({ child, page }) => {
       await child.opensLab('friendship')
       await child.typesWeight(leftEye, leftWheel, 0.6)
-      const drawing = () => child.painted.drawing(page.locator('.world > canvas:not(.back)'))
+      const drawing = () => child.painted.drawing(page.locator('.world > canvas'))
       const bare = await drawing()
       await child.presses('lab.worldSettings')
       await page.getByRole('switch', { name: child.word('inside.field') }).setChecked(true, { force: true })

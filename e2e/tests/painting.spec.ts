@@ -24,7 +24,7 @@ async function labOn(browser: Browser, options: BrowserContextOptions, isWorker:
   return child
 }
 
-const panes = ['.world > canvas:not(.back)', '.stage canvas:not(.back)']
+const panes = ['.world > canvas', '.stage canvas:not(.back)']
 
 /** The share of pixels that differ clearly, and how many colours the first picture has. */
 function compare(page: Page, one: string, other: string) {
@@ -78,43 +78,13 @@ for (const { name, ...options } of screens)
     await Promise.all(labs.map((child) => child.page.context().close()))
   })
 
-test('the page paints until a late worker takes over, once', async ({ child, page }) => {
-  const held = Promise.withResolvers<undefined>()
-  await page.route(/workers\/worker[^/]*\.js$/, async (route) => {
-    await held.promise
-    await route.continue()
-  })
-  await child.opensLab('friendship')
-  const world = page.locator(panes[0]!)
-  const drawing = () => child.painted.drawing(world)
-  /** The page cannot draw on a canvas that it has given to a worker. */
-  const isOfPage = () =>
-    world.evaluate((canvas) => {
-      try {
-        return (canvas as HTMLCanvasElement).getContext('2d') !== null
-      } catch {
-        return false
-      }
-    })
-  const before = await drawing()
-  expect([await isOfPage(), before.length > 5000]).toEqual([true, true])
-  await child.typesWeight(leftEye, leftWheel, 0.6)
-  await child.pressesStart()
-  await expect.poll(drawing).not.toBe(before)
-  held.resolve(undefined)
-  await expect.poll(isOfPage).toBe(false)
-  await expect(page.locator('.world > canvas')).toHaveCount(1)
-  const later = await drawing()
-  await expect.poll(drawing).not.toBe(later)
-})
-
 test.describe('where the worker does not come', () => {
   test.use({ complaints: [/worker/i, /Failed to load resource/] })
 
   test('the page paints by itself', async ({ child, page }) => {
     await page.route(/worker[^/]*\.js$/, (route) => route.abort())
     await child.opensLab('friendship')
-    const colours = () => child.painted.drawing(page.locator(panes[0]!))
+    const colours = () => child.painted.drawing(page.locator('.world > canvas'))
     const before = await colours()
     expect(before.length).toBeGreaterThan(5000)
     await child.typesWeight(leftEye, leftWheel, 0.6)

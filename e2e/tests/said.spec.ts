@@ -76,5 +76,18 @@ for (const language of languagesOf(import.meta.filename)) {
       await expect.poll(display).toContain('Hurra')
       await expect(page.locator('pre').filter({ hasText: 'Hurra' })).toHaveCount(1)
     })
+
+    test.describe('when the picture of the floor does not come', () => {
+      test.use({ complaints: [/ERR_FAILED/] })
+
+      test('a card still runs', async ({ child, page }) => {
+        await page.route(/floor[^/]*\.png$|\.pixels$/, (route) => route.abort())
+        await child.opensLab('friendship')
+        await expect(child.words('session.floorMissing')).toBeVisible()
+        await child.typesWeight(leftEye, leftWheel, 0.8)
+        await child.pressesStart()
+        await child.seesDriving()
+      })
+    })
   })
 }

@@ -94,25 +94,3 @@ export function newerNames(promised) {
   const globals = [...Object.entries(api), ...Object.entries(builtins)].filter(([, entry]) => lacks(entry))
   return { properties, globals: globals.map(([name]) => name) }
 }
-
-/**
- * APIs that one of the promised browsers lacks, as `[owner, name, isStatic]`; a global one has the owner ''.
- * @param {{ readonly [browser: string]: string }} promised
- * @returns {readonly (readonly [owner: string, name: string, isStatic: boolean])[]}
- */
-export function lackedIn(promised) {
-  const lacks = (/** @type {Tree} */ entry) => missingIn(entry, promised).length > 0
-  return [table['api'], table['javascript'].builtins].flatMap((owners) =>
-    Object.entries(owners).flatMap(([owner, members]) => {
-      const names = Object.keys(members).filter((name) => name !== '__compat' && !name.endsWith('_event'))
-      return [
-        ...(lacks(members) ? [/** @type {const} */ (['', owner, true])] : []),
-        ...names
-          .filter((name) => lacks(members[name]))
-          .map(
-            (name) => /** @type {const} */ ([owner, name.replace(/_static$/, ''), name.endsWith('_static')]),
-          ),
-      ]
-    }),
-  )
-}

@@ -1,6 +1,6 @@
 import { describe, expect, test } from 'vitest'
 import { promised } from '../../packages/browsers/promised.ts'
-import { entryAt, lackedIn, missingIn, newerNames, versionsOf } from './support.mjs'
+import { entryAt, missingIn, newerNames, versionsOf } from './support.mjs'
 
 const missing = (path: string) =>
   missingIn(entryAt(path)!, promised).map(({ browser, since }) => `${browser} ${since}`)
@@ -63,12 +63,4 @@ test('lint refuses static members and global names that a promised browser lacks
   expect(names).not.toContain('URL.createObjectURL')
   expect(globals).toContain('Translator')
   expect(globals).not.toContain('URL')
-})
-
-test('APIs that a promised browser lacks are listed with their owners, for a page that is tried without them', () => {
-  const lacked = lackedIn({ safari: '16.4', firefox: '115' }).map((one) => one.join(' '))
-  expect(lacked).toEqual(
-    expect.arrayContaining(['Map groupBy false', 'URL parse true', ' CloseWatcher true']),
-  )
-  expect(lacked.filter((one) => /^Array toSorted|^Element click |^ Worker /.test(one))).toEqual([])
 })

@@ -3,8 +3,6 @@ import type { Merged } from '#storage/files.ts'
 declare global {
   /** Is this the build for a web space? */
   const __WEB_SPACE__: boolean
-  /** The HTML that a document shows without the scripts of the lab (older.ts). */
-  const __OLDER__: string
 
   namespace App {
     interface PageState {

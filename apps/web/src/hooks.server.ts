@@ -50,8 +50,7 @@ const withFontsLast = (html: string, links: string) =>
 export const handle: Handle = async ({ event, resolve }) => {
   const { card } = event.params
   const links = building && card ? await linksToCard(card, event.url) : ''
-  const transformPageChunk = ({ html }: { html: string }) =>
-    withFontsLast(html, links).replace('<!--older-->', __OLDER__)
+  const transformPageChunk = ({ html }: { html: string }) => withFontsLast(html, links)
   const response = await resolve(event, { preload, transformPageChunk })
   if (building || dev || !event.route.id || response.status !== 200) return response
   return new Response(response.body, { status: 404, headers: response.headers })

@@ -1,7 +1,6 @@
 import { readFileSync } from 'node:fs'
 import { describe, expect, it } from 'vitest'
-import { parseProject, refusalOf, writeProject, writeProjectFile } from '../index.ts'
-import { salvageProject } from './salvage.ts'
+import { parseProject, refusalOf, salvageProject, writeProject, writeProjectFile } from '../index.ts'
 import { project } from '../testing/every-part.ts'
 
 /** Written by Botgarten 0.1: tables lay in a part of their own. */

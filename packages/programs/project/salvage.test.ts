@@ -3,8 +3,7 @@ import { describe, expect, it } from 'vitest'
 import type { Block } from '@botgarten/blocks'
 import { project, sha256 } from '../testing/every-part.ts'
 import { pathsIn, replaced } from '../testing/paths.ts'
-import { parseProject, type Project } from '../index.ts'
-import { salvageProject } from './salvage.ts'
+import { parseProject, salvageProject, type Project } from '../index.ts'
 
 const fallback: Project = {
   ...project,

@@ -5,8 +5,7 @@ import * as packs from '#features/editor/model/packs.ts'
 import { load, save } from '#storage/projects.ts'
 import { deviceThatKeepsNothing, freshDevice, recordIn } from '#storage/testing/device.ts'
 import { friendship, withPicture } from '#storage/testing/sample.ts'
-import { isSubstitute } from './floor/substitute.ts'
-import { floorToRun, openLab, ownPictureIn } from './opening.ts'
+import { openLab, ownPictureIn } from './opening.ts'
 
 beforeEach(async () => {
   await freshDevice()
@@ -25,15 +24,11 @@ test('a card opens fresh where nothing is kept, and says whether anything can be
   expect(await openLab('no-such-card', null, packs)).toBeNull()
 })
 
-test('a floor whose picture does not load is a substitute, a coloured one is none', async () => {
-  const { floor } = (await openLab('friendship', null, packs))!
-  expect(isSubstitute(floor)).toBe(true)
-  expect(await floorToRun(friendship, packs)).toEqual(floor)
-  expect(isSubstitute(await floorToRun(friendship, packs))).toBe(true)
+test('the floor whose picture does not come is white, and that is said', async () => {
+  expect(await openLab('friendship', null, packs)).toMatchObject({ error: 'floorMissing' })
   const coloured = { ...friendship, world: { ...friendship.world, floor: { colour: '#00FF00' } } }
   await save('friendship', coloured, 0)
-  const plain = (await openLab('friendship', null, packs))!
-  expect([plain.error, plain.floorAddress, isSubstitute(plain.floor)]).toEqual([null, null, false])
+  expect(await openLab('friendship', null, packs)).toMatchObject({ error: null, floorAddress: null })
 })
 
 test('what is kept is opened, under the card or under a key of its own', async () => {

@@ -4,10 +4,9 @@ import { keepsAnything } from '#storage/database.ts'
 import { freshId, load } from '#storage/projects.ts'
 import { knowOwnMaps } from '@botgarten/blocks'
 import { cardProject } from '@botgarten/content/document'
-import { parseProject, type Project } from '@botgarten/programs'
+import { parseProject, salvageProject, type Project } from '@botgarten/programs'
 import { withWords } from '#words/message.ts'
 import { askForPixels, pictureIn } from './floor/pictures.ts'
-import { substituteFor } from './floor/substitute.ts'
 import { paintFloor, type Floor, type World } from '@botgarten/simulation'
 
 /** A project that is about to be shown. */
@@ -17,13 +16,12 @@ export interface Opened {
   readonly revision: number
   readonly project: Project
   readonly card: LoadedCard | null
-  /** A substitute where its picture cannot be read. */
   readonly floor: Floor
   readonly floorAddress: string | null
   /** Does its program hold more than the plain shelf? */
   readonly expert: boolean
   /** Message keys of what went wrong on the way; the lab stands all the same. */
-  readonly error: 'brokenHere' | 'partlyHere' | null
+  readonly error: 'brokenHere' | 'partlyHere' | 'floorMissing' | null
   /** What lies on the device and could not be read whole. */
   readonly damaged: { readonly name: string; readonly raw: unknown } | null
   /** Does this device keep anything at all? */
@@ -47,7 +45,7 @@ export async function openLab(name: string, projectId: string | null, packs: Pac
   const card = name === 'free' ? null : await loadCard(name)
   if (name !== 'free' && !card) return null
   const fresh = card ? cardProject(card.world, card.card, card.start, card.card.id) : await loadFreeLab()
-  const kept = await readKept(projectId ?? name, name, fresh, await stored)
+  const kept = readKept(projectId ?? name, name, fresh, await stored)
   const project = kept.project ?? fresh
   const own = name === 'free' ? await ownCardIn(project) : null
   knowOwnMaps(namesOf(project))
@@ -61,10 +59,10 @@ export async function openLab(name: string, projectId: string | null, packs: Pac
     revision: kept.revision,
     project,
     card: card ?? own,
-    floor,
+    floor: floor ?? paintFloor({ ...project.world, floor: { colour: '#FFFFFF' } }),
     floorAddress: pictureOf(project),
     expert,
-    error: kept.error,
+    error: kept.error ?? (floor ? null : 'floorMissing'),
     damaged: kept.damaged,
     keeps: kept.revision > 0 || (await keepsAnything()),
   }
@@ -81,25 +79,24 @@ async function ownCardIn(project: Project): Promise<LoadedCard | null> {
 const namesOf = ({ maps = {} }: Project) =>
   Object.fromEntries(Object.entries(maps).map(([id, { name }]) => [id, name]))
 
-/** The floor of a project that is only run, once its blocks are loaded; a substitute where its picture cannot be read. */
+/** The floor of a project that is only to be run, once its blocks are there; a blank one where its picture is missing. */
 export async function floorToRun(project: Project, packs: Packs): Promise<Floor> {
   knowOwnMaps(namesOf(project))
   const [floor] = await Promise.all([floorOf(project), packs.loadFor(project)])
-  return floor
+  return floor ?? paintFloor({ ...project.world, floor: { colour: '#FFFFFF' } })
 }
 
 /**
  * A kept project is read as carefully as a stranger's file. One that is damaged or too much stays where it is, and what of
  * it can be opened becomes a project of its own.
  */
-async function readKept(id: string, place: string, fresh: Project, kept: Awaited<ReturnType<typeof load>>) {
+function readKept(id: string, place: string, fresh: Project, kept: Awaited<ReturnType<typeof load>>) {
   if (!kept) return { id, revision: 0, project: null, error: null, damaged: null }
   try {
     const project = parseProject(kept.project)
     return { id, revision: kept.revision, project, error: null, damaged: null }
   } catch (cause) {
     console.warn('A kept project cannot be read.', cause)
-    const { salvageProject } = await import('@botgarten/programs/salvage')
     const project = salvageProject(kept.project, fresh)?.project ?? null
     const name = project?.name || id
     return {
@@ -130,16 +127,15 @@ function pictureOf(project: Pick<Project, 'world' | 'assets'>): string | null {
   return asset ? `data:image/png;base64,${asset.base64}` : floorAddress(project.world)
 }
 
-/** The floor of a project; a substitute where its picture cannot be read. */
-export async function floorOf(project: Pick<Project, 'world' | 'assets'>): Promise<Floor> {
+async function floorOf(project: Project): Promise<Floor | null> {
   const world: World = project.world
   if (!('asset' in world.floor)) return paintFloor(world)
   try {
     const asset = assetOf(project)
     const picture = await pictureIn(world, asset)
-    if (picture) return paintFloor(world, picture)
+    return picture && paintFloor(world, picture)
   } catch (cause) {
     console.warn('The picture of the floor cannot be read.', cause)
+    return null
   }
-  return substituteFor(world)
 }

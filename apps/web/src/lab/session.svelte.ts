@@ -13,8 +13,7 @@ import { EffortCount } from './effort.ts'
 import { Extras } from './extras.svelte.ts'
 import { Findings, noProgram } from './findings.svelte.ts'
 import { ProjectAutosave, savesTo } from './autosave.svelte.ts'
-import { isSubstitute } from './floor/substitute.ts'
-import { floorOf, floorPictureOf, type Opened } from './opening.ts'
+import { floorPictureOf, type Opened } from './opening.ts'
 import { CardProgress } from './progress.svelte.ts'
 import { RunningLab } from './running.svelte.ts'
 import { UndoStack } from './undo.svelte.ts'
@@ -52,8 +51,6 @@ export class LabSession {
   paint: (scene: Scene) => Floor | null = () => null
   /** Start was pressed: learns first what the program wants learned. The playground sets it; true where it has begun. */
   learnFirst: () => boolean = () => this.learns
-  /** Called after the missing picture of the floor was loaded again: is it still missing? The screen sets it. */
-  onfloor: (isMissing: boolean) => void = () => {}
   /** Poses from which a run counts: those of the card, or where the way that was learned begins. The playground sets it. */
   starts: () => readonly Pose[] = () => this.opened.card?.card.starts ?? []
   /** What is looked at inside the network; there from the first question on. */
@@ -280,32 +277,8 @@ export class LabSession {
     return this.#progress.startAt(this.lab.document.world.robots[0]?.pose)
   }
 
-  /** Is the floor a substitute for a picture that could not be read? Bo would see white where the child sees a picture. */
-  get isFloorMissing(): boolean {
-    return isSubstitute(this.lab.floor)
-  }
-
-  /** Loads the picture of the floor again if it is missing. Returns whether a run may begin. */
-  async readFloor(): Promise<boolean> {
-    if (!this.isFloorMissing) return true
-    const { world } = this.lab.document
-    const floor = await floorOf({ world, assets: this.pictures })
-    // The user may have built another world while it was loading.
-    if (this.isFloorMissing && !isSubstitute(floor) && this.lab.document.world.floor === world.floor)
-      this.lab.rebuild(this.lab.document, floor)
-    this.onfloor(this.isFloorMissing)
-    return !this.isFloorMissing
-  }
-
-  /** May a run begin, or one without a picture? If not, the picture of the floor is loaded again for the next press. */
-  canRun(): boolean {
-    if (this.isFloorMissing) void this.readFloor()
-    return !this.isFloorMissing
-  }
-
   /** Begins a run. Returns the finding that keeps it from running, if there is one. */
   start(): Finding | null {
-    if (!this.canRun()) return unreadable
     const { stuck } = this.#findings
     if (stuck !== undefined) {
       this.choose(stuck)
@@ -335,9 +308,6 @@ export class LabSession {
     this.apply({ kind: 'progress', after: { ...this.progress, hints: Math.max(shown, hints) } })
   }
 }
-
-/** No block is wrong: the floor is missing. */
-const unreadable: Finding = { block: '', problem: 'floorMissing', stops: true }
 
 /** After these a program that has to be fixed first runs no longer. */
 const halts: readonly Change['kind'][] = ['program', 'config']

@@ -63,9 +63,9 @@ export class LabUi {
   constructor(session: LabSession) {
     this.#session = session
     this.#last = new LastRun(session)
-    session.onfloor = (isMissing) => (this.notice = isMissing ? 'floorMissing' : null)
-    if (session.isFloorMissing) this.notice = 'floorMissing'
-    const { damaged, error } = session.opened
+    const { error } = session.opened
+    if (error === 'floorMissing') this.notice = error
+    const { damaged } = session.opened
     if (damaged)
       this.message = {
         ...{ title: `session.${error}`, text: `session.${error}Text`, facts: {} },
@@ -212,7 +212,7 @@ export class LabUi {
     this.chooseStart(index)
     if (lab.speed < furtherPlaces) [this.#ownSpeed, lab.speed] = [lab.speed, furtherPlaces]
     this.speaker.wake()
-    void this.#whenReady(() => this.#begin())
+    void told().then(() => this.#begin())
   }
 
   /** A run that begins by itself has the speed that was chosen. */
@@ -227,13 +227,7 @@ export class LabUi {
     // Browsers let a page sound only while a press is being answered.
     this.speaker.wake()
     this.#slowDown()
-    void this.#whenReady(() => this.#begin())
-  }
-
-  /** Runs a verb when the changes of the blocks are taken over and Bo can see the floor. */
-  async #whenReady(verb: () => void): Promise<void> {
-    await told()
-    if (await this.#session.readFloor()) verb()
+    void told().then(() => this.#begin())
   }
 
   #begin(): void {
@@ -261,7 +255,7 @@ export class LabUi {
 
   step(kind: StepKind): void {
     this.speaker.wake()
-    void this.#whenReady(() => {
+    void told().then(() => {
       const { phase } = this.#session.lab.view
       if (phase === 'ready' || phase === 'ended') this.#begin()
       if (!this.#shown) this.#session.lab.step(kind)

@@ -2,11 +2,9 @@ import { addBlocks } from '@botgarten/blocks'
 import { learning } from '@botgarten/blocks/packs/learning'
 import { cardProject } from '@botgarten/content'
 import { content } from '@botgarten/content/files'
-import { deflateSync } from 'node:zlib'
 import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest'
 import { until } from '#storage/testing/device.ts'
 import { friendship } from '#storage/testing/sample.ts'
-import { substituteFor } from './floor/substitute.ts'
 import { closeSessions, screen, sessionOf } from './testing/session.ts'
 import { LabUi } from './ui.svelte.ts'
 
@@ -220,40 +218,9 @@ describe('a run', () => {
   })
 })
 
-describe('a floor whose picture could not be loaded', () => {
-  const pixels = deflateSync(new Uint8Array([0, 0, 0, 1, 0, 0, 0, 1, 255, 0, 0, 255]))
-  const blind = () => opened(undefined, { floor: substituteFor(friendship.world) })
-
-  test('refuses Start, a step and a run that a hand would drive; and that is shown again', async () => {
-    vi.stubGlobal('fetch', () => Promise.reject(new TypeError('No network in a test.')))
-    const { session, ui } = blind()
-    for (const press of [() => ui.start(), () => ui.step('block'), () => session.start()]) {
-      ui.notice = null
-      press()
-      await told()
-      expect([session.lab.view.phase, session.lab.view.tick, ui.notice]).toEqual(['ready', 0, 'floorMissing'])
-    }
-  })
-
-  test('is loaded again when Start is pressed, and the run begins on it', async () => {
-    vi.stubGlobal('fetch', () => Promise.resolve(new Response(pixels)))
-    const { session, ui } = blind()
-    ui.start()
-    await until(() => {
-      draw(0)
-      return session.lab.view.phase === 'running'
-    })
-    expect([ui.notice, session.isFloorMissing, [...session.lab.floor.data.slice(0, 3)]]).toEqual([
-      null,
-      false,
-      [255, 0, 0],
-    ])
-  })
-})
-
 describe('what is said', () => {
   test('at first: a floor that is missing, a project that could be read in parts', () => {
-    expect(opened(undefined, { floor: substituteFor(friendship.world) }).ui.notice).toBe('floorMissing')
+    expect(opened(undefined, { error: 'floorMissing' }).ui.notice).toBe('floorMissing')
     const { ui } = opened(undefined, { error: 'partlyHere', damaged: { name: 'a', raw: {} } })
     expect(ui.notice).toBeNull()
     expect(ui.message).toMatchObject({

@@ -4,9 +4,9 @@ import {
   parseCardFile,
   parseProject,
   ProjectError,
+  salvageProject,
   type Project,
 } from '@botgarten/programs/project'
-import { salvageProject } from '@botgarten/programs/salvage'
 import { loadFreeLab, placeOf } from '#content/cards.ts'
 import { shownName } from '#content/names.ts'
 import { fetchWords, m } from '#words/message.ts'

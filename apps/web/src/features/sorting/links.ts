@@ -1,7 +1,6 @@
 import { goto } from '$app/navigation'
 import { resolve } from '$app/paths'
-import { parseProject, type Project } from '@botgarten/programs/project'
-import { salvageProject } from '@botgarten/programs/salvage'
+import { parseProject, salvageProject, type Project } from '@botgarten/programs/project'
 import { sortingProject } from '#content/new-project.ts'
 import type { LabSession } from '#lab/session.svelte.ts'
 import { moveOldSorting, oldSorting } from '#storage/old-sorting.ts'

@@ -27,6 +27,3 @@ export interface Painted {
   readonly id: number
   readonly count: number
 }
-
-/** The worker is `ready` when it has loaded its script and the first letters. */
-export type Answer = 'ready' | Painted

@@ -1,6 +1,6 @@
 import { Surface, type Frame } from '#drawing/surface.ts'
 import { Sender } from '#drawing/wire.ts'
-import type { Answer, Face, Message } from './messages.ts'
+import type { Face, Message, Painted } from './messages.ts'
 
 /** What shows frames on a canvas. */
 export interface Shower {
@@ -51,43 +51,41 @@ function loadedFaces(): readonly Face[] {
   return [...document.styleSheets].flatMap(facesOf).filter(({ family }) => loaded.has(family))
 }
 
-export type Painter = 'page' | 'worker'
-
-/** Paints all canvases of the page: the page itself, until a worker that can has started. */
+/** Paints all canvases of the page: in a worker, where the browser has one that can; else where the page runs. */
 class Painting {
   #worker: Worker | null = null
   #next = 0
   readonly #waiting = new Map<number, Waiting>()
   /** Letters that the worker knows. */
   #families: unknown = null
-  /** The worker has loaded its script and letters, and has not failed. */
-  hasWorker = $state(false)
+  /** The worker is no use here: canvases are new ones from then on. */
+  failed = $state(false)
 
-  #start(): void {
-    const worker = new Worker(new URL('./worker.ts', import.meta.url), { type: 'module' })
-    this.#worker = worker
-    worker.onerror = worker.onmessageerror = () => {
-      worker.terminate()
-      this.hasWorker = false
-    }
-    worker.onmessage = ({ data }: MessageEvent<Answer>) => {
-      if (data === 'ready') {
-        this.hasWorker = true
-        return
-      }
-      const waiting = this.#waiting.get(data.id)
-      if (!waiting || waiting.count > data.count) return
-      this.#waiting.delete(data.id)
-      waiting.painted()
-    }
-    this.#post({ kind: 'letters', faces: loadedFaces() })
+  get #usable(): Worker | null {
+    if (this.failed || !canPaint()) return null
+    this.#worker ??= this.#start()
+    return this.#worker
   }
 
-  /** @param canvas that is not painted yet. The first one of the page starts the worker. */
-  on(canvas: HTMLCanvasElement, by: Painter): Shower {
-    if (by === 'worker') return this.#beside(canvas)
-    if (!this.#worker && canPaint()) this.#start()
-    return here(canvas)
+  #start(): Worker {
+    const worker = new Worker(new URL('./worker.ts', import.meta.url), { type: 'module' })
+    worker.onerror = worker.onmessageerror = () => {
+      worker.terminate()
+      this.#worker = null
+      this.failed = true
+    }
+    worker.onmessage = ({ data: { id, count } }: MessageEvent<Painted>) => {
+      const waiting = this.#waiting.get(id)
+      if (!waiting || waiting.count > count) return
+      this.#waiting.delete(id)
+      waiting.painted()
+    }
+    return worker
+  }
+
+  /** @param canvas that nobody has painted on */
+  on(canvas: HTMLCanvasElement): Shower {
+    return this.#usable ? this.#beside(canvas) : here(canvas)
   }
 
   #beside(canvas: HTMLCanvasElement): Shower {

@@ -2,7 +2,7 @@
 import type { Families } from '#drawing/shapes.ts'
 import { Surface, type Frame } from '#drawing/surface.ts'
 import { Receiver } from '#drawing/wire.ts'
-import type { Answer, Face, Message, Painted } from './messages.ts'
+import type { Face, Message, Painted } from './messages.ts'
 
 interface Canvas {
   readonly surface: Surface
@@ -84,16 +84,10 @@ async function loadLetters(all: readonly Face[]): Promise<void> {
   paintSoon()
 }
 
-let isReady = false
-function ready(): void {
-  if (!isReady) self.postMessage('ready' satisfies Answer)
-  isReady = true
-}
-
 self.onmessage = ({ data }: MessageEvent<Message>) => {
   if (data.kind === 'open') open(data.id, data.canvas)
   else if (data.kind === 'close') canvases.delete(data.id)
-  else if (data.kind === 'letters') void loadLetters(data.faces).then(ready)
+  else if (data.kind === 'letters') void loadLetters(data.faces)
   else {
     const canvas = canvases.get(data.id)
     if (!canvas) return

@@ -3,7 +3,6 @@ import { paintFloor } from '@botgarten/simulation'
 import { afterEach, beforeEach, expect, test, vi } from 'vitest'
 import { friendship } from '#storage/testing/sample.ts'
 import { Floors } from './floors.ts'
-import { isSubstitute } from './substitute.ts'
 
 const size = { width: 600, height: 400 }
 const ours = { size, floor: friendship.world.floor, areas: [], lines: [] }
@@ -47,11 +46,8 @@ test('one that is there already is not fetched; one that does not come is said, 
   vi.stubGlobal('fetch', () => Promise.reject(new TypeError('No network in a test.')))
   expect(await floors.load(ours, {})).toBe(false)
   expect(await floors.load({ floor: { asset: 'content:gone' } }, {})).toBe(false)
-  expect(isSubstitute(floors.paint(ours))).toBe(true)
-  expect(isSubstitute(floors.paint(ours))).toBe(true)
   const picture = { width: 1, height: 1, data: new Uint8Array([0, 0, 255, 255]) }
   floors.keep((ours.floor as { asset: string }).asset, picture)
   expect(await floors.load(ours, {})).toBe(true)
   expect(floors.paint(ours)).toEqual(paintFloor(ours, picture))
-  expect(isSubstitute(floors.paint(ours))).toBe(false)
 })

@@ -1,7 +1,6 @@
 import { pictureIn } from './pictures.ts'
 import type { Project, Scene } from '@botgarten/programs'
 import { paintFloor, type Floor, type Picture, type World } from '@botgarten/simulation'
-import { substituteFor } from './substitute.ts'
 
 /** Pictures of floors, unpacked once, so that a floor is painted within a frame. */
 export class Floors {
@@ -11,7 +10,7 @@ export class Floors {
     this.#pictures.set(asset, picture)
   }
 
-  /** Fetches and unpacks the picture of a scene's floor. Returns whether it can be read; else a substitute is painted. */
+  /** Fetches and unpacks the picture of a scene's floor. What cannot be read is white; returns whether it could. */
   async load(scene: Pick<World, 'floor'>, assets: Project['assets']): Promise<boolean> {
     const { floor } = scene
     if (!('asset' in floor) || this.#pictures.has(floor.asset)) return true
@@ -26,8 +25,7 @@ export class Floors {
   }
 
   paint = (scene: Pick<Scene, 'size' | 'floor' | 'areas' | 'lines'>): Floor => {
-    if (!('asset' in scene.floor)) return paintFloor(scene)
-    const picture = this.#pictures.get(scene.floor.asset)
-    return picture ? paintFloor(scene, picture) : substituteFor(scene)
+    const picture = 'asset' in scene.floor ? this.#pictures.get(scene.floor.asset) : undefined
+    return paintFloor(scene, picture)
   }
 }

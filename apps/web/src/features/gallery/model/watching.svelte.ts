@@ -1,7 +1,6 @@
 import type { Project } from '@botgarten/programs'
 import type { LedColour, World } from '@botgarten/simulation'
 import { floorToRun, type Packs } from '#lab/opening.ts'
-import { isSubstitute } from '#lab/floor/substitute.ts'
 import { RunningLab } from '#lab/running.svelte.ts'
 
 /** A snapshot that drives on the page, to look at alone; another brain may drive beside it as a ghost. */
@@ -63,13 +62,7 @@ export class Watching {
     return () => stops.forEach((stop) => stop())
   }
 
-  /** The floor cannot be read: nothing may drive on it. */
-  get isFloorMissing(): boolean {
-    return isSubstitute(this.#lab.floor)
-  }
-
   toggle(): void {
-    if (this.isFloorMissing) return
     const verb = this.running ? 'pause' : this.paused ? 'resume' : 'start'
     for (const lab of this.#all) lab[verb]()
   }

@@ -1,5 +1,3 @@
-import { printAlone } from '#parts/print-alone.ts'
-
 /** Prints a file with its line numbers and nothing else of the page. */
 export function printCode(name: string, text: string): void {
   const sheet = document.createElement('pre')
@@ -10,11 +8,6 @@ export function printCode(name: string, text: string): void {
     '\n',
   )
   document.body.append(sheet)
-  const release = printAlone(sheet)
-  const after = () => {
-    release()
-    sheet.remove()
-  }
-  window.addEventListener('afterprint', after, { once: true })
+  window.addEventListener('afterprint', () => sheet.remove(), { once: true })
   window.print()
 }

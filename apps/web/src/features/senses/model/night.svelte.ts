@@ -76,7 +76,7 @@ export class Night {
 
   begin(): void {
     const { outline } = this
-    if (!outline || this.isAsleep || !this.#session.canRun()) return
+    if (!outline || this.isAsleep) return
     this.ending = this.#reasonNot(outline)
     if (this.ending) return
     const { lab, robot } = this.#session

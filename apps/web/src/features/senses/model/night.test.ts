@@ -8,7 +8,6 @@ import { tryingIn, type Project } from '@botgarten/programs'
 import { paintFloor } from '@botgarten/simulation'
 import { afterEach, beforeAll, describe, expect, test, vi } from 'vitest'
 import type { LoadedCard } from '#content/cards.ts'
-import { substituteFor } from '#lab/floor/substitute.ts'
 import { closeSessions, sessionOf } from '#lab/testing/session.ts'
 import { withRobot } from '#lab/robots.ts'
 import type { LabSession } from '#lab/session.svelte.ts'
@@ -81,17 +80,6 @@ describe('a night', () => {
     expect(session.lab.facts.problem).toBeNull()
     night.begin()
     expect(night.ending).toBe('already')
-  })
-
-  test('does not begin on a floor whose picture cannot be read', async () => {
-    vi.spyOn(console, 'warn').mockImplementation(() => {})
-    vi.stubGlobal('fetch', () => Promise.reject(new TypeError('No network in a test.')))
-    await freshDevice()
-    const { session } = sessionOf(project, { isCard: false, floor: substituteFor(project.world) })
-    const { tables } = session.project
-    const night = nightOf(session, atOnce)
-    night.begin()
-    expect([night.ending, session.project.tables]).toEqual([null, tables])
   })
 
   test('is saved like every change, and can be taken back', async () => {

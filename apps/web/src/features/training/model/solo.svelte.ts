@@ -49,7 +49,6 @@ export class Solo {
   go(): void {
     if (this.#isGoing) return
     const { session, outcome, net } = this.#assignment
-    if (!session.canRun()) return
     const { round } = outcome
     const { lab, opened, robotId } = session
     const { card } = opened

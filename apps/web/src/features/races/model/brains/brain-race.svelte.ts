@@ -1,7 +1,6 @@
 import type { Lane, LaneKind, LaneResult } from '@botgarten/experiments/brain-race'
 import { laneKinds, summariesOf } from '@botgarten/experiments/brain-race/table'
 import type { Raced } from '@botgarten/programs'
-import { isSubstitute } from '#lab/floor/substitute.ts'
 import { Playback } from '../playback.svelte.ts'
 import { saveRaced, type OpenCourse } from './ground.ts'
 import { newWorker } from './new-worker.ts'
@@ -24,7 +23,7 @@ export class BrainRace {
   /** 0..1 while it runs, else null. */
   share = $state<number | null>(null)
   /** The last race could not be run to its end, or could not be saved. */
-  problem = $state<'failed' | 'notSaved' | 'noFloor' | null>(null)
+  problem = $state<'failed' | 'notSaved' | null>(null)
   results = $state.raw<readonly LaneResult[]>([])
   answers = $state.raw<{ readonly [question in Question]?: LaneKind }>({})
   #raced = $state.raw<readonly Lane[]>([])
@@ -72,10 +71,6 @@ export class BrainRace {
   /** From now on all brains are frozen. */
   async race(): Promise<void> {
     if (this.share !== null) return
-    if (isSubstitute(this.open.ground.floor)) {
-      this.problem = 'noFloor'
-      return
-    }
     this.playback.stop()
     const lanes = laneKinds.map((kind) => this.#laneOf(kind))
     this.share = 0

@@ -2,11 +2,9 @@ import 'fake-indexeddb/auto'
 import { addBlocks } from '@botgarten/blocks'
 import { expert } from '@botgarten/blocks/packs/expert'
 import { learning } from '@botgarten/blocks/packs/learning'
-import { content } from '@botgarten/content/files'
 import { finish, race } from '@botgarten/experiments/brain-race'
 import { laneKinds } from '@botgarten/experiments/brain-race/table'
 import { afterEach, beforeAll, beforeEach, expect, test, vi } from 'vitest'
-import { substituteFor } from '#lab/floor/substitute.ts'
 import { screen } from '#lab/testing/session.ts'
 import { workersHere } from '#lab/testing/worker.ts'
 import { open, save } from '#storage/projects.ts'
@@ -26,7 +24,7 @@ beforeAll(() => {
 beforeEach(async () => {
   await freshDevice()
   const garden = (await openCourse('garden'))!
-  const ground = { ...garden.ground, floor: content.floorOf(garden.ground.world) }
+  const { ground } = garden
   // One second from each start is enough to see who drives.
   course = { ...garden, ground: { ...ground, course: { ...ground.course, seconds: 1 } } }
   workers = workersHere(() => import('./worker.ts'))
@@ -44,13 +42,6 @@ function raceOn(open = course): BrainRace {
   races.push(one)
   return one
 }
-
-test('no brain races on a floor whose picture cannot be read', async () => {
-  const floor = substituteFor(course.ground.world)
-  const one = raceOn({ ...course, ground: { ...course.ground, floor } })
-  await one.race()
-  expect([one.problem, one.isOver]).toEqual(['noFloor', false])
-})
 
 test('the brains of the course drive as in one go, and the first start is shown from its beginning', async () => {
   const one = raceOn()
