@@ -519,7 +519,7 @@ test('packs on paper, step by step', { tag: '@materials' }, async ({ child, page
   await goesThrough(child, 'materials-packs', {
     async 'a pack of a lesson'() {
       await follows(child, 'home.materials')
-      await hands.seesDrawn()
+      await expect(page.locator('.library li').first()).toBeVisible()
       await pack('friendship-and-fear', 'children=2')
       await pressesPrint()
     },
