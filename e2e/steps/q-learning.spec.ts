@@ -51,8 +51,11 @@ const choosing: Steps = {
   'the learning starts elsewhere': (child) => new Learner(child).makesStation(4, 'startHere'),
   'it ends elsewhere': (child) => new Learner(child).makesStation(5, 'goalHere'),
   'start, goal and map can be changed': (child) => child.presses('q.change'),
-  'the start is changed in a list': (child) => list(child, 'q.start').selectOption('3'),
-  'the goal is changed in a list': (child) => list(child, 'q.goal').selectOption('1'),
+  // Within the frame in which the editor reports the first change.
+  'start and goal are changed in lists': async (child) => {
+    await list(child, 'q.start').selectOption('3')
+    await list(child, 'q.goal').selectOption('1')
+  },
   'numbers for explorers': async (child) => {
     await child.presses('q.close')
     await level('explorer')(child)

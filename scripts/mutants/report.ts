@@ -51,7 +51,7 @@ export function reportOf(reports: readonly RoomReport[], seed: number): string {
     '',
     ...table(['rooms', 'killed', 'share', 'goal'], groupRows(run)),
     '',
-    ...table(['room', 'killed', 'share', 'of places', 'equivalent'], run.map(roomRow)),
+    ...table(['room', 'killed', 'share', 'places', 'equivalent'], run.map(roomRow)),
     ...section('Survivors', survivors.map(lineOf)),
     ...section('Not run, or not to the end', left.map(leftOf)),
     '',

@@ -16,12 +16,38 @@ const outline: LearningOutline = {
   pay: { own: { '3': 10, '2-5': -5 } },
 }
 let steps: unknown[] = []
+const blocks = {
+  setFields: (block: string, fields: object) => void steps.push({ block, ...fields }),
+  setClosed: (map: string, roads: LearningOutline['closed']) => void steps.push({ map, roads }),
+}
 const edits = (of: LearningOutline | null = outline) =>
-  new BlockEdits(() => of, {
-    setFields: (block, fields) => steps.push({ block, ...fields }),
-    setClosed: (map, roads) => steps.push({ map, roads }),
-  })
+  new BlockEdits(
+    () => of,
+    blocks,
+    () => true,
+  )
 beforeEach(() => (steps = []))
+
+test('an edit keeps a change of the blocks that the editor has not reported yet', () => {
+  let known = outline
+  const settle = () => (known = { ...outline, start: 4, closed: [[4, 5]], pay: { own: { '7': 1 } } })
+  for (const edit of [
+    (one: BlockEdits) => one.setStation('FINISH', 5),
+    (one: BlockEdits) => one.setRoad(1, 2, true, false),
+    (one: BlockEdits) => one.setOwn(['3'], 2),
+    (one: BlockEdits) => one.setMap('city', 0, 1),
+  ]) {
+    known = outline
+    edit(new BlockEdits(() => known, blocks, settle))
+  }
+  expect(steps).toEqual([
+    { block: 'map', START: '4', FINISH: '5' },
+    { map: 'map', roads: [[4, 5], [1, 2]] }, // prettier-ignore
+    { block: 'map', REWARDS: expect.stringContaining('7') as string },
+    { map: 'map', roads: [] },
+    expect.objectContaining({ START: '0', FINISH: '1' }),
+  ])
+})
 
 test('a station becomes the start in one step', () => {
   edits().setStation('START', 5)

@@ -11,15 +11,24 @@ export interface Blocks {
 export class BlockEdits {
   readonly #outline: () => LearningOutline | null
   readonly #blocks: Blocks
+  readonly #settle: () => unknown
 
-  constructor(outline: () => LearningOutline | null, blocks: Blocks) {
+  /** @param settle takes over pending changes of the blocks, so that an edit that depends on the task does not undo them */
+  constructor(outline: () => LearningOutline | null, blocks: Blocks, settle: () => unknown) {
     this.#outline = outline
     this.#blocks = blocks
+    this.#settle = settle
+  }
+
+  /** The task with every change of the blocks: the editor reports them up to a frame later. */
+  #latest(): LearningOutline | null {
+    this.#settle()
+    return this.#outline()
   }
 
   /** Another map, with where it begins and ends; signs and rewards of the map before are gone. */
   setMap(map: string, start: number, goal: number): void {
-    const outline = this.#outline()
+    const outline = this.#latest()
     if (!outline) return
     if (outline.closed.length > 0) this.#blocks.setClosed(outline.blocks.map, [])
     const fields = { MAP: mapField(map), START: String(start), FINISH: String(goal), REWARDS: '' }
@@ -28,7 +37,7 @@ export class BlockEdits {
 
   /** Start and goal change places rather than become one. */
   setStation(field: 'START' | 'FINISH', station: number): void {
-    const outline = this.#outline()
+    const outline = this.#latest()
     if (!outline) return
     const { start, goal } = outline
     const [other, own] = field === 'START' ? [goal, start] : [start, goal]
@@ -43,7 +52,7 @@ export class BlockEdits {
 
   /** Closes or opens a road, in one direction or in both. */
   setRoad(from: number, to: number, there: boolean, back: boolean): void {
-    const outline = this.#outline()
+    const outline = this.#latest()
     if (!outline) return
     const others = outline.closed.filter(([a, b]) => !((a === from && b === to) || (a === to && b === from)))
     const own = [...(there ? [[from, to] as const] : []), ...(back ? [[to, from] as const] : [])]
@@ -58,7 +67,7 @@ export class BlockEdits {
 
   /** What stations and roads pay beside the goal; 0: nothing. */
   setOwn(places: readonly string[], value: number): void {
-    const outline = this.#outline()
+    const outline = this.#latest()
     if (!outline) return
     const others = Object.entries(outline.pay?.own ?? {}).filter(([place]) => !places.includes(place))
     const own = Object.fromEntries(

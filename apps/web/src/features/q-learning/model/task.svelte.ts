@@ -32,7 +32,11 @@ export class Task {
 
   constructor(session: LabSession, blocks: Blocks) {
     this.#session = session
-    this.edits = new BlockEdits(() => this.outline, blocks)
+    this.edits = new BlockEdits(
+      () => this.outline,
+      blocks,
+      () => session.settleBlocks(),
+    )
   }
 
   get stage() {

@@ -18,10 +18,15 @@ function editsAndSteps() {
     closed: [[3, 2]] as [number, number][],
     settings: { rules: 'standard', algorithm: 'q', alpha: 0.5, gamma: 0.8, nu: 0.1, rho: 0.5 } as const,
   }
-  const edits = new BlockEdits(() => outline, {
-    setFields: (_, fields) => steps.push(fields),
-    setClosed: (_, roads) => steps.push(roads),
-  })
+  const blocks = {
+    setFields: (_: string, fields: object) => void steps.push(fields),
+    setClosed: (_: string, roads: unknown) => void steps.push(roads),
+  }
+  const edits = new BlockEdits(
+    () => outline,
+    blocks,
+    () => true,
+  )
   return { edits, steps }
 }
 
